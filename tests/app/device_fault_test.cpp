@@ -25,6 +25,7 @@
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
+#include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -184,20 +185,16 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
 }
 
 /// Swings through the surface by itself, as a device in a person's hand does.
-class SwingingDevice final : public HapticDevice {
- public:
-  SwingingDevice() : HapticDevice({.name = "swinging", .serial = "42", .peak_force_N = 6.0}, {}) {}
-  ~SwingingDevice() override { zero_force(); }
-
- private:
-  bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override {
-    const double turn = 2.0 * std::numbers::pi * 1e-9 * static_cast<double>(now_ns);
+std::unique_ptr<HapticDevice> swinging_device() {
+  auto device = std::make_unique<ScriptedDevice>(
+      DeviceCapability{.name = "swinging", .serial = "42", .peak_force_N = 6.0});
+  device->at_read = [](ProbeState& state) {
+    const double turn = 2.0 * std::numbers::pi * 1e-9 * static_cast<double>(state.time_ns);
     state.position_m = {0.010 * std::sin(turn), 0.0, 0.002 * std::sin(1.3 * turn)};
     state.velocity_m_per_s = {0.010 * 2.0 * std::numbers::pi * std::cos(turn), 0.0, 0.0};
-    return true;
-  }
-  bool do_send(const Wrench&) noexcept override { return true; }
-};
+  };
+  return device;
+}
 
 TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   const TemporaryFolder folder{};
@@ -218,7 +215,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
       {.id = "swinging", .open = [&](const std::string& asked, const DriverOptions& options) {
          which = asked;
          firmware = options.firmware;
-         return std::make_unique<SwingingDevice>();
+         return swinging_device();
        }});
   const ModelRegistry models = built_in_models();
   QuickPerson person{};
@@ -245,7 +242,7 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   DriverRegistry drivers;
   drivers.add({.id = "swinging", .open = [&](const std::string&, const DriverOptions&) {
                  ++openings;
-                 return std::make_unique<SwingingDevice>();
+                 return swinging_device();
                }});
   const ModelRegistry models = built_in_models();
   QuickPerson person{};

@@ -3,7 +3,6 @@
 #include "app/tasks/device_test.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -23,7 +22,9 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
+#include "tests/support/calling_device.h"
 #include "tests/support/refusal.h"
+#include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -46,66 +47,8 @@ const DeviceItem& item(const DeviceProfile& profile, const std::string& name) {
   return *found;
 }
 
-/// Motors that give one force in another's place, or never let go: what safety is there to see.
-class DisobedientDevice final : public HapticDevice {
- public:
-  DisobedientDevice() : HapticDevice({.name = "disobedient", .peak_force_N = 5.0}, ForceLimits{}) {}
-  ~DisobedientDevice() override { zero_force(); }
-
- private:
-  bool do_read(std::int64_t, ProbeState& state) noexcept override {
-    state.position_m.x = 0.001 * static_cast<double>(++reads_ % 2);
-    return true;
-  }
-  bool do_send(const Wrench& limited) noexcept override {
-    Wrench given = limited;
-    given.force_N.x += 0.1;
-    gave_only(given);
-    return true;
-  }
-  int reads_ = 0;
-};
-
-/// A handle that nothing moves.
-class StuckDevice final : public HapticDevice {
- public:
-  explicit StuckDevice(int motors = 3)
-      : HapticDevice({.name = "stuck",
-                      .actuated_degrees_of_freedom = motors,
-                      .peak_force_N = motors > 0 ? 5.0 : 0.0},
-                     ForceLimits{}) {}
-  ~StuckDevice() override { zero_force(); }
-  int reads_until_lost = -1;
-  std::string told{};
-  std::string trouble() const override { return told; }
-  double claimed_m_per_s = 0.0;
-
- private:
-  bool do_read(std::int64_t, ProbeState& state) noexcept override {
-    state.velocity_m_per_s.x = claimed_m_per_s;
-    return reads_until_lost-- != 0;
-  }
-  bool do_send(const Wrench&) noexcept override { return true; }
-};
-
-/// Keeps whoever asks waiting for 5 ms.
-class DeviceAt200Hz final : public HapticDevice {
- public:
-  DeviceAt200Hz() : HapticDevice({.name = "slow", .peak_force_N = 5.0}, ForceLimits{}) {}
-  ~DeviceAt200Hz() override { zero_force(); }
-  bool is_slow = true;
-  double force_N = 0.0;  ///< that it was last sent
-
- private:
-  bool do_read(std::int64_t, ProbeState&) noexcept override {
-    if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    return true;
-  }
-  bool do_send(const Wrench& limited) noexcept override {
-    force_N = glm::length(limited.force_N);
-    return true;
-  }
-};
+/// Of a handle that nothing moves.
+const DeviceCapability kStuck{.name = "stuck", .peak_force_N = 5.0};
 
 // The hand of the simulated device: 50 g on 300 N/m with 5 N·s/m along the surface and 10 across it.
 TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
@@ -335,14 +278,22 @@ TEST(DeviceTest, RefusesALimitOnWhatIsNoItem) {
 }
 
 TEST(DeviceTest, SeesMotorsThatDoNotObey) {
-  DisobedientDevice device;
+  ScriptedDevice device({.name = "disobedient", .peak_force_N = 5.0});
+  device.at_read = [&device](ProbeState& state) {
+    state.position_m.x = 0.001 * (device.reads % 2);
+  };
+  device.at_send = [&device](const Wrench& limited) {
+    Wrench given = limited;
+    given.force_N.x += 0.1;
+    device.gave_only(given);
+  };
   const DeviceProfile profile = test_device(device, stepped(), {});
   EXPECT_EQ(item(profile, "limiter").status, DeviceItem::Status::fail);
   EXPECT_EQ(item(profile, "force_zero_N").status, DeviceItem::Status::fail);
 }
 
 TEST(DeviceTest, SaysWhyAHandleThatDoesNotMoveIsNotMeasured) {
-  StuckDevice device;
+  ScriptedDevice device(kStuck);
   const DeviceProfile profile = test_device(device, stepped(), {});
   for (const char* const name : {"friction_N", "latency_s", "force_resolution_N"}) {
     EXPECT_EQ(item(profile, name).status, DeviceItem::Status::not_measured) << name;
@@ -352,7 +303,7 @@ TEST(DeviceTest, SaysWhyAHandleThatDoesNotMoveIsNotMeasured) {
 }
 
 TEST(DeviceTest, LeavesOutTheMechanicsOfADeviceWithoutMotors) {
-  StuckDevice device(0);
+  ScriptedDevice device({.name = "stuck", .actuated_degrees_of_freedom = 0});
   const DeviceProfile profile = test_device(device, stepped(), {});
   EXPECT_EQ(item(profile, "friction_N").status, DeviceItem::Status::not_measured);
   EXPECT_EQ(item(profile, "limiter").status, DeviceItem::Status::not_measured);
@@ -365,16 +316,16 @@ std::string loss_of(HapticDevice& device, const DeviceTestOptions& options = ste
 }
 
 TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
-  StuckDevice device;
-  device.reads_until_lost = 3000;
+  ScriptedDevice device(kStuck);
+  device.at_read = [&device](ProbeState&) { device.answers = device.reads <= 3000; };
   EXPECT_EQ(
       loss_of(device),
       "the device was lost while it was measured: it did not answer, and its driver does not "
       "say why. See that its cable and its power sit, end what else keeps this computer busy, "
       "and measure it again.");
-  StuckDevice unplugged;
-  unplugged.reads_until_lost = 3000;
-  unplugged.told = "The Stuck 7 is unplugged: plug it in again.";
+  ScriptedDevice unplugged(kStuck);
+  unplugged.at_read = [&unplugged](ProbeState&) { unplugged.answers = unplugged.reads <= 3000; };
+  unplugged.trouble_text = "The Stuck 7 is unplugged: plug it in again.";
   EXPECT_EQ(
       loss_of(unplugged),
       "the device was lost while it was measured: The Stuck 7 is unplugged: plug it in again. "
@@ -382,56 +333,16 @@ TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
 }
 
 TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
-  StuckDevice device;
-  device.claimed_m_per_s = 0.1;
+  ScriptedDevice device(kStuck);
+  device.probe.velocity_m_per_s.x = 0.1;
   const std::string loss = loss_of(device);
   EXPECT_NE(loss.find("tells the same position again and again"), std::string::npos) << loss;
   EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
 }
 
-/// Keeps time itself. Lost at a reading, it has a reason until its calls are stopped.
-class CallingDevice final : public HapticDevice {
- public:
-  explicit CallingDevice(bool calls)
-      : HapticDevice({.name = "calling", .peak_force_N = 5.0, .pacing = Pacing::theirs},
-                     ForceLimits{}),
-        calls_(calls) {}
-  ~CallingDevice() override {
-    stop_calls();
-    zero_force();
-  }
-  void start_calls(const TickCall& call) override {
-    if (!calls_) return;
-    caller_ = std::jthread([call](const std::stop_token& stop) {
-      while (!stop.stop_requested()) {
-        call.function(call.argument);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    });
-  }
-  void stop_calls() noexcept override {
-    caller_ = {};
-    is_lost_ = false;
-  }
-  std::string trouble() const override { return is_lost_ ? "The Calling 7 is too warm." : ""; }
-
- private:
-  bool do_read(std::int64_t, ProbeState&) noexcept override {
-    constexpr int kLostAt = 100;
-    if (++reads_ < kLostAt) return true;
-    is_lost_ = true;
-    return false;
-  }
-  bool do_send(const Wrench&) noexcept override { return true; }
-
-  bool calls_ = true;
-  int reads_ = 0;
-  std::atomic<bool> is_lost_{false};
-  std::jthread caller_{};
-};
-
 TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
-  CallingDevice device(true);
+  CallingDevice device;
+  device.readings_left = 100;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   // A busy machine may keep its thread from calling before it is lost.
   EXPECT_TRUE(loss.find("The Calling 7 is too warm. When that is mended") != std::string::npos ||
@@ -440,7 +351,8 @@ TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
 }
 
 TEST(DeviceTest, SaysOfADeviceThatDoesNotCallThatItDoesNot) {
-  CallingDevice device(false);
+  CallingDevice device;
+  device.is_silent = true;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   EXPECT_NE(loss.find("it did not call for 50 ms"), std::string::npos) << loss;
   EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
@@ -518,7 +430,7 @@ TEST(MeasuredDevice, HoldsADeviceToTheProtocolsLimitsUnlessToldOtherwise) {
 }
 
 TEST(MeasuredDevice, JudgesTheTimingOfAnAttachedOne) {
-  StuckDevice device{};
+  ScriptedDevice device(kStuck);
   MeasureOrder order{};
   order.test.timing = StagePacing::stepped;
   order.test.mechanics = StagePacing::stepped;
@@ -558,12 +470,13 @@ TEST(DeviceTest, TimesARealThread) {
 }
 
 TEST(DeviceTest, SaysThatALoopOf1000HzDoesNotRunOnADeviceThatAnswersAt200) {
-  DeviceAt200Hz device{};
+  ScriptedDevice device({.name = "slow", .peak_force_N = 5.0});
+  device.at_read = [](ProbeState&) { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   DeviceTestOptions options{.mechanics = StagePacing::stepped};
   options.tell = [&device](const DeviceTestNews& news) {
     if (news.part != DeviceTestPart::sweeps) return;
-    device.is_slow = false;  // the rest is stepped, and says nothing here
-    EXPECT_EQ(device.force_N, 0.0);
+    device.at_read = {};  // the rest is stepped, and says nothing here
+    EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
   };
   const DeviceProfile profile = test_device(device, options, {});
   const DeviceItem& rate = item(profile, "rate_Hz");
@@ -584,7 +497,7 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
   const auto spelt_out = [](const char*, const char* words) {
     return "<" + std::string(words) + ">";
   };
-  StuckDevice stuck;
+  ScriptedDevice stuck(kStuck);
   for (const DeviceProfile& profile :
        {measured({}), in_place_of("delta.3"), test_device(stuck, stepped(), {})}) {
     const DeviceProfile stored = profile_from_json(json_text_of(profile), "here");

@@ -5,65 +5,24 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {
 
 DeviceCapability capability(double peak_force_N) {
-  return {.name = "sketch", .peak_force_N = peak_force_N};
+  return {.name = "scripted", .peak_force_N = peak_force_N};
 }
 
-// A driver that keeps what reaches its motors.
-class Sketch final : public HapticDevice {
- public:
-  explicit Sketch(const DeviceCapability& described, const ForceLimits& limits = {})
-      : HapticDevice(described, limits) {
-    sent_.reserve(64);
-  }
-
-  bool answers = true;
-  glm::dvec3 position_m{0.01, 0.02, 0.03};
-  glm::dvec3 velocity_m_per_s{0.0};
-  bool has_nothing_new = false;
-  bool is_saturated = false;
-  std::string says{};
-  std::optional<double> strongest_N{};  ///< what its motors have, along the force that is asked for
-  const std::vector<Wrench>& sent() const { return sent_; }
-  std::string trouble() const override { return says; }
-  using HapticDevice::has_fallen_silent;
-
- private:
-  bool do_read(std::int64_t, ProbeState& state) noexcept override {
-    if (has_nothing_new) read_again();
-    state.position_m = position_m;
-    state.velocity_m_per_s = velocity_m_per_s;
-    return answers;
-  }
-  bool do_send(const Wrench& limited) noexcept override {
-    if (answers) {
-      if (sent_.size() < sent_.capacity()) sent_.push_back(limited);
-      if (is_saturated) gave_less();
-      const double wanted_N = glm::length(limited.force_N);
-      if (strongest_N && wanted_N > *strongest_N) {
-        gave_only({.force_N = *strongest_N / wanted_N * limited.force_N});
-      }
-    }
-    return answers;
-  }
-
-  std::vector<Wrench> sent_{};
-};
-
 TEST(HapticDevice, StampsAReadingWithTheTimeItWasAskedFor) {
-  Sketch device(capability(10.0));
+  ScriptedDevice device(capability(10.0));
+  device.probe.position_m = {0.01, 0.02, 0.03};
   const auto state = device.read(42);
   ASSERT_TRUE(state.has_value());
   EXPECT_EQ(state->time_ns, 42);
@@ -75,42 +34,46 @@ TEST(HapticDevice, SendsATorqueOnlyToMotorsThatCanTurn) {
   DeviceCapability described = capability(10.0);
   for (const int actuated : {3, 6}) {
     described.actuated_degrees_of_freedom = actuated;
-    Sketch device(described, {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+    ScriptedDevice device(described, {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
     const auto limited = device.push(wanted, kDt_s);
     ASSERT_TRUE(limited.has_value());
-    EXPECT_EQ(device.sent().back().force_N, wanted.force_N);
-    EXPECT_NEAR(device.sent().back().torque_N_m.y, actuated == 6 ? 0.1 : 0.0, 1e-15);
+    EXPECT_EQ(device.last_sent.force_N, wanted.force_N);
+    EXPECT_NEAR(device.last_sent.torque_N_m.y, actuated == 6 ? 0.1 : 0.0, 1e-15);
     EXPECT_EQ(limited->has(LimitReason::torque), actuated == 6);
   }
 }
 
 TEST(HapticDevice, SendsOnlyLimitedWrenchesAndSaysWhatItSent) {
-  Sketch device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  ScriptedDevice device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
   const auto limited = device.push({.force_N = {0.0, 0.0, 50.0}}, kDt_s);
   ASSERT_TRUE(limited.has_value());
   EXPECT_TRUE(limited->has(LimitReason::force));
-  ASSERT_EQ(device.sent().size(), 1U);
-  EXPECT_NEAR(device.sent()[0].force_N.z, 2.0, 1e-14);
-  EXPECT_EQ(device.sent()[0].force_N, limited->wrench.force_N);
+  EXPECT_EQ(device.sent, 1);
+  EXPECT_NEAR(device.last_sent.force_N.z, 2.0, 1e-14);
+  EXPECT_EQ(device.last_sent.force_N, limited->wrench.force_N);
   device.push({.force_N = {0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}}, kDt_s);
-  EXPECT_EQ(device.sent()[1].force_N, glm::dvec3(0.0));
+  EXPECT_EQ(device.sent, 2);
+  EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
 }
 
 TEST(HapticDevice, LowersAForceLimitAboveItsPeakForce) {
-  Sketch device(capability(3.3), {.force_N = 5.0});
+  ScriptedDevice device(capability(3.3), {.force_N = 5.0});
   EXPECT_EQ(device.limits().force_N, 3.3);
   device.set_limits({.force_N = 8.0, .torque_N_m = 0.02, .slew_N_per_s = 1e6});
   EXPECT_EQ(device.limits().force_N, 3.3);
   EXPECT_EQ(device.limits().torque_N_m, 0.02);
   device.push({.force_N = {7.0, 0.0, 0.0}}, kDt_s);
-  EXPECT_LE(glm::length(device.sent()[0].force_N), 3.3);
+  EXPECT_EQ(device.sent, 1);
+  EXPECT_LE(glm::length(device.last_sent.force_N), 3.3);
   device.set_limits({.force_N = 1.0});
   EXPECT_EQ(device.limits().force_N, 1.0);
 }
 
 TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
-  Sketch device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
-  device.strongest_N = 3.0;
+  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  device.at_send = [&device](const Wrench& limited) {
+    if (limited.force_N.y > 3.0) device.gave_only({.force_N = {0.0, 3.0, 0.0}});
+  };
   const auto limited = device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s);
   EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0, 3.0, 0.0));
   EXPECT_TRUE(limited->has(LimitReason::force));
@@ -120,19 +83,19 @@ TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
 }
 
 TEST(HapticDevice, TellsThatMotorsGaveLessWhereNobodyKnowsHowMuch) {
-  Sketch device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
-  device.is_saturated = true;
+  ScriptedDevice device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  device.at_send = [&device](const Wrench&) { device.gave_less(); };
   const auto limited = device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s);
   EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0, 6.0, 0.0));
   EXPECT_TRUE(limited->has(LimitReason::force));
-  device.is_saturated = false;
+  device.at_send = {};
   EXPECT_EQ(device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s)->reasons, 0);
 }
 
 TEST(HapticDevice, SendsNothingWhereThereAreNoMotors) {
   DeviceCapability mouse = capability(0.0);
   mouse.actuated_degrees_of_freedom = 0;
-  Sketch device(mouse);
+  ScriptedDevice device(mouse);
   const auto limited = device.push({.force_N = {0.0, 0.0, 3.0}}, kDt_s);
   ASSERT_TRUE(limited.has_value());
   EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0));  // what the record says was felt
@@ -140,7 +103,7 @@ TEST(HapticDevice, SendsNothingWhereThereAreNoMotors) {
 }
 
 // Pushes for `ticks` milliseconds; the ticks in which it answered.
-int answered(Sketch& device, std::int64_t& tick, int ticks, double force_N) {
+int answered(ScriptedDevice& device, std::int64_t& tick, int ticks, double force_N) {
   int count = 0;
   for (int i = 0; i < ticks; ++i, ++tick) {
     const bool is_read = device.read(tick * 1'000'000).has_value();
@@ -152,66 +115,67 @@ int answered(Sketch& device, std::int64_t& tick, int ticks, double force_N) {
 }
 
 TEST(HapticDevice, DoesNotAnswerWithAPoseThatStaysHoweverItIsPushed) {
-  Sketch device(capability(10.0));
+  ScriptedDevice device(capability(10.0));
   std::int64_t tick = 0;
   EXPECT_EQ(answered(device, tick, 3000, 1.9), 3000);
   EXPECT_EQ(device.complaint(), "");
   EXPECT_LT(answered(device, tick, 3000, 3.0), 1010);
   device.read(tick * 1'000'000);
   EXPECT_NE(device.complaint().find("the same position again and again"), std::string::npos);
-  device.says = "Its lamp is red.";
+  device.trouble_text = "Its lamp is red.";
   EXPECT_NE(device.complaint().find("open it anew. Its lamp is red."), std::string::npos);
   EXPECT_EQ(answered(device, tick, 3000, 0.0), 0);  // still not believed
-  device.position_m.x += 38e-6;
+  device.probe.position_m.x += 38e-6;
   EXPECT_EQ(answered(device, tick, 500, 3.0), 500);
   EXPECT_EQ(device.complaint(), "Its lamp is red.");
 }
 
 TEST(HapticDevice, TakesAReadingThatIsHeldForNoSignOfAFrozenPose) {
-  Sketch device(capability(10.0));
-  device.velocity_m_per_s = {1.0, 0.0, 0.0};
+  ScriptedDevice device(capability(10.0));
+  device.probe.velocity_m_per_s = {1.0, 0.0, 0.0};
   std::int64_t tick = 0;
   EXPECT_EQ(answered(device, tick, 10, 0.0), 10);
-  device.has_nothing_new = true;
+  device.at_read = [&device](ProbeState&) { device.read_again(); };
   EXPECT_EQ(answered(device, tick, 45, 0.0), 45);  // 4.5 cm by the velocity that is held
   EXPECT_EQ(answered(device, tick, 2000, 3.0), 2000);
   EXPECT_EQ(device.complaint(), "");
-  device.has_nothing_new = false;
+  device.at_read = {};
   EXPECT_LT(answered(device, tick, 100, 0.0), 30);  // told anew, it is one
 }
 
 TEST(HapticDevice, CountsAPushThatPausedBetweenTwoNewReadingsAsPaused) {
-  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
-  for (std::int64_t tick = 0; tick < 5000; ++tick) {
-    device.has_nothing_new = tick % 10 != 0;
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  std::int64_t tick = 0;
+  device.at_read = [&](ProbeState&) {
+    if (tick % 10 != 0) device.read_again();
+  };
+  for (; tick < 5000; ++tick) {
     EXPECT_TRUE(device.read(tick * 1'000'000).has_value()) << tick;
     device.push({.force_N = {0.0, 0.0, tick % 500 == 255 ? 0.0 : 4.0}}, kDt_s);
   }
 }
 
 TEST(HapticDevice, SendsZeroWhileItDoesNotBelieveThePose) {
-  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
   std::int64_t tick = 0;
-  // One reading a second: few enough for what the sketch keeps.
   for (; tick < 20; ++tick) {
     device.read(tick * 1'000'000'000);
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }
-  ASSERT_LT(device.sent().size(), device.sent().capacity());
-  EXPECT_EQ(device.sent().back().force_N, glm::dvec3(0.0));
+  EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
 }
 
 TEST(HapticDevice, BelievesAComputedHandThatRestsToTheLastBit) {
   DeviceCapability computed = capability(10.0);
   computed.may_rest_exactly = true;
-  Sketch device(computed);
+  ScriptedDevice device(computed);
   std::int64_t tick = 0;
   EXPECT_EQ(answered(device, tick, 5000, 4.0), 5000);
 }
 
 TEST(HapticDevice, TellsOfASilenceUntilHalfASecondAfterItsEndAtWhateverRateItIsRead) {
   for (const std::int64_t rate_Hz : {100, 1000, 4000}) {
-    Sketch device(capability(10.0));
+    ScriptedDevice device(capability(10.0));
     const std::int64_t period_ns = 1'000'000'000 / rate_Hz;
     std::int64_t now_ns = 7'000'000'000;
     device.read(now_ns);
@@ -230,7 +194,7 @@ TEST(HapticDevice, TellsOfASilenceUntilHalfASecondAfterItsEndAtWhateverRateItIsR
 }
 
 TEST(HapticDevice, TellsOfASilenceThatComesSoonAfterAnotherForAsLong) {
-  Sketch device(capability(10.0));
+  ScriptedDevice device(capability(10.0));
   device.note_silence();
   device.read(0);
   device.note_silence();
@@ -242,19 +206,20 @@ TEST(HapticDevice, TellsOfASilenceThatComesSoonAfterAnotherForAsLong) {
 }
 
 TEST(HapticDevice, RefusesMotorsWithoutAPeakForce) {
-  EXPECT_THROW(Sketch(capability(0.0)), std::invalid_argument);
-  EXPECT_THROW(Sketch(capability(std::numeric_limits<double>::quiet_NaN())), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(capability(0.0)), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(capability(std::numeric_limits<double>::quiet_NaN())),
+               std::invalid_argument);
 }
 
 TEST(HapticDevice, AsksForNoPeakForceWhereThereAreNoMotors) {
   DeviceCapability mouse = capability(0.0);
   mouse.actuated_degrees_of_freedom = 0;
-  Sketch device(mouse, {.force_N = 5.0});
+  ScriptedDevice device(mouse, {.force_N = 5.0});
   EXPECT_EQ(device.limits().force_N, 5.0);
 }
 
 TEST(HapticDevice, RefusesLimitsThatAreNotPositive) {
-  Sketch device(capability(10.0));
+  ScriptedDevice device(capability(10.0));
   EXPECT_THROW(device.set_limits({.force_N = -1.0}), std::invalid_argument);
   EXPECT_THROW(device.set_limits({.force_N = std::numeric_limits<double>::quiet_NaN()}),
                std::invalid_argument);
@@ -262,32 +227,34 @@ TEST(HapticDevice, RefusesLimitsThatAreNotPositive) {
 }
 
 TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
-  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  ScriptedDevice device(capability(10.0),
+                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }
-  device.answers = false;
+  device.answers = device.accepts = false;
   EXPECT_FALSE(device.read(1).has_value());
   EXPECT_FALSE(device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s).has_value());
-  device.answers = true;
+  device.answers = device.accepts = true;
   const auto limited = device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   ASSERT_TRUE(limited.has_value());
   EXPECT_NEAR(limited->wrench.force_N.z, 1.0, 1e-13);
 }
 
 TEST(HapticDevice, FallsToZeroForceAtOncePastTheSlewLimit) {
-  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  ScriptedDevice device(capability(10.0),
+                        {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
   for (int i = 0; i < 4; ++i) {
     device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
   }
   device.zero_force();
-  EXPECT_EQ(device.sent().back().force_N, glm::dvec3(0.0));
+  EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
   device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
-  EXPECT_NEAR(device.sent().back().force_N.z, 1.0, 1e-13);
+  EXPECT_NEAR(device.last_sent.force_N.z, 1.0, 1e-13);
 }
 
 TEST(HapticDevice, DoesNotTouchTheHeap) {
-  Sketch device(capability(10.0));
+  ScriptedDevice device(capability(10.0));
   AllocationGuard guard;
   device.read(1);
   device.push({.force_N = {9.0, 9.0, 9.0}}, kDt_s);

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "renderers/servo_loop.h"
-#include "tests/renderers/scripted_device.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {

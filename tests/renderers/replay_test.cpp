@@ -11,8 +11,8 @@
 
 #include "renderers/servo_loop.h"
 #include "stimuli/solid_body.h"
-#include "tests/renderers/scripted_device.h"
 #include "tests/renderers/surfaces.h"
+#include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/renderers/scripted_device.h"
+#include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {

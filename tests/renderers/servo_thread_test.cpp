@@ -4,11 +4,8 @@
 #include "renderers/servo_thread.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -16,9 +13,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "device/call_gate.h"
-#include "device/haptic_device.h"
+#include "tests/support/calling_device.h"
 #include "tests/support/refusal.h"
+#include "tests/support/scripted_device.h"
 #include "tests/support/steady_push.h"
 
 namespace asperity {
@@ -29,36 +26,18 @@ constexpr std::int64_t kStall_ns = 30'000'000;
 constexpr int kStalledRead = 40;
 
 // Stalls once, in one reading.
-class StallingDevice final : public HapticDevice {
- public:
-  StallingDevice() : HapticDevice(capability_of(), {}) {}
-  double last_force_N = -1.0;
-
- private:
-  static DeviceCapability capability_of() {
-    DeviceCapability capability;
-    capability.name = "stalling";
-    capability.peak_force_N = 10.0;
-    return capability;
-  }
-  bool do_read(std::int64_t, ProbeState&) noexcept override {
-    if (++reads_ == kStalledRead) {
-      const std::int64_t until_ns = monotonic_now_ns() + kStall_ns;
-      while (monotonic_now_ns() < until_ns) {
-      }
+void stall(ScriptedDevice& device) {
+  device.at_read = [&device](ProbeState&) {
+    if (device.reads != kStalledRead) return;
+    const std::int64_t until_ns = monotonic_now_ns() + kStall_ns;
+    while (monotonic_now_ns() < until_ns) {
     }
-    return true;
-  }
-  bool do_send(const Wrench& limited) noexcept override {
-    last_force_N = limited.force_N.z;
-    return true;
-  }
-  int reads_ = 0;
-};
+  };
+}
 
 // Runs the thread until the ring gave at least `count` records; a machine that cannot do that at
 // all is stopped by the test's own time limit.
-std::vector<TickRecord> run(ServoLoop& loop, RecordRing& ring, StallingDevice& device,
+std::vector<TickRecord> run(ServoLoop& loop, RecordRing& ring, ScriptedDevice& device,
                             std::size_t count) {
   std::vector<TickRecord> records;
   TickRecord record;
@@ -77,7 +56,8 @@ std::vector<TickRecord> run(ServoLoop& loop, RecordRing& ring, StallingDevice& d
 ServoSettings patient() { return {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000}; }
 
 TEST(ServoThread, CountsAStallOnceAndNeverCatchesUp) {
-  StallingDevice device;
+  ScriptedDevice device;
+  stall(device);
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
   const std::vector<TickRecord> records = run(loop, ring, device, 120);
@@ -110,17 +90,17 @@ TEST(ServoThread, CountsAStallOnceAndNeverCatchesUp) {
 }
 
 TEST(ServoThread, StopsAtZeroForce) {
-  StallingDevice device;
+  ScriptedDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
   loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   const std::vector<TickRecord> records = run(loop, ring, device, 100);
   EXPECT_EQ(records.back().sent.force_N.z, 1.0);
-  EXPECT_EQ(device.last_force_N, 0.0);
+  EXPECT_EQ(device.last_sent.force_N.z, 0.0);
 }
 
 TEST(ServoThread, ObeysAnEmergencyStopFromAnotherThread) {
-  StallingDevice device;
+  ScriptedDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
   loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
@@ -138,7 +118,7 @@ TEST(ServoThread, ObeysAnEmergencyStopFromAnotherThread) {
 }
 
 TEST(ServoThread, SaysHowItIsScheduled) {
-  StallingDevice device;
+  ScriptedDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
   {
@@ -152,7 +132,7 @@ TEST(ServoThread, SaysHowItIsScheduled) {
 }
 
 TEST(ServoThread, EitherGetsFifoOrSaysWhichLimitToRaise) {
-  StallingDevice device;
+  ScriptedDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
   try {
@@ -162,84 +142,6 @@ TEST(ServoThread, EitherGetsFifoOrSaysWhichLimitToRaise) {
     EXPECT_THAT(error.what(), testing::HasSubstr("rtprio"));
   }
 }
-
-// Keeps time itself: its own thread calls, unless it is told to fall silent or to hang.
-class CallingDevice final : public HapticDevice {
- public:
-  CallingDevice() : HapticDevice(capability_of(), {}) {}
-  ~CallingDevice() override {
-    stop_calls();
-    {
-      const std::lock_guard lock(mutex_);
-      hangs_ = false;
-      ends_ = true;
-    }
-    changed_.notify_all();
-    if (thread_.joinable()) thread_.join();
-  }
-
-  std::atomic<bool> is_silent{false};
-  std::atomic<int> turned_away{0};
-  std::atomic<double> last_force_N{-1.0};
-
-  void hang() {
-    std::unique_lock lock(mutex_);
-    hangs_ = true;
-    changed_.wait(lock, [this] { return is_hanging_; });
-  }
-  void let_go() {
-    {
-      const std::lock_guard lock(mutex_);
-      hangs_ = false;
-    }
-    changed_.notify_all();
-  }
-
-  void start_calls(const TickCall& call) override {
-    rate_Hz = call.rate_Hz;
-    gate_.open(call);
-    thread_ = std::thread([this] { call_often(); });
-  }
-  void stop_calls() noexcept override { gate_.close(); }
-  double rate_Hz = 0.0;
-
- private:
-  static DeviceCapability capability_of() {
-    DeviceCapability capability;
-    capability.name = "calling";
-    capability.peak_force_N = 10.0;
-    capability.pacing = Pacing::theirs;
-    return capability;
-  }
-  void call_often() {
-    std::unique_lock lock(mutex_);
-    while (!ends_) {
-      if (hangs_) {
-        is_hanging_ = true;
-        changed_.notify_all();
-        changed_.wait(lock, [this] { return !hangs_; });
-        is_hanging_ = false;
-      }
-      lock.unlock();
-      if (!is_silent.load() && !gate_.pass()) ++turned_away;
-      std::this_thread::sleep_for(std::chrono::microseconds(500));
-      lock.lock();
-    }
-  }
-  bool do_read(std::int64_t, ProbeState&) noexcept override { return true; }
-  bool do_send(const Wrench& limited) noexcept override {
-    last_force_N.store(limited.force_N.z);
-    return true;
-  }
-
-  CallGate gate_{};
-  std::mutex mutex_{};
-  std::condition_variable changed_{};
-  bool hangs_ = false;
-  bool is_hanging_ = false;
-  bool ends_ = false;
-  std::thread thread_{};
-};
 
 ServoSettings patient_with_silence() {
   ServoSettings settings = patient();
@@ -345,7 +247,7 @@ TEST(CalledServo, EndsThoughTheDevicesThreadHangsAndTurnsItAwayAfterwards) {
       device.hang();
     }
     ticks = loop.status().ticks;
-    device.let_go();
+    device.release();
     while (device.turned_away.load() == 0) std::this_thread::yield();
     EXPECT_EQ(loop.status().ticks, ticks);
   }
@@ -362,7 +264,7 @@ TEST(CalledServo, RefusesADemandForFifoThatIsNotItsToMeet) {
 }
 
 TEST(CalledServo, IsNothingForADeviceThatIsPaced) {
-  StallingDevice device;
+  ScriptedDevice device;
   EXPECT_THROW(device.start_calls({}), std::logic_error);
 }
 

@@ -38,6 +38,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -57,69 +58,50 @@ struct ArmBench {
   std::atomic<bool> does_not_let_go{false};  ///< when it is opened; first it waits for the test
 };
 
-/// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, somebody takes it and
-/// moves it along the borders of its workspace.
-class TestArm final : public HapticDevice {
- public:
-  explicit TestArm(ArmBench& bench)
-      : HapticDevice({.name = "arm",
-                      .model = "Test arm",
-                      .serial = "7",
-                      .workspace_minimum_m = glm::dvec3(-0.05, -0.04, -0.03),
-                      .workspace_maximum_m = glm::dvec3(0.05, 0.04, 0.03),
-                      .peak_force_N = 5.0,
-                      .continuous_force_N = 5.0},
-                     ForceLimits{}),
-        bench_(bench) {
-    bench_.is_open = true;
-  }
-  ~TestArm() override {
-    zero_force();
-    bench_.is_open = false;
-  }
-
- private:
-  bool do_read(std::int64_t, ProbeState& state) noexcept override {
+/// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, it is taken and moved along
+/// the borders of its workspace.
+std::unique_ptr<HapticDevice> open_arm(ArmBench& bench) {
+  auto arm = std::make_unique<ScriptedDevice>(
+      DeviceCapability{.name = "arm",
+                       .model = "Test arm",
+                       .serial = "7",
+                       .workspace_minimum_m = glm::dvec3(-0.05, -0.04, -0.03),
+                       .workspace_maximum_m = glm::dvec3(0.05, 0.04, 0.03),
+                       .peak_force_N = 5.0,
+                       .continuous_force_N = 5.0});
+  bench.is_open = true;
+  arm->at_close = [&bench] { bench.is_open = false; };
+  arm->at_send = [&bench](const Wrench& limited) { bench.force_N = glm::length(limited.force_N); };
+  // `quiet` counts the readings since it was last pushed.
+  arm->at_read = [&bench, &device = *arm, quiet = 0](ProbeState& state) mutable {
     constexpr double kMass_kg = 0.08;
     constexpr double kStep_s = 0.001;
-    velocity_m_per_s_ +=
-        kStep_s / kMass_kg * (force_N_ - 200.0 * position_m_ - 4.0 * velocity_m_per_s_);
-    position_m_ += kStep_s * velocity_m_per_s_;
-    if (glm::length(force_N_) > 0.0) quiet_ = 0;
+    const glm::dvec3 force_N = device.last_sent.force_N;
+    state.velocity_m_per_s +=
+        kStep_s / kMass_kg * (force_N - 200.0 * state.position_m - 4.0 * state.velocity_m_per_s);
+    state.position_m += kStep_s * state.velocity_m_per_s;
+    if (glm::length(force_N) > 0.0) quiet = 0;
     constexpr int kPeace = 3000;
-    if (++quiet_ > kPeace) {
-      const double turn = 1e-3 * (quiet_ - kPeace);
-      position_m_ = {0.048 * std::cos(turn), 0.039 * std::sin(turn), 0.028 * std::sin(3.0 * turn)};
-      velocity_m_per_s_ = glm::dvec3(0.0);
+    if (++quiet > kPeace) {
+      const double turn = 1e-3 * (quiet - kPeace);
+      state.position_m = {0.048 * std::cos(turn), 0.039 * std::sin(turn),
+                          0.028 * std::sin(3.0 * turn)};
+      state.velocity_m_per_s = glm::dvec3(0.0);
     }
-    if (quiet_ == 4 * kPeace && bench_.is_held_on_borders) {
-      bench_.is_held = true;
-      bench_.go_on.acquire();
+    device.probe = state;
+    if (quiet == 4 * kPeace && bench.is_held_on_borders) {
+      bench.is_held = true;
+      bench.go_on.acquire();
     }
-    state.position_m = position_m_;
-    state.velocity_m_per_s = velocity_m_per_s_;
-    ++reads_;
-    const int hold_after = bench_.hold_after;
-    if (hold_after > 0 && reads_ > hold_after && glm::length(force_N_) > 0.3) {
-      bench_.hold_after = 0;
-      bench_.is_held = true;
-      bench_.go_on.acquire();
+    const int hold_after = bench.hold_after;
+    if (hold_after > 0 && device.reads > hold_after && glm::length(force_N) > 0.3) {
+      bench.hold_after = 0;
+      bench.is_held = true;
+      bench.go_on.acquire();
     }
-    return true;
-  }
-  bool do_send(const Wrench& limited) noexcept override {
-    force_N_ = limited.force_N;
-    bench_.force_N = glm::length(force_N_);
-    return true;
-  }
-
-  ArmBench& bench_;
-  glm::dvec3 position_m_{0.0};
-  glm::dvec3 velocity_m_per_s_{0.0};
-  glm::dvec3 force_N_{0.0};
-  int reads_ = 0;
-  int quiet_ = 0;  ///< readings since it was last pushed
-};
+  };
+  return arm;
+}
 
 class DeviceTests : public testing::Test {
  protected:
@@ -153,7 +135,7 @@ class DeviceTests : public testing::Test {
                       bench.go_on.acquire();
                       throw std::runtime_error("It may still move: switch it off.");
                     }
-                    return std::make_unique<TestArm>(bench);
+                    return open_arm(bench);
                   }});
     return registry;
   }

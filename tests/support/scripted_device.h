@@ -1,0 +1,71 @@
+// A haptic device that does what a test says.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "device/haptic_device.h"
+
+namespace asperity {
+
+/// Answers every reading with `probe`, takes every wrench, and keeps the last one. What a test sets in
+/// `at_read` and `at_send` is called first, and may change that.
+///
+/// It zeroes its force when it is destroyed, as every driver does: what `at_send` refers to lives as long as
+/// the device.
+class ScriptedDevice final : public HapticDevice {
+ public:
+  /// Limits nothing that a test renders, and may rest to the last bit.
+  ScriptedDevice()
+      : ScriptedDevice({.name = "scripted",
+                        .peak_force_N = 100.0,
+                        .continuous_force_N = 100.0,
+                        .may_rest_exactly = true},
+                       {.force_N = 100.0, .torque_N_m = 10.0, .slew_N_per_s = 1e9}) {}
+  explicit ScriptedDevice(DeviceCapability capability, const ForceLimits& limits = {})
+      : HapticDevice(std::move(capability), limits) {}
+  ~ScriptedDevice() override {
+    zero_force();
+    if (at_close) at_close();
+  }
+
+  ProbeState probe{};  ///< its time is replaced by that of the reading
+  bool answers = true;
+  bool accepts = true;
+  std::string trouble_text{};
+
+  /// In each reading, with `probe` at the time of the reading, which it may change.
+  std::function<void(ProbeState&)> at_read{};
+  std::function<void(const Wrench&)> at_send{};
+  std::function<void()> at_close{};  ///< the force is at zero
+
+  int reads = 0;  ///< the present one included
+  int sent = 0;
+  Wrench last_sent{};
+
+  std::string trouble() const override { return trouble_text; }
+  using HapticDevice::gave_less;
+  using HapticDevice::gave_only;
+  using HapticDevice::has_fallen_silent;
+  using HapticDevice::read_again;
+
+ private:
+  bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override {
+    ++reads;
+    state = probe;
+    state.time_ns = now_ns;
+    if (at_read) at_read(state);
+    return answers;
+  }
+  bool do_send(const Wrench& limited) noexcept override {
+    last_sent = limited;
+    ++sent;
+    if (at_send) at_send(limited);
+    return accepts;
+  }
+};
+
+}  // namespace asperity
