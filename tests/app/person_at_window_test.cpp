@@ -9,28 +9,15 @@
 #include <thread>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/scripted_sound.h"
 
 namespace asperity {
 namespace {
 
 using Kind = ParticipantInput::Kind;
-
-class SoundThatRemembers final : public Sound {
- public:
-  void set_masking(bool) override {}
-  void play(Cue cue, int number) override { played.emplace_back(cue, number); }
-  void set_guide(GuideTone) override {}
-  bool is_running() const override { return true; }
-  bool is_heard() const override { return true; }
-  std::string description_json() const override { return "null"; }
-
-  int count(Cue cue) const {
-    return static_cast<int>(std::count_if(played.begin(), played.end(),
-                                          [cue](const auto& each) { return each.first == cue; }));
-  }
-  std::vector<std::pair<Cue, int>> played{};
-};
 
 std::int64_t nanoseconds(double time_s) {
   return static_cast<std::int64_t>(std::llround(1e9 * time_s));
@@ -144,8 +131,9 @@ class PersonAtWindowTest : public testing::Test {
 
   std::int64_t now_ns_ = nanoseconds(kBegin_s);
   SessionMonitor monitor_{};
-  SoundThatRemembers sound_{};
-  PersonAtWindow person_{monitor_, &sound_};
+  SoundLog sound_{};
+  ScriptedSound loudspeakers_{sound_};
+  PersonAtWindow person_{monitor_, &loudspeakers_};
   std::multimap<std::int64_t, ParticipantInput> script_{};
   std::multimap<std::int64_t, ButtonChange> buttons_{};
   std::multimap<std::int64_t, std::function<void(const ParticipantScene&)>> looks_{};
@@ -1043,7 +1031,7 @@ TEST_F(DeviceButtons, StepThroughTheOptionsByToneAndConfirmWithTheSecond) {
   EXPECT_EQ(reply.options, Options{1});
   EXPECT_EQ(reply.answered_ns, confirmed_ns);
   EXPECT_EQ(person_.source(), "device_button");
-  EXPECT_EQ(sound_.played, (std::vector<std::pair<Cue, int>>{{Cue::option, 1}, {Cue::option, 2}}));
+  EXPECT_THAT(sound_.cues(), testing::ElementsAre("option 1", "option 2"));
 }
 
 TEST_F(DeviceButtons, ConfirmWithTheFirstWhenItIsHeld) {
@@ -1077,11 +1065,8 @@ TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
   EXPECT_TRUE(reply.options.empty());
   EXPECT_EQ(reply.feel_again, 1);
   EXPECT_EQ(reply.answered_ns, wished_ns);
-  EXPECT_EQ(sound_.played, (std::vector<std::pair<Cue, int>>{{Cue::option, 1},
-                                                             {Cue::option, 2},
-                                                             {Cue::option, 3},
-                                                             {Cue::option, 4},
-                                                             {Cue::surface, 1}}));
+  EXPECT_THAT(sound_.cues(),
+              testing::ElementsAre("option 1", "option 2", "option 3", "option 4", "surface 1"));
   EXPECT_TRUE(events("refused").empty());
   feel(trial, 1);
   hold_button(1.0, 2, 0.1);  // the wish is fulfilled, and nothing is chosen
@@ -1135,7 +1120,6 @@ TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
 
 TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
   feel_all(matching());
-  sound_.played.clear();
   double at_s = 0.0;
   const auto step = [&](int times) {
     for (int i = 0; i < times; ++i) hold_button(at_s += 1.0, 1, 0.1);
@@ -1153,15 +1137,9 @@ TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
   confirm();  // C gets 3
   confirm();  // and that is the answer
   EXPECT_EQ(ask(matching()).options, (Options{1, 0, 2}));
-  EXPECT_EQ(sound_.played, (std::vector<std::pair<Cue, int>>{{Cue::option, 1},
-                                                             {Cue::option, 2},
-                                                             {Cue::surface, 2},
-                                                             {Cue::option, 1},
-                                                             {Cue::surface, 3},
-                                                             {Cue::option, 1},
-                                                             {Cue::option, 2},
-                                                             {Cue::option, 3},
-                                                             {Cue::question, 0}}));
+  EXPECT_THAT(sound_.cues(), testing::ElementsAre("option 1", "option 2", "surface 2", "option 1",
+                                                  "surface 3", "option 1", "option 2", "option 3",
+                                                  "question"));
 }
 
 TEST_F(DeviceButtons, AnswerTheChoicesOfAForm) {

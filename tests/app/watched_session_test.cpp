@@ -13,6 +13,7 @@
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/scripted_sound.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -22,26 +23,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Loudspeakers that write down what they are told.
-class ScriptedSound final : public Sound {
- public:
-  std::function<std::int64_t()> now_ns{};
-  bool running = true;
-  bool has_card = true;
-  std::vector<std::pair<std::int64_t, bool>> masking{};
-  std::vector<std::pair<Cue, int>> cues{};
-  std::vector<GuideTone> guides{};  ///< each once, until another is set
-
-  void set_masking(bool on) override { masking.emplace_back(now_ns ? now_ns() : 0, on); }
-  void play(Cue cue, int number) override { cues.emplace_back(cue, number); }
-  void set_guide(GuideTone tone) override {
-    if (guides.empty() || guides.back() != tone) guides.push_back(tone);
-  }
-  bool is_running() const override { return running; }
-  bool is_heard() const override { return has_card; }
-  std::string description_json() const override { return R"({"kind":"pink"})"; }
-};
-
 class WatchedSession : public SessionTest {
  protected:
   WatchedSession() {
@@ -50,7 +31,7 @@ class WatchedSession : public SessionTest {
 
   void play_sound() {
     sound_.now_ns = [this] { return rig_->clock().now_ns(); };
-    links_.sound = &sound_;
+    links_.sound = &loudspeakers_;
   }
 
   /// Once, when the session is first in this phase.
@@ -87,7 +68,8 @@ class WatchedSession : public SessionTest {
 
   SessionMonitor monitor_{};
   SessionRequests requests_{};
-  ScriptedSound sound_{};
+  SoundLog sound_{};
+  ScriptedSound loudspeakers_{sound_};
 };
 
 std::string with(std::string text, const std::string& before, const std::string& added) {
@@ -264,7 +246,8 @@ TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {
   rig_->at_pass = [&] {
     const SessionSnapshot now = monitor_.snapshot();
     if (now.scene->kind != ParticipantScene::Kind::feel) return;
-    const bool is_over = !sound_.cues.empty() && sound_.cues.back().first == Cue::next;
+    const std::vector<std::string> cues = sound_.cues();
+    const bool is_over = !cues.empty() && cues.back() == "next";
     EXPECT_EQ(now.scene->text_saying.what,
               is_over ? Saying::What::lift : Saying::What::feel_surface);
     EXPECT_TRUE(now.scene->surfaces.at(now.surface == 1 ? 0 : 1).now);
@@ -344,7 +327,7 @@ TEST_F(WatchedSession, PausesBetweenTrialsUntilItIsResumed) {
   EXPECT_EQ(events_of("paused").size(), 1U);
   EXPECT_EQ(events_of("resumed").size(), 1U);
   EXPECT_THAT(phases(), testing::IsSupersetOf({"paused"}));
-  EXPECT_THAT(sound_.cues, Contains(testing::Pair(Cue::paused, 0)));
+  EXPECT_THAT(sound_.cues(), Contains("paused"));
   ASSERT_EQ(events_of("note").size(), 1U);
   EXPECT_EQ(events_of("note")[0].text, "the door was open");
 }
@@ -738,7 +721,7 @@ TEST_F(WatchedSession, IsHeardToPauseInAFault) {
   };
   once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
   run();
-  EXPECT_THAT(sound_.cues, Contains(testing::Pair(Cue::paused, 0)));
+  EXPECT_THAT(sound_.cues(), Contains("paused"));
 }
 
 TEST_F(WatchedSession, KeepsNotesOfASessionThatFails) {
@@ -883,12 +866,13 @@ TEST_F(WatchedSession, PlaysItsNoiseFromBeforeTheContactUntilAfterIt) {
   play_sound();
   begin(one_trial(with_noise(small_protocol(R"(, "pause_before_trial_s": 0.5)"))));
   run();
-  ASSERT_EQ(sound_.masking.size(), 2U);
+  const std::vector<SoundLog::MaskingSwitch> masking = sound_.masking();
+  ASSERT_EQ(masking.size(), 2U);
   const AttemptRow attempt = attempts().front();
-  EXPECT_TRUE(sound_.masking[0].second);
-  EXPECT_LT(sound_.masking[0].first, *attempt.presentations[0].contact_ns);
-  EXPECT_FALSE(sound_.masking[1].second);
-  EXPECT_GT(sound_.masking[1].first, *attempt.presentations[1].offset_ns);
+  EXPECT_TRUE(masking[0].on);
+  EXPECT_LT(masking[0].time_ns, *attempt.presentations[0].contact_ns);
+  EXPECT_FALSE(masking[1].on);
+  EXPECT_GT(masking[1].time_ns, *attempt.presentations[1].offset_ns);
   ASSERT_EQ(events_of("masking_noise").size(), 1U);
   EXPECT_EQ(events_of("masking_noise")[0].data_json, R"({"kind":"pink"})");
 }
@@ -897,7 +881,7 @@ TEST_F(WatchedSession, LetsTheNoiseFadeInWhereThereIsNoPauseBeforeTheTrial) {
   play_sound();
   begin(one_trial(with_noise(small_protocol(R"(, "pause_before_trial_s": 0)"))));
   run();
-  EXPECT_GE(*attempts().front().presentations[0].onset_ns - sound_.masking.at(0).first,
+  EXPECT_GE(*attempts().front().presentations[0].onset_ns - sound_.masking().at(0).time_ns,
             200'000'000);
 }
 
@@ -905,16 +889,16 @@ TEST_F(WatchedSession, TellsTheHandByTonesUntilItHasEnoughOfTheSurface) {
   play_sound();
   begin(small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 0.5})"));
   rig_->at_pass = [this] {
-    const bool is_told = !sound_.guides.empty() && sound_.guides.back() != GuideTone::none;
+    const bool is_told = sound_.guide() != GuideTone::none;
     EXPECT_TRUE(!is_told || monitor_.snapshot().hand.force_N.samples > 0);
   };
   person_.at_question = [this](int, const Trial&) -> Reply {
-    EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+    EXPECT_EQ(sound_.guide(), GuideTone::none);
     return {{0}, {}};
   };
   run();
   // The force rises on each of six surfaces, and is then enough.
-  const std::vector<GuideTone>& guides = sound_.guides;
+  const std::vector<GuideTone> guides = sound_.guides();
   EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::press_more), 6);
   EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::none), 7);
 }
@@ -926,16 +910,14 @@ class TonedSession : public WatchedSession {
     play_sound();
     begin(small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 3})"));
   }
-  bool tone_sounds() const {
-    return !sound_.guides.empty() && sound_.guides.back() != GuideTone::none;
-  }
+  bool tone_sounds() const { return sound_.guide() != GuideTone::none; }
 };
 
 TEST_F(TonedSession, IsSilentOnceItHasEnded) {
   begin_told_to_press_more();
   run();
-  EXPECT_THAT(sound_.guides, Contains(GuideTone::press_more));
-  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+  EXPECT_THAT(sound_.guides(), Contains(GuideTone::press_more));
+  EXPECT_EQ(sound_.guide(), GuideTone::none);
 }
 
 TEST_F(TonedSession, IsSilentAfterAFailureInTheMiddleOfATone) {
@@ -944,8 +926,8 @@ TEST_F(TonedSession, IsSilentAfterAFailureInTheMiddleOfATone) {
     if (tone_sounds()) throw std::runtime_error("the disk is full");
   };
   EXPECT_THROW(run(), std::runtime_error);
-  EXPECT_THAT(sound_.guides, Contains(GuideTone::press_more));
-  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+  EXPECT_THAT(sound_.guides(), Contains(GuideTone::press_more));
+  EXPECT_EQ(sound_.guide(), GuideTone::none);
 }
 
 TEST_F(TonedSession, AsksNothingOfAHandWhileItsSurfaceIsTakenAway) {
@@ -955,7 +937,7 @@ TEST_F(TonedSession, AsksNothingOfAHandWhileItsSurfaceIsTakenAway) {
   rig_->at_pass = [&] {
     if (aborted) {
       ++passes_after;
-      EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+      EXPECT_EQ(sound_.guide(), GuideTone::none);
     }
     if (!tone_sounds() || aborted) return;
     requests_.abort("enough");
@@ -964,7 +946,7 @@ TEST_F(TonedSession, AsksNothingOfAHandWhileItsSurfaceIsTakenAway) {
   EXPECT_EQ(run().state, SessionState::stopped);
   EXPECT_TRUE(aborted);
   EXPECT_GT(passes_after, 1);
-  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+  EXPECT_EQ(sound_.guide(), GuideTone::none);
 }
 
 TEST_F(TonedSession, StoresWhetherAnybodyIsGuided) {
@@ -972,7 +954,7 @@ TEST_F(TonedSession, StoresWhetherAnybodyIsGuided) {
   run();
   ASSERT_EQ(events_of("guidance").size(), 1U);
   EXPECT_EQ(events_of("guidance")[0].text, "given");
-  sound_.has_card = false;
+  sound_.is_heard = false;
   SessionConditions conditions{};
   conditions.seed = 8;
   conditions.pacing = rig_->pacing();
@@ -989,18 +971,15 @@ TEST_F(WatchedSession, PlaysNoNoiseThatTheProtocolDoesNotWant) {
   play_sound();
   begin(one_trial());
   run();
-  EXPECT_TRUE(sound_.masking.empty());
+  EXPECT_TRUE(sound_.masking().empty());
 }
 
 TEST_F(WatchedSession, SoundsTheCuesOfATrial) {
   play_sound();
   begin(one_trial());
   run();
-  EXPECT_THAT(sound_.cues,
-              ElementsAre(testing::Pair(Cue::surface, 1), testing::Pair(Cue::next, 0),
-                          testing::Pair(Cue::surface, 2), testing::Pair(Cue::next, 0),
-                          testing::Pair(Cue::question, 0), testing::Pair(Cue::accepted, 0),
-                          testing::Pair(Cue::finished, 0)));
+  EXPECT_THAT(sound_.cues(), ElementsAre("surface 1", "next", "surface 2", "next", "question",
+                                         "accepted", "finished"));
 }
 
 TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
@@ -1022,14 +1001,14 @@ TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
 // What counts the samples of a card that is not there may be late: nobody hears the difference.
 TEST_F(WatchedSession, GoesOnWithoutASoundCardAndSaysThatNobodyHearsItsNoise) {
   play_sound();
-  sound_.has_card = false;
+  sound_.is_heard = false;
   begin(one_trial(with_noise(small_protocol())));
   std::set<MaskingState> in_contact{};
   rig_->at_pass = [&] {
     const SessionSnapshot now = monitor_.snapshot();
     if (now.phase != SessionPhase::contact) return;
     in_contact.insert(now.masking);
-    sound_.running = false;
+    sound_.is_running = false;
   };
   run();
   EXPECT_THAT(in_contact, ElementsAre(MaskingState::no_card));
@@ -1039,7 +1018,7 @@ TEST_F(WatchedSession, GoesOnWithoutASoundCardAndSaysThatNobodyHearsItsNoise) {
 
 TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
   play_sound();
-  sound_.has_card = false;
+  sound_.is_heard = false;
   begin(one_trial());
   std::set<MaskingState> seen{};
   rig_->at_pass = [&] { seen.insert(monitor_.snapshot().masking); };
@@ -1049,14 +1028,14 @@ TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
 
 TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
   play_sound();
-  sound_.running = false;
+  sound_.is_running = false;
   begin(one_trial(with_noise(small_protocol())));
   std::string said{};
   once_in(SessionPhase::paused, [&] {
     const SessionSnapshot now = monitor_.snapshot();
     said = now.trouble->what.english();
     EXPECT_EQ(now.masking, MaskingState::silent);
-    sound_.running = true;
+    sound_.is_running = true;
     requests_.resume();
   });
   EXPECT_EQ(run().state, SessionState::completed);
@@ -1074,14 +1053,14 @@ TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
     const SessionSnapshot now = monitor_.snapshot();
     if (now.phase == SessionPhase::contact && !lost) {
       lost = true;
-      sound_.running = false;
+      sound_.is_running = false;
     }
     if (now.phase == SessionPhase::paused && now.trouble) {
       EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::resume);
       EXPECT_THAT(now.trouble->what.english(), HasSubstr("masking noise"));
       EXPECT_TRUE(now.trouble->what.can_be_translated());
       EXPECT_EQ(rig_->loop().status().presentation, 0U);  // nothing is under the hand
-      sound_.running = true;
+      sound_.is_running = true;
       requests_.resume();
     }
   };
@@ -1101,8 +1080,8 @@ TEST_F(WatchedSession, PausesWhenTheNoiseStoppedAlsoIfItIsBackAtOnce) {
   bool paused = false;
   rig_->at_pass = [&] {
     const SessionSnapshot now = monitor_.snapshot();
-    sound_.running = lost || now.phase != SessionPhase::contact;
-    lost = lost || !sound_.running;
+    sound_.is_running = lost || now.phase != SessionPhase::contact;
+    lost = lost || !sound_.is_running;
     if (now.phase == SessionPhase::paused) {
       paused = true;
       requests_.resume();
@@ -1117,7 +1096,7 @@ TEST_F(WatchedSession, EndsWhenTheNoiseStopsAndNobodyIsThere) {
   play_sound();
   links_.experimenter_is_there = false;
   begin(one_trial(with_noise(small_protocol())));
-  once_in(SessionPhase::contact, [&] { sound_.running = false; });
+  once_in(SessionPhase::contact, [&] { sound_.is_running = false; });
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_EQ(end.reason, "the masking noise stopped");
@@ -1129,16 +1108,15 @@ TEST_F(WatchedSession, EndsWhenTheNoiseStopsAndNobodyIsThere) {
 TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
   play_sound();
   begin(one_trial());
-  PersonAtWindow person(monitor_, &sound_);
+  PersonAtWindow person(monitor_, &loudspeakers_);
   const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
     person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
   };
-  std::size_t lifts = 0;
+  int lifts = 0;
   std::int64_t answered_scene_ns = -1;
   rig_->at_pass = [&] {
     const SessionSnapshot now = monitor_.snapshot();
-    const auto heard = static_cast<std::size_t>(
-        std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::next, 0)));
+    const int heard = sound_.count(Cue::next);
     if (now.scene->kind == ParticipantScene::Kind::feel && heard > lifts) {
       lifts = heard;
       press(ParticipantInput::Kind::option, 1);
@@ -1156,8 +1134,8 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
   };
   Conductor conductor(*study_, protocol_, *builder_, *rig_, person, {.links = links_});
   EXPECT_EQ(conductor.run(session_).state, SessionState::completed);
-  EXPECT_EQ(lifts, 2U);
-  EXPECT_EQ(std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::refused, 0)), 2);
+  EXPECT_EQ(lifts, 2);
+  EXPECT_EQ(sound_.count(Cue::refused), 2);
   const AttemptRow row = attempts().front();
   std::vector<std::string> refusals{};
   for (const EventRow& event : row.events) {
@@ -1172,7 +1150,7 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
 TEST_F(WatchedSession, RefusesAnAnswerBetweenTwoSurfaces) {
   play_sound();
   begin(one_trial(small_protocol(R"(, "pause_between_surfaces_s": 0.5)")));
-  PersonAtWindow person(monitor_, &sound_);
+  PersonAtWindow person(monitor_, &loudspeakers_);
   const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
     person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
   };
@@ -1203,7 +1181,7 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTwoSurfaces) {
   };
   Conductor conductor(*study_, protocol_, *builder_, *rig_, person, {.links = links_});
   EXPECT_EQ(conductor.run(session_).state, SessionState::completed);
-  EXPECT_EQ(std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::refused, 0)), 2);
+  EXPECT_EQ(sound_.count(Cue::refused), 2);
   EXPECT_EQ(cue, "Please feel surface B first.");
 }
 

@@ -175,26 +175,22 @@ TEST_F(SessionKeysAtWork, AnswersTooEarlyAreRefusedWithACue) {
   add_protocol({.trials = 1, .minimum_contact_s = 0.6});
   open();
   start("small");
-  const auto refusals = [&] {
-    const std::vector<std::string> tones = sound->tones();
-    return std::count(tones.begin(), tones.end(), "refused");
-  };
   wait_for("contact", [&] { return is_in(SessionPhase::contact, 1); });
   wait_for("the surface in the window", [&] { return view().scene().kind == Scene::Kind::feel; });
   wait_for("it to be perceived", [&] { return can_be_perceived(); });
   key(Qt::Key_A);
-  wait_for("the tone", [&] { return refusals() == 1; });
+  wait_for("the tone", [&] { return sound.count(Cue::refused) == 1; });
   wait_for("the words in the window", [&] {
     view().grab();
     return view().drawn_texts().contains("Please feel surface B first.");
   });
   key(Qt::Key_1);
-  wait_for("the tone again", [&] { return refusals() == 2; });
+  wait_for("the tone again", [&] { return sound.count(Cue::refused) == 2; });
   bool refused_at_the_question = false;
   take_part([&](const Scene&) {
     if (!refused_at_the_question) {
       key(Qt::Key_Return);
-      wait_for("the third tone", [&] { return refusals() == 3; });
+      wait_for("the third tone", [&] { return sound.count(Cue::refused) == 3; });
       refused_at_the_question = true;
     }
     choose(Qt::Key_B);

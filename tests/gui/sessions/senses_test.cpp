@@ -45,7 +45,7 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
   int questions = 0;
   bool is_thanked = false;
   wait_for("the end", [&] {
-    const std::vector<std::string> tones = sound->tones();
+    const std::vector<std::string> tones = sound.cues();
     for (; heard < tones.size(); ++heard) {
       const std::string& tone = tones[heard];
       if (tone == "mask_on" || tone == "mask_off") press(2);
@@ -68,7 +68,7 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
     }
     return !desk->is_running();
   });
-  EXPECT_EQ(sound->tones(),
+  EXPECT_EQ(sound.cues(),
             (std::vector<std::string>{"mask_on", "surface 1", "next", "surface 2", "next",
                                       "question", "option 1", "option 2", "accepted",  // trial 1
                                       "surface 1", "next", "surface 2", "next", "question",
@@ -166,15 +166,15 @@ TEST_F(MaskingNoiseLost, KeepsASessionFromItsFirstTrialUntilTheNoiseIsHeard) {
   add_protocol({.trials = 1, .head = R"(, "environment": {"vision": "hand_occluded",
                            "masking_noise": {"kind": "pink", "level_dBA": 60}})"});
   open();
-  sound->plugged = false;  // the card does not open
+  sound.is_running = false;  // the card does not open
   start("small");
   wait_for("the pause", [&] { return is_in(SessionPhase::paused); });
-  EXPECT_FALSE(sound->made_by_a_window);  // it could have waited for the card
+  EXPECT_FALSE(sound_is_made_by_a_window);  // it could have waited for the card
   const std::optional<SessionTrouble> trouble = monitor().snapshot().trouble;
   ASSERT_TRUE(trouble);
   const std::string what = trouble->what.english();
   EXPECT_NE(what.find("masking noise"), std::string::npos) << what;
-  sound->plugged = true;
+  sound.is_running = true;
   // The session pauses as it begins: the window does nothing for it before it knows of it.
   auto& resume = child<QPushButton>(experimenter(), "pause");
   wait_for("the way to resume",

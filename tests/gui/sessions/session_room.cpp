@@ -25,20 +25,6 @@ namespace {
 
 constexpr int kPatience_ms = 30000;  // the machine may be busy with other things
 
-class NotedSound final : public Sound {
- public:
-  explicit NotedSound(std::shared_ptr<SoundLog> log) : log_(std::move(log)) {}
-  void set_masking(bool on) override { log_->masking = on; }
-  void play(Cue cue, int number) override { log_->add(cue, number); }
-  void set_guide(GuideTone) override {}
-  bool is_running() const override { return log_->plugged; }
-  bool is_heard() const override { return true; }
-  std::string description_json() const override { return R"({"output": "of a test"})"; }
-
- private:
-  std::shared_ptr<SoundLog> log_;
-};
-
 std::string levels(int count) {
   std::string text = "1";
   for (int level = 2; level <= count; ++level) text += ", " + std::to_string(level);
@@ -106,17 +92,6 @@ std::string text_of(const ProtocolWish& wish) {
 }
 
 }  // namespace
-
-std::vector<std::string> SoundLog::tones() {
-  const std::lock_guard lock(mutex_);
-  return tones_;
-}
-
-void SoundLog::add(Cue cue, int number) {
-  const std::lock_guard lock(mutex_);
-  tones_.push_back(std::string(asperity::text_of(cue)) +
-                   (number > 0 ? " " + std::to_string(number) : ""));
-}
 
 SessionRoom::SessionRoom() = default;
 
@@ -189,9 +164,9 @@ std::vector<std::string> SessionRoom::stored_outcomes() const {
 
 void SessionRoom::make_windows() {
   window = std::make_unique<StudyWindow>();
-  desk = std::make_unique<SessionDesk>(*window, nullptr, [log = sound](const SessionOrder& order) {
-    log->made_by_a_window = QThread::currentThread() == qApp->thread();
-    return order.inputs.is_virtual ? nullptr : std::make_unique<NotedSound>(log);
+  desk = std::make_unique<SessionDesk>(*window, nullptr, [this](const SessionOrder& order) {
+    sound_is_made_by_a_window = QThread::currentThread() == qApp->thread();
+    return order.inputs.is_virtual ? nullptr : std::make_unique<ScriptedSound>(sound);
   });
   window->resize(1366, 768);
   window->show();

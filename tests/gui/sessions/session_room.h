@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "app/gui/study/study_window.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
+#include "tests/support/scripted_sound.h"
 
 namespace asperity {
 
@@ -33,19 +33,6 @@ struct ProtocolWish {
   std::string head{};      ///< members of the protocol, each with a comma before it
   std::string question{};  ///< members of the question, likewise
   std::string flow = R"({"run": "main"})";  ///< may ask for "comfort", "age" and "remarks"
-};
-
-/// Notes the tones that a session plays, in order, and can be unplugged.
-struct SoundLog {
-  std::atomic<bool> plugged{true};
-  std::atomic<bool> masking{false};
-  std::atomic<bool> made_by_a_window{false};  ///< on the thread of the windows
-  std::vector<std::string> tones();           ///< "surface 1", "next", …
-  void add(Cue cue, int number);
-
- private:
-  std::mutex mutex_{};
-  std::vector<std::string> tones_{};
 };
 
 /// The windows as `asperity` makes them, but for the loudspeaker. Everything is done by keys and
@@ -128,7 +115,8 @@ class SessionRoom : public QuietHome {
   void wait_for_end();
 
   int clicks = 0;
-  std::shared_ptr<SoundLog> sound = std::make_shared<SoundLog>();
+  SoundLog sound{};                                    ///< of every session's loudspeakers
+  std::atomic<bool> sound_is_made_by_a_window{false};  ///< on the thread of the windows
   std::unique_ptr<StudyWindow> window{};
   std::unique_ptr<SessionDesk> desk{};
 };

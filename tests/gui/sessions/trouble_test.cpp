@@ -121,13 +121,13 @@ TEST_F(SessionInTrouble, LostMaskingNoisePausesWithABannerThatResumes) {
   open();
   start("small");
   wait_for("a force", [&] { return is_pushed(1); });
-  EXPECT_TRUE(sound->masking);
-  sound->plugged = false;
+  EXPECT_TRUE(sound.is_masking());
+  sound.is_running = false;
   wait_for("the pause", [&] { return is_in(SessionPhase::paused); });
   auto& banner = child<Banner>(experimenter(), "trouble");
   wait_for("the banner", [&] { return banner.isVisible(); });
   EXPECT_TRUE(banner.text().contains("masking noise has stopped")) << banner.text().toStdString();
-  sound->plugged = true;
+  sound.is_running = true;
   QPushButton* resume = nullptr;
   for (QPushButton* button : banner.findChildren<QPushButton*>()) {
     if (button->text() == "Resume") resume = button;
@@ -139,7 +139,7 @@ TEST_F(SessionInTrouble, LostMaskingNoisePausesWithABannerThatResumes) {
             (Outcomes{"1/1 aborted, not valid", "1/2 answered", "2/1 answered"}));
   EXPECT_EQ(stored_events("masking_noise_lost").size(), 1U);
   EXPECT_EQ(stored_session().state, SessionState::completed);
-  EXPECT_FALSE(sound->masking);
+  EXPECT_FALSE(sound.is_masking());
 }
 
 TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswersAgain) {
