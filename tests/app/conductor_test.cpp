@@ -386,13 +386,6 @@ TEST_F(ConductorTest, GuidesTheHandOfAParticipantOnlyWhileASurfaceIsFeltAndWhere
   EXPECT_EQ(guided, guided_at_first);
 }
 
-Reply answer_with(const Trial& trial, bool right) {
-  for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
-    if ((trial.question.options[i].value == trial.question.correct[0]) == right) return {{i}, {}};
-  }
-  return {};
-}
-
 std::vector<std::string> kinds_of(const std::vector<EventRow>& events) {
   std::vector<std::string> kinds{};
   for (const EventRow& event : events) kinds.push_back(event.kind);
@@ -402,7 +395,7 @@ std::vector<std::string> kinds_of(const std::vector<EventRow>& events) {
 TEST_F(ConductorTest, EndsAPracticeWithItsCriterion) {
   begin(practised_protocol("end_session"));
   person_.at_question = [](int question, const Trial& trial) {
-    return answer_with(trial, question != 1);
+    return question == 1 ? incorrect_reply(trial) : correct_reply(trial);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   const auto rows = attempts();
@@ -414,7 +407,7 @@ TEST_F(ConductorTest, EndsAPracticeWithItsCriterion) {
 
 TEST_F(ConductorTest, EndsTheSessionWhereThePracticeFailsAndTheProtocolSaysSo) {
   begin(practised_protocol("end_session"));
-  person_.at_question = [](int, const Trial& trial) { return answer_with(trial, false); };
+  person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_TRUE(end.as_the_protocol_says);
@@ -424,7 +417,7 @@ TEST_F(ConductorTest, EndsTheSessionWhereThePracticeFailsAndTheProtocolSaysSo) {
 
 TEST_F(ConductorTest, GoesOnMarkedWhereThePracticeFailsAndTheProtocolSaysSo) {
   begin(practised_protocol("continue_flagged"));
-  person_.at_question = [](int, const Trial& trial) { return answer_with(trial, false); };
+  person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_EQ(attempts().size(), 6U);
   EXPECT_THAT(kinds_of(study_->events(session_.row.id)), testing::Contains("criterion_not_met"));

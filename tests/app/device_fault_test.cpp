@@ -26,6 +26,7 @@
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
+#include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -47,23 +48,8 @@ std::string quick_protocol() {
   return text;
 }
 
-/// Reads nothing and answers at once, so that real time is spent on the surfaces.
-class QuickPerson final : public Respondent {
- public:
-  void read(const std::string&, double, const Wait&) override {}
-  void announce(const Trial&, const PlannedPresentation&) override {}
-  Reply ask(const Trial&, std::span<const ForceFeatures>, std::optional<double>,
-            const Wait& wait) override {
-    wait(0.05);
-    return {{0}, {}};
-  }
-  void tell(const std::string&, const Wait&) override {}
-  std::string answer(const Question& question, const Wait&) override {
-    return question.options.empty() ? std::string() : question.options.front();
-  }
-  std::string source() const override { return "keyboard"; }
-  void begin_attempt(int, int) override {}
-};
+/// Real time is to be spent on the surfaces.
+constexpr PersonPace kQuick{.reading_s = 0.0, .answering_s = 0.05};
 
 struct Failing {
   ScriptedFault::Kind kind = ScriptedFault::Kind::lost;
@@ -77,7 +63,7 @@ double moment_s(RunInputs inputs, const ModelRegistry& models) {
   inputs.study = folder.path() / "study";
   make_small_study(inputs.study);
   inputs.pacing = RunPacing::stepped;
-  QuickPerson person{};
+  ScriptedPerson person(kQuick);
   run_session(inputs, models, &person, {}, {});
   const Study study = Study::open(inputs.study, Access::read_only);
   const SessionRow session = study.sessions().at(0);
@@ -101,7 +87,7 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
   inputs.participant = "standin1";
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
-  QuickPerson person{};
+  ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
   inputs.faults = {{.kind = GetParam().kind, .at_s = at_s}};
   int done = 0;
@@ -166,7 +152,7 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
   const ModelRegistry models = built_in_models();
-  QuickPerson person{};
+  ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
   // On a busy machine the session is later than planned: of several one falls into an attempt, whichever.
   for (int i = 0; i < 8; ++i) {
@@ -218,7 +204,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
          return swinging_device();
        }});
   const ModelRegistry models = built_in_models();
-  QuickPerson person{};
+  ScriptedPerson person(kQuick);
   const SessionEnd end = run_session(inputs, models, &person, {}, {}, {}, drivers);
   EXPECT_EQ(end.state, SessionState::completed) << end.reason;
   EXPECT_EQ(which, "42");
@@ -245,7 +231,7 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
                  return swinging_device();
                }});
   const ModelRegistry models = built_in_models();
-  QuickPerson person{};
+  ScriptedPerson person(kQuick);
   const MeasuringLock measuring(inputs.study);
   EXPECT_THAT(
       refusal_of<PhrasedError>([&] { run_session(inputs, models, &person, {}, {}, {}, drivers); }),
@@ -279,7 +265,7 @@ TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
     inputs.seed = 5;
     inputs.pacing = RunPacing::real_time;
     inputs.device = device;
-    QuickPerson person{};
+    ScriptedPerson person(kQuick);
     SessionRequests requests{};
     // The hand may come a tick late for what the protocol asks: that is not what is tested.
     const std::jthread limit([&requests](const std::stop_token& ended) {

@@ -18,33 +18,6 @@
 namespace asperity {
 namespace {
 
-/// Does what is asked at once, and writes down what that was.
-class WillingPerson final : public Respondent {
- public:
-  std::vector<std::string> questions{};
-  bool answers = true;
-  bool answers_wrongly = false;
-
-  void read(const std::string&, double, const Wait&) override {}
-  void announce(const Trial&, const PlannedPresentation&) override {}
-  Reply ask(const Trial& trial, std::span<const ForceFeatures>, std::optional<double>,
-            const Wait& wait) override {
-    wait(0.05);
-    const TrialQuestion& question = trial.question;
-    const bool is_right =
-        !question.correct.empty() && question.options[0].value == question.correct[0];
-    return {{answers_wrongly && is_right ? std::size_t{1} : std::size_t{0}}, {}};
-  }
-  void tell(const std::string&, const Wait&) override {}
-  std::string answer(const Question& question, const Wait& wait) override {
-    questions.push_back(question.name);
-    while (!answers) wait(1.0);
-    return question.options.empty() ? std::string() : question.options.front();
-  }
-  std::string source() const override { return "keyboard"; }
-  void begin_attempt(int, int) override {}
-};
-
 class RunSession : public testing::Test {
  protected:
   RunSession() {
@@ -66,7 +39,7 @@ class RunSession : public testing::Test {
   TemporaryFolder folder_{};
   ModelRegistry models_ = built_in_models();
   RunInputs inputs_{};
-  WillingPerson person_{};
+  ScriptedPerson person_{};
   SessionRequests requests_{};
   SessionLinks links_{.requests = &requests_};
 };
@@ -132,7 +105,7 @@ TEST_F(RunSession, AsksNobodyAnythingWhereTheProtocolDoesNotTakeTheDevice) {
     write_file(inputs_.protocol, text, Overwrite::allow);
     inputs_.device = "simulated:falcon";
     EXPECT_THROW(run(), PhrasedError) << refused;
-    EXPECT_THAT(person_.questions, testing::IsEmpty()) << refused;
+    EXPECT_THAT(person_.forms, testing::IsEmpty()) << refused;
     EXPECT_TRUE(study().participants().empty()) << refused;
   }
 }
@@ -155,11 +128,11 @@ TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
   std::size_t told = 0;
   inputs_.rehearsed = [&](const RehearsedDevice& device) {
     told = device.warnings.size();
-    EXPECT_THAT(person_.questions, testing::IsEmpty());
+    EXPECT_THAT(person_.forms, testing::IsEmpty());
   };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_GT(told, 0U);
-  EXPECT_THAT(person_.questions, testing::Not(testing::IsEmpty()));
+  EXPECT_THAT(person_.forms, testing::Not(testing::IsEmpty()));
 }
 
 // What was compared until a stop is no whole comparison, and says neither yes nor no.
@@ -172,19 +145,19 @@ TEST_F(RunSession, EndsAtOnceWhenStoppedWhileTheDeviceIsCompared) {
   EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}, links_),
                RespondentGone);
   EXPECT_EQ(told, 0);
-  EXPECT_THAT(person_.questions, testing::IsEmpty());
+  EXPECT_THAT(person_.forms, testing::IsEmpty());
   EXPECT_TRUE(study().sessions().empty());
 }
 
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
   run();
-  EXPECT_THAT(person_.questions, testing::Contains("consent"));
+  EXPECT_THAT(person_.forms, testing::Contains("consent"));
   inputs_.participant = "p2";
   inputs_.has_consented = true;
   inputs_.new_person = ParticipantRow{.label = "p2", .age_years = 31.0};
-  person_.questions.clear();
+  person_.forms.clear();
   run();
-  EXPECT_THAT(person_.questions, testing::Not(testing::Contains("consent")));
+  EXPECT_THAT(person_.forms, testing::Not(testing::Contains("consent")));
   const ParticipantRow stored = study().participant("p2").value();
   EXPECT_EQ(stored.age_years, 31.0);
   EXPECT_FALSE(stored.created_utc.empty());
@@ -197,8 +170,12 @@ TEST_F(RunSession, RefusesANewPersonOfAnotherLabel) {
   EXPECT_TRUE(study().participants().empty());
 }
 
+std::string think_forever(const Question&, const Wait& wait) {
+  for (;;) wait(1.0);
+}
+
 TEST_F(RunSession, EndsAtOnceWhenAbortedWhileConsentIsAsked) {
-  person_.answers = false;
+  person_.at_form = think_forever;
   requests_.abort("the window was closed");
   EXPECT_THROW(run(), RespondentGone);
   EXPECT_TRUE(study().participants().empty());
@@ -206,7 +183,7 @@ TEST_F(RunSession, EndsAtOnceWhenAbortedWhileConsentIsAsked) {
 }
 
 TEST_F(RunSession, EndsAtOnceWhenStoppedWhileConsentIsAsked) {
-  person_.answers = false;
+  person_.at_form = think_forever;
   std::stop_source source;
   source.request_stop();
   EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}), RespondentGone);
@@ -246,7 +223,7 @@ TEST_F(RunSession, HasAReportThatClaimsNoGuidanceWhichNobodySaw) {
 
 TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {
   write_file(inputs_.protocol, practised_protocol("end_session"), Overwrite::allow);
-  person_.answers_wrongly = true;
+  person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };
   EXPECT_TRUE(run().as_the_protocol_says);
   inputs_.resume = true;
   EXPECT_THROW(run(), std::runtime_error);

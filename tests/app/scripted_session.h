@@ -13,6 +13,7 @@
 #include "app/conductor/conductor.h"
 #include "app/program.h"
 #include "tests/app/small_study.h"
+#include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -104,48 +105,6 @@ inline std::string estimated_protocol() {
   "flow": [{"run": "main", "for_each": "tip"}]
 })";
 }
-
-/// Answers the first option, unless told otherwise; does something at the n-th question.
-class ScriptedPerson final : public Respondent {
- public:
-  std::function<Reply(int, const Trial&)> at_question{};
-  std::function<void()> at_tell{};
-  std::function<AfterFault()> at_fault{};
-  std::vector<std::string> faults_heard{};
-  std::vector<std::string> texts{};
-  std::vector<int> felt_positions{};
-  std::vector<ForceFeatures> last_felt{};
-  std::vector<std::optional<double>> deadlines_s{};
-  int questions = 0;
-
-  void read(const std::string& text, double minimum_s, const Wait& wait) override {
-    texts.push_back(text);
-    wait(minimum_s + 0.1);
-  }
-  void announce(const Trial&, const PlannedPresentation& surface) override {
-    felt_positions.push_back(surface.position);
-  }
-  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
-            std::optional<double> deadline_s, const Wait& wait) override {
-    last_felt.assign(felt.begin(), felt.end());
-    deadlines_s.push_back(deadline_s);
-    wait(0.2);
-    ++questions;
-    if (at_question) return at_question(questions, trial);
-    return {{0}, {}};
-  }
-  void tell(const std::string& text, const Wait&) override {
-    texts.push_back(text);
-    if (at_tell) at_tell();
-  }
-  std::string answer(const Question& question, const Wait&) override {
-    return question.options.empty() ? std::string() : question.options.front();
-  }
-  std::string source() const override { return "keyboard"; }
-  void begin_attempt(int, int) override {}
-  void hear_of_fault(const std::string& what) override { faults_heard.push_back(what); }
-  AfterFault after_fault() override { return at_fault ? at_fault() : AfterFault::nothing; }
-};
 
 class SessionTest : public testing::Test {
  protected:

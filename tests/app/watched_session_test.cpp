@@ -200,9 +200,8 @@ TEST_F(WatchedSession, NamesTheTrialThatComesWhileItTellsWhatWasRight) {
     EXPECT_EQ(now.phase, SessionPhase::feedback);
     told.emplace_back(now.last_done, now.trial);
   };
-  person_.at_question = [](int question, const Trial& trial) -> Reply {
-    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
-    return {{first_is_right == (question > 1) ? std::size_t{0} : std::size_t{1}}, {}};
+  person_.at_question = [](int question, const Trial& trial) {
+    return question == 1 ? incorrect_reply(trial) : correct_reply(trial);
   };
   run();
   // The fourth meets the criterion, and the fifth of the practice is not asked.
@@ -739,9 +738,8 @@ TEST_F(WatchedSession, SaysFeedbackInWordsThatCanBeTranslated) {
   begin(practised_protocol("continue_flagged"));
   std::vector<Saying::What> said{};
   person_.at_tell = [&] { said.push_back(monitor_.snapshot().scene->text_saying.what); };
-  person_.at_question = [](int question, const Trial& trial) -> Reply {
-    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
-    return {{first_is_right == (question > 1) ? std::size_t{0} : std::size_t{1}}, {}};
+  person_.at_question = [](int question, const Trial& trial) {
+    return question == 1 ? incorrect_reply(trial) : correct_reply(trial);
   };
   run();
   EXPECT_THAT(said, ElementsAre(Saying::What::was_wrong, Saying::What::was_right,
@@ -847,10 +845,7 @@ TEST_F(WatchedSession, AnEmergencyStopFromAPauseIsAFaultAtOnce) {
 
 TEST_F(WatchedSession, IsNotGoneOnWithAfterItEndedAsTheProtocolSays) {
   begin(practised_protocol("end_session"));
-  person_.at_question = [](int, const Trial& trial) -> Reply {
-    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
-    return {{first_is_right ? std::size_t{1} : std::size_t{0}}, {}};
-  };
+  person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };
   EXPECT_TRUE(run().as_the_protocol_says);
   EXPECT_FALSE(monitor_.snapshot().trouble);
   EXPECT_TRUE(has_ended_by_rule(*study_, protocol_, study_->session(session_.row.id)));
@@ -1186,66 +1181,28 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTwoSurfaces) {
 }
 
 /// A person with more to say: enough of a surface, when an answer was given, buttons, a mask.
-class TalkativePerson final : public Respondent {
- public:
-  bool has_had_enough = false;
-  std::optional<std::int64_t> form_answered_ns{};
-  std::vector<EventRow> events{};
-  std::vector<ButtonChange> buttons{};
-  std::vector<std::string> calls{};
-
-  void read(const std::string&, double, const Wait& wait) override {
-    calls.push_back("read");
-    wait(0.1);
-  }
-  void announce(const Trial&, const PlannedPresentation& surface) override {
-    calls.push_back("surface " + std::to_string(surface.position));
-  }
-  Reply ask(const Trial&, std::span<const ForceFeatures>, std::optional<double>,
-            const Wait& wait) override {
-    calls.push_back("ask");
-    const std::int64_t cue_ns = now_ns();
-    wait(0.5);
-    events.push_back({cue_ns + 150'000'000, "input", "option 1", "null"});
-    return {{0}, {}, cue_ns + 200'000'000};
-  }
-  void tell(const std::string&, const Wait&) override { calls.push_back("tell"); }
-  std::string answer(const Question& question, const Wait& wait) override {
-    calls.push_back("answer");
-    form_answered_ns = now_ns() + 300'000'000;
-    wait(0.5);
-    return question.options.empty() ? std::string() : question.options.front();
-  }
-  std::optional<std::int64_t> answered_ns() const override { return form_answered_ns; }
-  std::string source() const override { return "keyboard"; }
-  void begin_attempt(int, int) override {}
-  bool wants_next(bool may_go) override { return may_go && has_had_enough; }
-  bool wears_mask() const override { return true; }
-  bool leaves_prompts_to_experimenter() const override { return true; }
-  void put_mask(bool on, const Wait& wait) override {
-    calls.push_back(on ? "mask on" : "mask off");
-    wait(0.1);
-  }
-  void button_changed(const ButtonChange& change) override { buttons.push_back(change); }
-  std::vector<EventRow> take_events() override { return std::exchange(events, {}); }
-
-  std::function<std::int64_t()> now_ns{};
-};
-
 class TalkativeSession : public WatchedSession {
  protected:
-  SessionEnd run_talkative() {
-    talker_.now_ns = [this] { return rig_->clock().now_ns(); };
-    Conductor conductor(*study_, protocol_, *builder_, *rig_, talker_, {.links = links_});
-    return conductor.run(session_);
+  TalkativeSession() {
+    person_.is_at_window = true;
+    person_.at_ask = [this](const Wait& wait) -> Reply {
+      const std::int64_t cue_ns = rig_->clock().now_ns();
+      wait(0.5);
+      person_.events.push_back({cue_ns + 150'000'000, "input", "option 1", "null"});
+      return {{0}, {}, cue_ns + 200'000'000};
+    };
+    person_.at_form = [this](const Question& question, const Wait& wait) {
+      person_.form_answered_ns = rig_->clock().now_ns() + 300'000'000;
+      wait(0.5);
+      return question.options.empty() ? std::string() : question.options.front();
+    };
   }
-  TalkativePerson talker_{};
 };
 
 TEST_F(TalkativeSession, LetsGoOfASurfaceOnceItWasFeltLongEnoughAndThePersonWantsSo) {
   begin(one_trial());
-  talker_.has_had_enough = true;
-  run_talkative();
+  person_.has_had_enough = true;
+  run();
   const AttemptRow row = attempts().front();
   for (const PresentationRow& surface : row.presentations) {
     EXPECT_GE(surface.contact_s, 0.5);
@@ -1256,7 +1213,7 @@ TEST_F(TalkativeSession, LetsGoOfASurfaceOnceItWasFeltLongEnoughAndThePersonWant
 
 TEST_F(TalkativeSession, TakesReactionTimesFromTheStampOfTheAnswer) {
   begin(one_trial());
-  run_talkative();
+  run();
   const AttemptRow row = attempts().front();
   const ResponseRow response = row.responses.at(0);
   EXPECT_NEAR(*response.from_cue_s, 0.2, 1e-9);  // `ask` itself took 0.5 s
@@ -1268,7 +1225,7 @@ TEST_F(TalkativeSession, TakesReactionTimesFromTheStampOfTheAnswer) {
 
 TEST_F(TalkativeSession, TakesTheTimeOfAQuestionnairesAnswerFromItsStamp) {
   begin(one_trial());
-  run_talkative();
+  run();
   const auto answers = study_->session_answers(session_.row.id);
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_NEAR(*answers[0].from_cue_s, 0.3, 1e-9);  // it was heard after 0.5 s
@@ -1276,8 +1233,8 @@ TEST_F(TalkativeSession, TakesTheTimeOfAQuestionnairesAnswerFromItsStamp) {
 
 TEST_F(TalkativeSession, StoresWhatThePersonDidWithTheAttempt) {
   begin(one_trial());
-  talker_.events.push_back({1, "input", "confirm", "null"});  // before the first attempt
-  run_talkative();
+  person_.events.push_back({1, "input", "confirm", "null"});  // before the first attempt
+  run();
   ASSERT_EQ(events_of("input").size(), 1U);
   EXPECT_EQ(events_of("input")[0].text, "confirm");
   std::vector<std::string> kinds{};
@@ -1295,11 +1252,11 @@ TEST_F(TalkativeSession, HandsOnTheButtonsOfTheDevice) {
     pressed_ns = rig_->clock().now_ns();
     rig_->hand().press(2);
   });
-  run_talkative();
-  ASSERT_FALSE(talker_.buttons.empty());
-  EXPECT_EQ(talker_.buttons[0].button, 2);
-  EXPECT_TRUE(talker_.buttons[0].down);
-  EXPECT_EQ(talker_.buttons[0].time_ns, pressed_ns + 1'000'000);  // the next tick
+  run();
+  ASSERT_FALSE(person_.buttons.empty());
+  EXPECT_EQ(person_.buttons[0].button, 2);
+  EXPECT_TRUE(person_.buttons[0].down);
+  EXPECT_EQ(person_.buttons[0].time_ns, pressed_ns + 1'000'000);  // the next tick
 }
 
 TEST_F(TalkativeSession, HasTheMaskOnWhileFeelingAndOffToLookAtPictures) {
@@ -1310,10 +1267,10 @@ TEST_F(TalkativeSession, HasTheMaskOnWhileFeelingAndOffToLookAtPictures) {
     text.insert(at, R"("pictures_after_feeling": true, "allow_revisit": false, )");
   }
   begin(with(text, R"({"run": "practice"})", R"({"screen": "Welcome."}, )"));
-  run_talkative();
-  ASSERT_GT(talker_.calls.size(), 8U);
-  talker_.calls.resize(8);
-  EXPECT_THAT(talker_.calls, ElementsAre("read", "mask on", "surface 1", "mask off", "ask", "tell",
+  run();
+  ASSERT_GT(person_.calls.size(), 8U);
+  person_.calls.resize(8);
+  EXPECT_THAT(person_.calls, ElementsAre("read", "mask on", "surface 1", "mask off", "ask", "tell",
                                          "mask on", "surface 1"));
   std::vector<std::string> kinds{};
   const AttemptRow row = attempts().front();
@@ -1328,9 +1285,9 @@ TEST_F(TalkativeSession, LeavesNobodyBehindTheMask) {
   const std::string ending = R"(, {"ask": ["comfort", "remarks"]}, {"screen": "Thank you."})";
   text.erase(text.find(ending), ending.size());  // nothing else takes it off
   begin(text);
-  run_talkative();
-  ASSERT_FALSE(talker_.calls.empty());
-  EXPECT_EQ(talker_.calls.back(), "mask off");
+  run();
+  ASSERT_FALSE(person_.calls.empty());
+  EXPECT_EQ(person_.calls.back(), "mask off");
 }
 
 TEST_F(TalkativeSession, HasTheExperimenterConfirmWhatOnlyTheyAreToDo) {
@@ -1348,13 +1305,13 @@ TEST_F(TalkativeSession, HasTheExperimenterConfirmWhatOnlyTheyAreToDo) {
     if (++looks == 10) requests_.confirm();
   };
   requests_.confirm();  // before anybody asked: means nothing
-  run_talkative();
+  run();
   EXPECT_GE(looks, 10);
   EXPECT_THAT(asked, testing::StartsWith("Place sample "));
   EXPECT_EQ(seen.kind, ParticipantScene::Kind::blank);
   EXPECT_EQ(seen.text, "");
   // The participant reads the two screens of the flow and nothing else.
-  EXPECT_EQ(std::count(talker_.calls.begin(), talker_.calls.end(), "read"), 2);
+  EXPECT_EQ(std::count(person_.calls.begin(), person_.calls.end(), "read"), 2);
   EXPECT_FALSE(monitor_.snapshot().trouble);
   std::vector<std::string> kinds{};
   const AttemptRow row = attempts().front();
@@ -1364,8 +1321,8 @@ TEST_F(TalkativeSession, HasTheExperimenterConfirmWhatOnlyTheyAreToDo) {
 
 TEST_F(TalkativeSession, AsksNobodyToPutOnAMaskWhereTheProtocolDoesNot) {
   begin(one_trial());
-  run_talkative();
-  EXPECT_THAT(talker_.calls, testing::Not(Contains("mask on")));
+  run();
+  EXPECT_THAT(person_.calls, testing::Not(Contains("mask on")));
 }
 
 // --- the other hand ------------------------------------------------------------------------------
