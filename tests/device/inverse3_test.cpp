@@ -18,7 +18,7 @@
 #include "device/inverse3/web_socket.h"
 #include "renderers/servo_loop.h"
 #include "renderers/servo_thread.h"
-#include "tests/device/servo_stand_in.h"
+#include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/refusal.h"

@@ -18,7 +18,7 @@
 #include "renderers/servo_loop.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/long_tick.h"
-#include "tests/device/servo_stand_in.h"
+#include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_hd.h"
 #include "tests/support/refusal.h"
 
