@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <sys/ioctl.h>
+#include <thread>
 #include <utility>
 
 #include <linux/usbdevice_fs.h>

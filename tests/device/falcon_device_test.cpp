@@ -26,6 +26,7 @@
 #include "tests/device/falcon_run.h"
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/eventually.h"
 #include "tests/support/refusal.h"
 
 // libusb as it is where it has no files to wait for: this definition comes before the library's own.

@@ -13,6 +13,7 @@
 #include "device/falcon/falcon_device.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_falcon.h"
+#include "tests/support/eventually.h"
 #include "tests/support/steady_push.h"
 
 namespace asperity {

@@ -25,6 +25,7 @@
 #include "tests/device/ticks.h"
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/patience.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -200,7 +201,7 @@ TEST_F(ForceDimension, KeepsNobodyFromLookingWhileItAsksAndIsNotTouchedByTheLook
     });
     std::future<void> looked = look.get_future();
     std::thread(std::move(look)).swap(other);
-    has_looked = looked.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+    has_looked = looked.wait_for(kPatience) == std::future_status::ready;
     bench->calls.push_back("answered");
     return true;
   };
@@ -292,7 +293,6 @@ TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkGoesOnAlthoughItWasStopped)
 
 // Whatever of the SDK hangs is what somebody has to be told of; and a force that comes on again is taken away meanwhile.
 TEST_F(MovingForceDimension, TellsWhatToDoWhereACallThatStopsItDoesNotReturn) {
-  constexpr std::chrono::minutes kLongest(1);
   for (const std::string function : {"dhdStop", "drdStop"}) {
     bench->blocks = function;
     bench->calls.clear();
@@ -307,7 +307,7 @@ TEST_F(MovingForceDimension, TellsWhatToDoWhereACallThatStopsItDoesNotReturn) {
       std::mutex mutex;
       std::unique_lock lock(mutex);
       std::condition_variable_any never;
-      never.wait_for(lock, ended, kLongest, [] { return false; });
+      never.wait_for(lock, ended, kPatience, [] { return false; });
       bench->blocks.clear();
     });
     EXPECT_THROW(open_and_stop([&](const std::string& sentence) {
@@ -390,7 +390,7 @@ TEST_F(ForceDimension, HearsAStopWhileAnotherThreadLooksAfterTheYes) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       stop.request_stop();
     };
-    look = std::make_unique<LongLook>(stop_later, std::chrono::seconds(60));
+    look = std::make_unique<LongLook>(stop_later, kPatience);
     return true;
   };
   EXPECT_THROW(drivers.open("force_dimension", asks), OpeningStopped);

@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/patience.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -34,14 +35,13 @@ class SilentResolver final {
     // It is asked by a thread that may outlive us.
     return [state = state_](const std::string& host) {
       state->asked.set_value();
-      state->enough.get_future().wait_for(kLongest);
+      state->enough.get_future().wait_for(kPatience);
       return host;
     };
   }
-  void wait_until_asked() const { state_->asked.get_future().wait_for(kLongest); }
+  void wait_until_asked() const { state_->asked.get_future().wait_for(kPatience); }
 
  private:
-  static constexpr std::chrono::minutes kLongest{1};
   struct State {
     std::promise<void> asked{};
     std::promise<void> enough{};

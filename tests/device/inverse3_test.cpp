@@ -21,6 +21,8 @@
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/eventually.h"
+#include "tests/support/patience.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -123,12 +125,10 @@ TEST(InverseServicePlace, IsTheUsualOneUnlessSaid) {
 class Inverse3 : public testing::Test {
  protected:
   // A busy machine may keep the stand-in waiting for long; where being late is the matter, it is `hurried`.
-  static constexpr Inverse3Patience kPatient{.connection = std::chrono::minutes(1),
-                                             .inventory = std::chrono::minutes(1),
-                                             .update = std::chrono::minutes(1)};
-  static constexpr Inverse3Patience kHurried{.connection = std::chrono::minutes(1),
-                                             .inventory = std::chrono::minutes(1),
-                                             .update = std::chrono::milliseconds(100)};
+  static constexpr Inverse3Patience kPatient{
+      .connection = kPatience, .inventory = kPatience, .update = kPatience};
+  static constexpr Inverse3Patience kHurried{
+      .connection = kPatience, .inventory = kPatience, .update = std::chrono::milliseconds(100)};
   TestInverseService service{};
   const Driver driver = inverse3_driver(kPatient);
   const DriverOptions options{.service = service.place()};
@@ -148,9 +148,7 @@ class Inverse3 : public testing::Test {
   }
   // What was sent last may be on its way for a while.
   bool ends_without_force() {
-    const auto latest = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (has_force() && std::chrono::steady_clock::now() < latest) std::this_thread::yield();
-    return !has_force();
+    return eventually([this] { return !has_force(); });
   }
 };
 
@@ -472,9 +470,8 @@ TEST(WebSocket, IsClosedWhenAMessageIsNotTakenInTimeAndSendsItNeverAgain) {
     service.bench().stalls = true;
   }
   const std::string place = service.place();
-  WebSocket socket("127.0.0.1", std::stoi(place.substr(place.find(':') + 1)),
-                   std::chrono::minutes(1));
-  ASSERT_TRUE(socket.receive(std::chrono::minutes(1)).has_value());
+  WebSocket socket("127.0.0.1", std::stoi(place.substr(place.find(':') + 1)), kPatience);
+  ASSERT_TRUE(socket.receive(kPatience).has_value());
   const std::string text = force_command("049D", ForceSpelling::vector, {0.0, 0.0, 1.0},
                                          std::string(std::size_t{1} << 20, 'x'));
   constexpr int kMostTexts = 100;  // 100 MB: more than any line holds
@@ -594,9 +591,8 @@ TEST_F(Inverse3, IsLeftWithoutForceWhereItsOpeningIsStoppedInTheTrialOfOne) {
 }
 
 TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
-  constexpr Inverse3Patience kShort{.connection = std::chrono::minutes(1),
-                                    .inventory = std::chrono::milliseconds(300),
-                                    .update = std::chrono::minutes(1)};
+  constexpr Inverse3Patience kShort{
+      .connection = kPatience, .inventory = std::chrono::milliseconds(300), .update = kPatience};
   bench([](auto& it) { it.answers_forces = false; });
   EXPECT_THAT(refusal_of([&] { inverse3_driver(kShort).open("", options); }),
               HasSubstr("does not tell where"));
@@ -606,16 +602,15 @@ TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
 TEST(WebSocket, AsksNoLibraryToLookUpAHost) {
   // Longer than a label of a name can be: known to nobody, without a question on the network.
   const std::string host(70, 'x');
-  EXPECT_THAT(refusal_of([&] { WebSocket(host, 10001, std::chrono::minutes(1)); }),
+  EXPECT_THAT(refusal_of([&] { WebSocket(host, 10001, kPatience); }),
               AllOf(HasSubstr("The host \"" + host), HasSubstr("not known")));
 }
 
 TEST(WebSocket, FindsThisComputerByItsName) {
   const TestInverseService service;
   const std::string place = service.place();
-  WebSocket socket("localhost", std::stoi(place.substr(place.find(':') + 1)),
-                   std::chrono::minutes(1));
-  EXPECT_TRUE(socket.receive(std::chrono::minutes(1)).has_value());
+  WebSocket socket("localhost", std::stoi(place.substr(place.find(':') + 1)), kPatience);
+  EXPECT_TRUE(socket.receive(kPatience).has_value());
 }
 
 }  // namespace

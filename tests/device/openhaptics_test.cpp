@@ -20,6 +20,7 @@
 #include "tests/device/long_tick.h"
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_hd.h"
+#include "tests/support/patience.h"
 #include "tests/support/refusal.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -48,8 +49,7 @@ class OpenHaptics : public testing::Test {
   ~OpenHaptics() override { reset_(); }
 
   // A busy machine may keep the scheduler's thread waiting for long.
-  std::unique_ptr<OpenHapticsDevice> open(
-      std::chrono::milliseconds patience = std::chrono::minutes(1)) {
+  std::unique_ptr<OpenHapticsDevice> open(std::chrono::milliseconds patience = kPatience) {
     return std::make_unique<OpenHapticsDevice>(
         std::make_shared<const HdFunctions>(ASPERITY_TEST_HD), "", patience);
   }

@@ -24,6 +24,7 @@
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_spacemouse.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/eventually.h"
 #include "tests/support/refusal.h"
 #include "tests/support/steady_push.h"
 

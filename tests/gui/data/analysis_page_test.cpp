@@ -30,6 +30,7 @@
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -63,7 +64,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   ASSERT_EQ(page.outcomes().size(), 1U);
   const auto* answer = page.findChild<QLabel*>("answer");
   ASSERT_NE(answer, nullptr);
@@ -84,7 +85,7 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   const auto* view = page.findChild<FigureView*>("figure_shares_forest");
   ASSERT_NE(view, nullptr);
   const FigureSeries& all = view->figure().series.front();
@@ -97,11 +98,9 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   const auto* canvas = view->findChild<QWidget*>("canvas");
   ASSERT_NE(canvas, nullptr);
   page.resize(1366, 768);
-  EXPECT_TRUE(QTest::qWaitFor(
-      [canvas] {
-        return canvas->width() > 600 && canvas->height() == canvas->heightForWidth(canvas->width());
-      },
-      10000));
+  EXPECT_TRUE(eventually([canvas] {
+    return canvas->width() > 600 && canvas->height() == canvas->heightForWidth(canvas->width());
+  }));
   // It goes with its table, above it.
   const auto* table =
       page.findChild<QTableView*>("table_" + QString::fromStdString(view->figure().table));
@@ -122,13 +121,11 @@ TEST(FigureOfCurves, IsAsHighAsItNeedsAtEveryWidth) {
   ASSERT_NE(canvas, nullptr);
   for (const int width : {500, 700, 900}) {
     view.resize(width, view.heightForWidth(width));
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] {
-          return canvas->width() > width - 60 &&
-                 canvas->height() == canvas->heightForWidth(canvas->width());
-        },
-        10000))
-        << canvas->height() << " of " << canvas->heightForWidth(canvas->width()) << " at " << width;
+    EXPECT_TRUE(eventually([&] {
+      return canvas->width() > width - 60 &&
+             canvas->height() == canvas->heightForWidth(canvas->width());
+    })) << canvas->height()
+        << " of " << canvas->heightForWidth(canvas->width()) << " at " << width;
   }
 }
 
@@ -172,7 +169,7 @@ TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   auto* view = page.findChild<FigureView*>("figure_shares_forest");
   ASSERT_NE(view, nullptr);
   auto* banner = page.findChild<Banner*>();
@@ -189,19 +186,18 @@ TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
   };
   for (const std::string name : {"shares.svg", "shares.pdf", "shares.png"}) {
     save_as(name);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return banner->text().contains(QString::fromStdString(name)); }, 10000));
+    ASSERT_TRUE(eventually([&] { return banner->text().contains(QString::fromStdString(name)); }));
     EXPECT_GT(std::filesystem::file_size(made.beside(name)), 1000U);
   }
   EXPECT_NE(read_file(made.beside("shares.svg")).find("width=\"85mm\""), std::string::npos);
   write_file(made.beside("shares.svg"), std::string_view("another"), Overwrite::allow);
   save_as("shares.svg");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("already"); }, 10000));
+  ASSERT_TRUE(eventually([&] { return banner->text().contains("already"); }));
   EXPECT_EQ(read_file(made.beside("shares.svg")), "another");
   for (QPushButton* button : banner->findChildren<QPushButton*>()) {
     if (button->text().startsWith("Replace")) button->click();
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("figure is in"); }, 10000));
+  ASSERT_TRUE(eventually([&] { return banner->text().contains("figure is in"); }));
   EXPECT_NE(read_file(made.beside("shares.svg")), "another");
 }
 
@@ -212,14 +208,14 @@ TEST(AnalysisPage, CopiesAFigureAsAPictureAndAsSvg) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   QGuiApplication::clipboard()->clear();
   auto* copy =
       page.findChild<FigureView*>("figure_shares_forest")->findChild<QPushButton*>("copy_figure");
   copy->setFocus();
   QTest::keyClick(copy, Qt::Key_Space);
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("clipboard"); }, 10000));
+  ASSERT_TRUE(eventually([&] { return banner->text().contains("clipboard"); }));
   const QMimeData* content = QGuiApplication::clipboard()->mimeData();
   EXPECT_TRUE(content->hasImage());
   EXPECT_TRUE(content->data("image/svg+xml").contains("<svg"));
@@ -234,7 +230,7 @@ TEST(AnalysisPage, LooksTheSameInTheDark) {
     AnalysisPage page(study);
     QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
     page.show();
-    EXPECT_TRUE(refreshed.wait(10000));
+    EXPECT_TRUE(refreshed.wait(kPatience_ms));
     auto* view = page.findChild<FigureView*>("figure_shares_forest");
     ASSERT_NE(view, nullptr);
     // Light letters on the dark card.
@@ -271,7 +267,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  EXPECT_TRUE(refreshed.wait(10000));
+  EXPECT_TRUE(refreshed.wait(kPatience_ms));
   QStringList words{};
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text();
   EXPECT_TRUE(words.contains("<Chosen as the most realistic (counts)>"));
@@ -301,7 +297,7 @@ TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   EXPECT_FALSE(page.findChild<QPushButton*>("export_tables")->isEnabled());
   EXPECT_TRUE(page.findChild<EmptyState*>()->isVisible());
   take_screenshot(page, "data-analysis-empty", {1366, 768});
@@ -314,13 +310,13 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(60000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
   emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
+  ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
   EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
   const auto files = std::count_if(
       std::filesystem::recursive_directory_iterator(made.beside("tables")),
@@ -338,7 +334,7 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(60000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
@@ -349,7 +345,7 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   for_public->click();
   emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
+  ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
   EXPECT_EQ(read_file(made.beside("tables") / "sessions.tsv").find("started_utc"),
             std::string::npos);
 }
@@ -361,7 +357,7 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(60000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   auto* export_tables = page.findChild<QPushButton*>("export_tables");
   export_tables->click();
   emit page.findChild<QFileDialog*>("export_dialog")
@@ -371,11 +367,11 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   EXPECT_TRUE(line->findChild<QLabel*>("task_words")->text().contains("tables"));
   line->findChild<QPushButton*>("task_cancel")->click();
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
+  ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
   // A machine that is busy elsewhere may notice too late.
   const bool in_time = banner->text().contains("you cancelled it");
   EXPECT_EQ(std::filesystem::exists(made.beside("tables")), !in_time);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return export_tables->isEnabled(); }, 60000));
+  ASSERT_TRUE(eventually([&] { return export_tables->isEnabled(); }));
 }
 
 TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
@@ -395,7 +391,7 @@ TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   EXPECT_EQ(page.findChild<QLabel*>("answer"), nullptr);
   EXPECT_TRUE(page.findChildren<QTableView*>().isEmpty());
 }
@@ -406,10 +402,10 @@ TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   add_hits(made, 15);
   study.announce_change();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
   EXPECT_EQ(page.outcomes().size(), 1U);
   EXPECT_EQ(page.findChild<QListWidget*>("outcomes")->count(), 1);
 }

@@ -29,6 +29,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -176,7 +177,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   AnalysisPage analysis(*study_);
   QSignalSpy counted(&analysis, &AnalysisPage::refreshed);
   analysis.show();
-  ASSERT_TRUE(counted.wait(20000));
+  ASSERT_TRUE(counted.wait(kPatience_ms));
   ASSERT_EQ(analysis.outcomes().at(0).answers, 3U);
   AttemptPage page(*study_);
   show_attempt(page, attempt(1));

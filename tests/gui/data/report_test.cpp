@@ -27,6 +27,7 @@
 #include "app/report/table_layout.h"
 #include "app/tasks/study_report.h"
 #include "tests/app/made_up_study.h"
+#include "tests/gui/support/widgets.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -410,7 +411,7 @@ class SavingAReport : public testing::Test {
     page_ = std::make_unique<AnalysisPage>(*study_);
     QSignalSpy refreshed(page_.get(), &AnalysisPage::refreshed);
     page_->show();
-    refreshed.wait(20000);
+    refreshed.wait(kPatience_ms);
     button_ = page_->findChild<QPushButton*>("save_report");
     banner_ = page_->findChild<Banner*>();
   }
@@ -422,8 +423,7 @@ class SavingAReport : public testing::Test {
     dialog->close();
   }
   bool told(const QString& words) {
-    return QTest::qWaitFor([&] { return banner_->isVisible() && banner_->text().contains(words); },
-                           60000);
+    return eventually([&] { return banner_->isVisible() && banner_->text().contains(words); });
   }
 
   MadeUpStudy made_;
@@ -459,7 +459,7 @@ TEST_F(SavingAReport, LeavesNothingBehindWhenItIsCancelled) {
   EXPECT_FALSE(button_->isEnabled()) << "one at a time";
   auto* line = page_->findChild<TaskLine*>("saving_report");
   line->findChild<QPushButton*>("task_cancel")->click();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return button_->isEnabled(); }, 60000));
+  ASSERT_TRUE(eventually([this] { return button_->isEnabled(); }));
   // A machine that is busy elsewhere may notice too late.
   const bool in_time = banner_->text().contains("you cancelled it");
   EXPECT_EQ(std::filesystem::exists(made_.beside("report.pdf")), !in_time);

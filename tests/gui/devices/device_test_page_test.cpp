@@ -413,7 +413,7 @@ TEST_F(DeviceTests, LetTheWindowOpenNoDialogOverThem) {
   shown_page->show_device(arm());
   window.show_page("device_test");
   window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, kPatience_ms));
   bench.hold_after = 1;
   shown_page->findChild<QPushButton*>("device_test_begin")->click();
   require([this] { return bench.is_held.load(); }, "push");

@@ -9,6 +9,8 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
+#include "tests/gui/support/widgets.h"
+
 namespace asperity {
 namespace {
 
@@ -29,7 +31,7 @@ TEST(LiveCheck, ChecksOnAnotherThread) {
   QSignalSpy checked(&live, &LiveCheck::checked);
   live.want();
   EXPECT_FALSE(live.is_settled());
-  ASSERT_TRUE(checked.wait(20000));
+  ASSERT_TRUE(checked.wait(kPatience_ms));
   EXPECT_TRUE(live.is_settled());
   EXPECT_NE(checked_on, std::thread::id{});
   EXPECT_NE(checked_on, std::this_thread::get_id());
@@ -50,7 +52,7 @@ TEST(LiveCheck, WaitsForAPauseInTheTyping) {
     text += c;
     live.want();
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return live.is_settled(); }, 20000));
+  ASSERT_TRUE(eventually([&] { return live.is_settled(); }));
   EXPECT_EQ(checks, 1);
   EXPECT_EQ(said, std::vector<std::string>{"typed"});
 }
@@ -76,7 +78,7 @@ TEST(LiveCheck, DropsWhatItFindsInATextThatIsNoLongerThere) {
   text = "new";
   live.want_now();
   go_on.set_value();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return live.is_settled(); }, 20000));
+  ASSERT_TRUE(eventually([&] { return live.is_settled(); }));
   EXPECT_EQ(said, std::vector<std::string>{"new"});
 }
 
@@ -85,7 +87,7 @@ TEST(LiveCheck, SaysWhyATextCouldNotBeChecked) {
                  [](const std::string&) -> ProtocolCheck { throw std::runtime_error("no disk"); });
   QSignalSpy failed(&live, &LiveCheck::failed);
   live.want_now();
-  ASSERT_TRUE(failed.wait(20000));
+  ASSERT_TRUE(failed.wait(kPatience_ms));
   EXPECT_EQ(failed[0][0].toString(), "no disk");
   EXPECT_TRUE(live.is_settled());
 }

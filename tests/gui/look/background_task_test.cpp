@@ -8,6 +8,8 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
+#include "tests/gui/support/widgets.h"
+
 namespace asperity {
 namespace {
 
@@ -27,7 +29,7 @@ TEST(BackgroundTask, DeliversItsResultOnTheGuiThread) {
         result = value;
       },
       [](const QString&) { FAIL(); });
-  ASSERT_TRUE(finished.wait(5000));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(result, 7);
   EXPECT_NE(worked_on, QThread::currentThread());
   EXPECT_EQ(delivered_on, QThread::currentThread());
@@ -43,7 +45,7 @@ TEST(BackgroundTask, SaysWhatAnExceptionSays) {
         throw std::runtime_error("no such photograph");
       },
       [](int) { FAIL(); }, [&said](const QString& what) { said = what; });
-  ASSERT_TRUE(finished.wait(5000));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(said, "no such photograph");
 }
 
@@ -60,7 +62,7 @@ TEST(BackgroundTask, BeginsAnewWithoutWaitingForWhatItReplaces) {
   int result = 0;
   task.run<int>([](const std::stop_token&, const BackgroundTask::Progress&) { return 2; },
                 [&result](int value) { result = value; }, [](const QString&) { FAIL(); });
-  EXPECT_TRUE(finished.wait(5000));
+  EXPECT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(result, 2);
   EXPECT_FALSE(task.is_running());
   may_end = true;

@@ -8,6 +8,8 @@
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
 
+#include "tests/gui/support/widgets.h"
+
 namespace asperity {
 namespace {
 
@@ -59,7 +61,7 @@ TEST_F(Controls, LetTheFocusGoOnFromATable) {
   QPushButton* after = make_button("Go on", ButtonRole::plain, &page);
   page.show();
   page.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page, kPatience_ms));
   table.setFocus();
   table.setCurrentCell(0, 0);
   QTest::keyClick(&table, Qt::Key_Tab);

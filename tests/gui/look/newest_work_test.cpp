@@ -9,10 +9,10 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
+#include "tests/gui/support/widgets.h"
+
 namespace asperity {
 namespace {
-
-constexpr int kLongest_ms = 10000;
 
 TEST(NewestWork, LeavesOutWhatWaitedWhenSomethingNewerWasAsked) {
   NewestWork work{};
@@ -32,11 +32,11 @@ TEST(NewestWork, LeavesOutWhatWaitedWhenSomethingNewerWasAsked) {
         [](const QString&) { FAIL(); });
   };
   ask(1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return first_runs.load(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return first_runs.load(); }));
   for (int number = 2; number <= 50; ++number) ask(number);
   EXPECT_TRUE(work.is_busy());
   gate.unlock();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !work.is_busy(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return !work.is_busy(); }));
   EXPECT_EQ(begun, (std::vector<int>{1, 50}));
   EXPECT_EQ(delivered, (std::vector<int>{1, 50}));
 }
@@ -51,7 +51,7 @@ TEST(NewestWork, WorksAwayFromTheGuiThreadAndDeliversOnIt) {
         return [&] { delivered_on = QThread::currentThread(); };
       },
       [](const QString&) { FAIL(); });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !work.is_busy(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return !work.is_busy(); }));
   EXPECT_NE(worked_on, QThread::currentThread());
   EXPECT_EQ(delivered_on, QThread::currentThread());
 }
@@ -61,7 +61,7 @@ TEST(NewestWork, SaysWhatAnExceptionSays) {
   QString said{};
   work.ask([]() -> NewestWork::Delivery { throw std::invalid_argument("too short a wave"); },
            [&said](const QString& what) { said = what; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !work.is_busy(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return !work.is_busy(); }));
   EXPECT_EQ(said, "too short a wave");
 }
 

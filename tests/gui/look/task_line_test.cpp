@@ -11,11 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/background_task.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
-
-constexpr int kTaskPatience_ms = 10000;
 
 class TaskLineTest : public testing::Test {
  protected:
@@ -35,9 +34,7 @@ class TaskLineTest : public testing::Test {
         },
         [this](bool done) { (done ? done_ : stopped_) = true; }, [](const QString&) { FAIL(); });
   }
-  void wait_for(const std::function<bool()>& condition) {
-    ASSERT_TRUE(QTest::qWaitFor(condition, kTaskPatience_ms));
-  }
+  void wait_for(const std::function<bool()>& condition) { ASSERT_TRUE(eventually(condition)); }
 
   std::atomic<bool> may_end_{false};
   bool done_ = false;

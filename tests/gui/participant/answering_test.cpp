@@ -12,6 +12,7 @@
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
 #include "tests/gui/participant/scenes.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +65,7 @@ struct Room {
     }
   }
   bool sees(const std::function<bool(const ParticipantScene&)>& what) {
-    return QTest::qWaitFor([&] { return what(view().scene()); });
+    return eventually([&] { return what(view().scene()); });
   }
   bool sees_question() {
     return sees([](const ParticipantScene& scene) {
@@ -192,7 +193,7 @@ TEST(Answering, ReadsALongTextByAButtonOfTheDeviceAlone) {
     return true;
   });
   const auto is_on = [&](const QString& page) {
-    return QTest::qWaitFor([&] {
+    return eventually([&] {
       room.view().grab();
       return room.view().drawn_texts().contains(page);
     });

@@ -10,6 +10,7 @@
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -86,7 +87,7 @@ TEST_P(LibraryScenes, SayNoNameAndFitBothSizes) {
     monitor.show(scene);
     const auto shown = monitor.snapshot().scene;
     view.show();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return &view.scene() == shown.get(); }));
+    ASSERT_TRUE(eventually([&] { return &view.scene() == shown.get(); }));
     for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
       view.resize(size);
       view.grab();

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/height_field_files.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -59,7 +60,7 @@ class LiveWorkspaceTest : public testing::Test {
   static QImage settled(LiveWorkspace& workspace) {
     QImage before{};
     QImage now = workspace.grab().toImage();
-    EXPECT_TRUE(QTest::qWaitFor([&] {
+    EXPECT_TRUE(eventually([&] {
       before = now;
       QTest::qWait(60);
       now = workspace.grab().toImage();
@@ -106,12 +107,12 @@ TEST_F(LiveWorkspaceTest, TheProbeFollowsTheHandAndIsGoneBetweenSurfaces) {
   feel(1);
   const QImage empty = settled(workspace);
   move(-0.03F);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != empty; }));
+  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != empty; }));
   const QImage left = settled(workspace);
   move(0.03F);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != left; }));
+  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() != left; }));
   feel(0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() == empty; }));
+  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() == empty; }));
 }
 
 TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
@@ -131,13 +132,13 @@ TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
   const QImage ball = settled(workspace);
   feel(2);
   move(0.0F);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != ball; }));
+  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != ball; }));
   const QImage rod = settled(workspace);
   LiveBin turned{};
   turned.orientation = glm::angleAxis(1.0F, glm::vec3{0.0F, 1.0F, 0.0F});
   turned.touching = true;
   monitor_.add_bin(turned);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != rod; }));
+  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() != rod; }));
 }
 
 TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
@@ -149,7 +150,7 @@ TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
   feel(1);
   const QImage empty = settled(workspace);
   move(-0.05F);  // the centre of the mirrored patch, and so of the picture
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != empty; }));
+  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != empty; }));
   const QImage now = settled(workspace);
   int changed = 0;
   for (int row = 0; row < now.height(); ++row) {
@@ -168,7 +169,7 @@ TEST_F(LiveWorkspaceTest, AReliefThatCannotBeReadIsReported) {
   workspace.show();
   begin();
   feel(1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return unreadable.count() == 1; }));
+  ASSERT_TRUE(eventually([&] { return unreadable.count() == 1; }));
   EXPECT_TRUE(unreadable.front().front().toString().contains("none.png"));
 }
 

@@ -12,6 +12,7 @@
 #include "renderers/servo_thread.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -51,10 +52,10 @@ TEST(ParticipantPictures, AreTakenOfEveryScene) {
       if (!scene.cue.empty()) scene.cue_number = ++cues;
       monitor.show(scene);
       const auto shown = monitor.snapshot().scene;
-      ASSERT_TRUE(QTest::qWaitFor([&] { return &window.view().scene() == shown.get(); }));
+      ASSERT_TRUE(eventually([&] { return &window.view().scene() == shown.get(); }));
       window.resize(size);
       window.show();
-      ASSERT_TRUE(QTest::qWaitFor([&] {
+      ASSERT_TRUE(eventually([&] {
         window.grab();
         return window.view().pictures_are_there();
       }));
@@ -75,7 +76,7 @@ TEST(ParticipantPictures, AreTakenOfEveryScene) {
   ParticipantWindow mirrored(left_handed, study);
   mirrored.resize(1366, 768);
   mirrored.show();
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     mirrored.grab();
     return mirrored.view().pictures_are_there();
   }));

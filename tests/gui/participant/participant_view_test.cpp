@@ -12,6 +12,7 @@
 #include "renderers/servo_thread.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -37,7 +38,7 @@ struct Seat {
   void show(const ParticipantScene& scene) {
     monitor.show(scene);
     const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return &view.scene() == shown.get(); }));
+    ASSERT_TRUE(eventually([&] { return &view.scene() == shown.get(); }));
   }
   QPoint place_of(Item::Kind kind, const QString& text_or_key) const {
     for (const Item& item : view.items()) {
@@ -523,7 +524,7 @@ TEST(ParticipantView, ShowsPicturesTogetherOnceAllAreThere) {
   Seat seat{};
   ParticipantScene scene = scenes::recognition(3);
   seat.show(scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     seat.view.grab();
     return seat.view.pictures_are_there();
   }));
@@ -548,7 +549,7 @@ TEST(ParticipantView, SaysWhichPictureCannotBeReadAndShowsTheOthers) {
   ParticipantScene scene = scenes::recognition(3);
   scene.choices[1].picture = "pictures/none.png";
   seat.show(scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     seat.view.grab();
     return seat.view.pictures_are_there();
   }));
@@ -570,7 +571,7 @@ TEST(ParticipantView, ShowsNoFileNames) {
 TEST(ParticipantView, FillsTheSquaresOfVeryWideAndVeryTallPictures) {
   Seat seat{};
   seat.show(scenes::recognition(3));
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     seat.view.grab();
     return seat.view.pictures_are_there();
   }));
@@ -676,7 +677,7 @@ TEST(ParticipantView, MirrorsThePageThatIsRead) {
   scene.text = scenes::sentences(25);
   seat.show(scene);
   seat.key(Qt::Key_Return);
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     mirror.grab();
     return mirror.drawn_texts().contains("Page 2 of 3");
   }));
@@ -694,8 +695,7 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   mirror.resize(683, 400);
   mirror.show();
   seat.show(scenes::recognition(6));
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return mirror.scene().kind == ParticipantScene::Kind::question; }));
+  ASSERT_TRUE(eventually([&] { return mirror.scene().kind == ParticipantScene::Kind::question; }));
   const std::vector<Item> large = seat.view.items();
   const std::vector<Item> small = mirror.items();
   ASSERT_EQ(large.size(), small.size());
@@ -711,7 +711,7 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   // What is begun is seen too.
   seat.show(scenes::form_number());
   seat.key(Qt::Key_4);
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     mirror.grab();
     return mirror.drawn_texts().contains("How old are you, in years?");
   }));
@@ -719,7 +719,7 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
   seat.show(scenes::form_text());
   QTest::keyClicks(seat.view.findChild<QPlainTextEdit*>("participant_text"), "rough");
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     mirror.grab();
     return mirror.drawn_texts().contains("rough");
   }));
@@ -752,7 +752,7 @@ QImage guide_with(Seat& seat, double pressing_N, std::optional<double> speed_m_p
   bin.stroking_m_per_s = speed_m_per_s;
   seat.monitor.add_bin(bin);
   auto* guide = seat.view.findChild<LiveGuide*>();
-  EXPECT_TRUE(QTest::qWaitFor([&] {
+  EXPECT_TRUE(eventually([&] {
     return guide->shown().pressing_N == pressing_N &&
            guide->shown().stroking_m_per_s == speed_m_per_s;
   }));
@@ -839,7 +839,7 @@ TEST(ParticipantView, ShowsTheBandsOfAllExplorationsOnOneScale) {
     bin.is_felt = true;
     bin.pressing_N = asked_N;
     seat.monitor.add_bin(bin);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return guide->shown().pressing_N == asked_N; }));
+    ASSERT_TRUE(eventually([&] { return guide->shown().pressing_N == asked_N; }));
     bands.push_back(band_in(guide->grab().toImage()));
   }
   EXPECT_GT(bands[1].first, bands[0].second) << "1 N is asked for beyond where 0.5 N was";
@@ -874,7 +874,7 @@ TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
   scene.text_saying = {.what = Saying::What::lift, .code = "B"};
   seat.show(scene);
   auto* guide = seat.view.findChild<LiveGuide*>();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !guide->shown().pressing_N; }));
+  EXPECT_TRUE(eventually([&] { return !guide->shown().pressing_N; }));
   EXPECT_FALSE(guide->shown().stroking_m_per_s);
   EXPECT_EQ(pixels_of(guide->grab().toImage(), outside, pressed_little.rect()), 0);
 }
@@ -896,10 +896,10 @@ TEST(ParticipantView, LeadsTheHandByATargetUntilItIsToLift) {
   const std::optional<double> before = guide->shown().target_along_m;
   ASSERT_TRUE(before);
   EXPECT_LE(std::abs(*before), 0.03);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return guide->shown().target_along_m != before; }));
+  EXPECT_TRUE(eventually([&] { return guide->shown().target_along_m != before; }));
   scene.text_saying = {.what = Saying::What::lift, .code = "B"};
   seat.show(scene);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !guide->shown().target_along_m; }));
+  EXPECT_TRUE(eventually([&] { return !guide->shown().target_along_m; }));
 }
 
 TEST(ParticipantView, ShowsNothingOfTheHandWhereTheProtocolDoesNotSaySo) {

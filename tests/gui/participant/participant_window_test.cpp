@@ -17,6 +17,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/participant/participant_painter.h"
 #include "tests/gui/participant/scenes.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -113,10 +114,10 @@ TEST(ParticipantWindow, ClosesByItselfAfterTheThanks) {
   ParticipantScene ended{};
   ended.kind = ParticipantScene::Kind::ended;
   monitor.show(ended);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return thanks->isActive(); }));
+  ASSERT_TRUE(eventually([&] { return thanks->isActive(); }));
   EXPECT_EQ(thanks->interval(), 10'000);
   thanks->start(1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return closed.count() == 1; }));
+  ASSERT_TRUE(eventually([&] { return closed.count() == 1; }));
   EXPECT_FALSE(window.isVisible());
 }
 
@@ -129,7 +130,7 @@ TEST(ParticipantWindow, OpensNoDialogAndStaysWhateverIsShownAndPressed) {
   for (const auto& [name, scene] : scenes::all()) {
     monitor.show(scene);
     const auto shown = monitor.snapshot().scene;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return &window.view().scene() == shown.get(); }));
+    ASSERT_TRUE(eventually([&] { return &window.view().scene() == shown.get(); }));
     for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F1, Qt::Key_Menu, Qt::Key_Return}) {
       QTest::keyClick(&window.view(), key);
     }

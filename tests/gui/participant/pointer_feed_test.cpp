@@ -14,6 +14,7 @@
 
 #include "app/gui/participant/live_workspace.h"
 #include "app/gui/participant/participant_view.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -115,7 +116,7 @@ TEST_F(APointerFeed, PressesWhileTheButtonIsHeldAndLiftsWhenItLeaves) {
 TEST_F(APointerFeed, DoesNotPressWhereSomethingElseIsPressed) {
   monitor.show({.kind = Scene::Kind::text, .text = "Read this."});
   QPointF button{};
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     for (const ParticipantItem& item : view.items()) {
       if (item.action) button = item.rect.center();
     }
@@ -145,9 +146,9 @@ TEST_F(APointerFeed, IsWhereItPointsInAWorkspaceThatIsSeen) {
   auto* workspace = new LiveWorkspace(monitor, folder.path().toStdString(), SurfaceLook::plain);
   view.set_workspace(workspace);
   monitor.show({.kind = Scene::Kind::feel, .surfaces = {{.code = "A"}}, .show_workspace = true});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace->isVisible(); }));
+  ASSERT_TRUE(eventually([&] { return workspace->isVisible(); }));
   const WorkspaceView& seen = workspace->view();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return seen.is_drawn(); }));
+  ASSERT_TRUE(eventually([&] { return seen.is_drawn(); }));
   const QPointF corner = view.mapFromGlobal(seen.mapToGlobal(QPointF(0.0, 0.0)));
   // The camera stands in front: what lies further up in the picture is further away.
   std::vector<glm::dvec2> places{};

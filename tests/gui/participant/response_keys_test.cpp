@@ -17,6 +17,7 @@
 
 #include "app/gui/participant/participant_window.h"
 #include "tests/gui/participant/scenes.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -57,12 +58,12 @@ struct Desk {
   void show(const ParticipantScene& scene) {
     monitor.show(scene);
     const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return &window.view().scene() == shown.get(); }));
+    ASSERT_TRUE(eventually([&] { return &window.view().scene() == shown.get(); }));
   }
   void focus(QWidget* widget) {
     widget->window()->activateWindow();
     widget->setFocus();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::focusWidget() == widget; }));
+    ASSERT_TRUE(eventually([&] { return QApplication::focusWidget() == widget; }));
   }
   /// As the keyboard does it: to whoever has the focus.
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
@@ -140,7 +141,7 @@ TEST(ResponseKeys, GoesOnFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
 TEST(ResponseKeys, FollowsTheKeyboardToTheWindowThatAsksForAText) {
   Desk desk{};
   desk.show(scenes::form_text());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &desk.window; }));
+  ASSERT_TRUE(eventually([&] { return QApplication::activeWindow() == &desk.window; }));
   QTest::keyClicks(QApplication::focusWidget(), "smooth");
   desk.key(Qt::Key_Return);
   ASSERT_EQ(desk.inputs.size(), 1U);
@@ -245,7 +246,7 @@ TEST(ResponseKeys, AnswersATrialThroughAnOpenMenu) {
   int chosen = 0;
   menu.addAction("&3 of them", [&] { ++chosen; });
   menu.popup(desk.experimenter.mapToGlobal(QPoint(5, 5)));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activePopupWidget() == &menu; }));
+  ASSERT_TRUE(eventually([&] { return QApplication::activePopupWidget() == &menu; }));
   QTest::keyClick(&menu, Qt::Key_3);
   QTest::keyClick(&menu, Qt::Key_Return);
   EXPECT_EQ(chosen, 0);
@@ -275,7 +276,7 @@ struct UnrelatedWindow {
   }
   void open_menu() {
     menu.popup(window.mapToGlobal(QPoint(5, 5)));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activePopupWidget() == &menu; }));
+    ASSERT_TRUE(eventually([&] { return QApplication::activePopupWidget() == &menu; }));
   }
 };
 
@@ -308,8 +309,7 @@ TEST(ResponseKeys, LeavesTheListOfAChoiceItsKeysWhileNoResponseIsOpen) {
   desk.focus(other.choice);
   other.choice->showPopup();
   QWidget* list = nullptr;
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return (list = QApplication::activePopupWidget()) != nullptr; }));
+  ASSERT_TRUE(eventually([&] { return (list = QApplication::activePopupWidget()) != nullptr; }));
   QWidget* has_keys = list->focusWidget() != nullptr ? list->focusWidget() : list;
   QTest::keyClick(has_keys, Qt::Key_Down);
   QTest::keyClick(has_keys, Qt::Key_Return);

@@ -16,6 +16,7 @@
 #include "app/gui/look/theme.h"
 #include "stimuli/solid_body.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -39,7 +40,7 @@ QImage seen(const SurfacePatch& patch, std::shared_ptr<const HeightField> relief
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object(patch, std::move(relief), look);
-  EXPECT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  EXPECT_TRUE(eventually([&view] { return view.is_drawn(); }));
   return view.grab().toImage();
 }
 
@@ -119,7 +120,7 @@ TEST(WorkspaceView, ANewObjectIsNeverSeenWithTheOldTexture) {
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object({}, waves(), SurfaceLook::relief);
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   view.set_object({}, nullptr, SurfaceLook::plain);
   EXPECT_FALSE(view.is_drawn());
   // The slab's middle is even at once.
@@ -137,7 +138,7 @@ TEST(WorkspaceView, AnObjectThatLooksTheSameIsNotDrawnAgain) {
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object({}, waves(), SurfaceLook::pattern);
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   view.set_object({}, waves(40e-6, 0.011), SurfaceLook::pattern);
   EXPECT_TRUE(view.is_drawn());
   SurfacePatch larger{};
@@ -150,7 +151,7 @@ TEST(WorkspaceView, TheToolStandsWhereTheProbeIs) {
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object({}, nullptr, SurfaceLook::plain);
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   const QImage empty = view.grab().toImage();
   view.set_probe(-0.03, 0.0, 0.0, true);
   const QImage left = view.grab().toImage();
@@ -166,7 +167,7 @@ TEST(WorkspaceView, ALeftHandHoldsTheToolFromTheLeft) {
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object({}, nullptr, SurfaceLook::plain);
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   const QImage empty = view.grab().toImage();
   view.set_probe(0.0, 0.0, 0.0, false);
   const double right = difference(view.grab().toImage(), empty).mean_column;
@@ -181,7 +182,7 @@ TEST(WorkspaceView, HowDeepTheProbeIsIsNotSeen) {
   WorkspaceView view{};
   view.resize(480, 270);
   view.set_object({}, nullptr, SurfaceLook::plain);
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   view.set_probe(0.01, 0.0, 0.0, true);
   const QImage on = view.grab().toImage();
   view.set_probe(0.01, 0.0, -0.002, true);
@@ -196,7 +197,7 @@ TEST(WorkspaceView, TakesLittleTimeForAFrame) {
   view.set_object({}, waves(), SurfaceLook::relief);
   QElapsedTimer clock{};
   clock.start();
-  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }, 30000));
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
   std::cout << "the object at 1280 x 720: " << clock.elapsed() << " ms\n";
   QImage frame(view.size(), QImage::Format_RGB32);
   std::vector<double> times_ms{};
@@ -239,7 +240,7 @@ class TwoBodies : public testing::Test {
   TwoBodies() { view_.resize(480, 270); }
   QImage seen(const Mesh& surface, const Mesh& tool, SurfaceLook look = SurfaceLook::plain) {
     view_.set_bodies({}, surface, tool, look);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return view_.is_drawn(); }, 30000));
+    EXPECT_TRUE(eventually([this] { return view_.is_drawn(); }));
     return now();
   }
   QImage now() { return view_.grab().toImage(); }
@@ -319,7 +320,7 @@ TEST_F(TwoBodies, HowDeepTheToolIsIsNotSeen) {
 TEST_F(TwoBodies, GiveWayToTheSlabOfAPointAndComeBack) {
   const QImage bodies = seen(plate(), rod());
   view_.set_object({}, nullptr, SurfaceLook::plain);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return view_.is_drawn(); }, 30000));
+  ASSERT_TRUE(eventually([this] { return view_.is_drawn(); }));
   EXPECT_GT(difference(now(), bodies).pixels, 10000);
   EXPECT_EQ(difference(seen(plate(), rod()), bodies).pixels, 0);
 }
@@ -379,7 +380,7 @@ TEST(WorkspaceView, LooksAsItShould) {
     view.set_object({}, waves(), look);
     view.set_mirrored(mirrored);
     view.set_probe(x_m, -0.008, z_m, z_m <= 0.0);
-    EXPECT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }, 30000));
+    EXPECT_TRUE(eventually([&view] { return view.is_drawn(); }));
     take_screenshot(view, name, size);
   };
   const QSize large(1920, 1080);

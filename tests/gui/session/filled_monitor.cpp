@@ -9,6 +9,7 @@
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 
@@ -148,7 +149,8 @@ std::unique_ptr<SessionWindow> FilledMonitor::window() {
   window->resize(1366, 768);
   window->show();
   window->activateWindow();
-  if (!QTest::qWaitForWindowActive(window.get())) throw std::runtime_error("no active window");
+  if (!QTest::qWaitForWindowActive(window.get(), kPatience_ms))
+    throw std::runtime_error("no active window");
   window->refresh();
   return window;
 }

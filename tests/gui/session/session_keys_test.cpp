@@ -206,7 +206,7 @@ TEST_F(EmergencyStop, WorksWhileTheNoteHasTheFocus) {
 TEST_F(EmergencyStop, WorksWhileADialogIsOpen) {
   QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier | Qt::ShiftModifier);
   const QPointer<QDialog> dialog(&find<QDialog>("abort_dialog"));
-  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog, kPatience_ms));
   // As it comes from the window system: to the window, not to a widget.
   QTest::keyPress(dialog->windowHandle(), Qt::Key_F12);
   EXPECT_EQ(fault(), Fault::emergency_stop);
@@ -233,7 +233,7 @@ TEST_F(EmergencyStop, WorksFromTheParticipantsWindow) {
   QWidget participant{};
   participant.show();
   participant.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&participant));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&participant, kPatience_ms));
   QTest::keyPress(participant.windowHandle(), Qt::Key_F12);
   EXPECT_EQ(fault(), Fault::emergency_stop);
 }

@@ -15,6 +15,7 @@
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -38,7 +39,7 @@ void look_at(SessionWindow& window, const QString& name) {
     window.resize(shape.size);
     window.refresh();
     // Banners and buttons find their height only once they have their width.
-    (void)QTest::qWaitFor([&] { return clipped_in(window).isEmpty(); }, 2000);
+    (void)eventually([&] { return clipped_in(window).isEmpty(); });
     EXPECT_EQ(window.size(), shape.size) << name.toStdString();
     EXPECT_EQ(clipped_in(window).join("\n").toStdString(), "")
         << name.toStdString() << shape.name << " at " << shape.size.width();

@@ -963,7 +963,7 @@ TEST(SessionWindow, MovesItselfToAScreenThatIsThere) {
   const auto window = session.window();
   window->move(20000, 20000);
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
-  EXPECT_TRUE(QTest::qWaitFor(
+  EXPECT_TRUE(eventually(
       [&] { return QGuiApplication::screenAt(window->frameGeometry().center()) != nullptr; }));
 }
 
@@ -973,7 +973,7 @@ TEST(SessionWindow, ShowsTheMirrorThatItIsGiven) {
   auto* mirror = new QLabel("what the participant sees");
   window->set_mirror(mirror);
   EXPECT_TRUE(window->isAncestorOf(mirror));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return mirror->isVisible(); }));
+  EXPECT_TRUE(eventually([&] { return mirror->isVisible(); }));
 }
 
 TEST(SessionWindow, FitsTheSmallestScreenWithoutScrollingWhateverIsOpen) {

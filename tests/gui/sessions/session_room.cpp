@@ -23,8 +23,6 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPatience_ms = 30000;  // the machine may be busy with other things
-
 std::string levels(int count) {
   std::string text = "1";
   for (int level = 2; level <= count; ++level) text += ", " + std::to_string(level);
@@ -214,9 +212,7 @@ void SessionRoom::wait_for(const std::string& what, const std::function<bool()>&
   require(until(condition), "waited in vain for " + what);
 }
 
-bool SessionRoom::until(const std::function<bool()>& condition) {
-  return QTest::qWaitFor(condition, kPatience_ms);
-}
+bool SessionRoom::until(const std::function<bool()>& condition) { return eventually(condition); }
 
 void SessionRoom::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   if (QGuiApplication::focusWindow() == nullptr) {

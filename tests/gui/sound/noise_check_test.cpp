@@ -37,13 +37,13 @@ TEST(NoiseCheck, PlaysTheNoiseUntilItIsStoppedOrHidden) {
   auto& play = child<QPushButton>(check, "play_noise");
   QTest::mouseClick(&play, Qt::LeftButton);
   EXPECT_EQ(play.text(), "Stop noise");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.1; }));
   QTest::mouseClick(&play, Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak == 0.0; }));
+  EXPECT_TRUE(eventually([&] { return card.peak == 0.0; }));
   QTest::mouseClick(&play, Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.1; }));
   check.hide();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !card.open; }));
+  EXPECT_TRUE(eventually([&] { return !card.open; }));
   EXPECT_FALSE(play.isChecked());
 }
 
@@ -52,8 +52,8 @@ TEST(NoiseCheck, PlaysACueWithoutNoise) {
   NoiseCheck check(declared_noise(), output_of(card));
   check.show();
   QTest::mouseClick(&child<QPushButton>(check, "play_cue"), Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak == 0.0; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.1; }));
+  EXPECT_TRUE(eventually([&] { return card.peak == 0.0; }));
 }
 
 TEST(NoiseCheck, TheGainIsHeardAtOnceAndMakesAMeasurementVoid) {
@@ -66,12 +66,12 @@ TEST(NoiseCheck, TheGainIsHeardAtOnceAndMakesAMeasurementVoid) {
   EXPECT_EQ(check.reservation(), "");
   QSignalSpy changed(&check, &NoiseCheck::changed);
   QTest::mouseClick(&child<QPushButton>(check, "play_noise"), Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.2; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.2; }));
   auto& gain = child<QSlider>(check, "noise_gain");
   gain.setFocus();
   for (int i = 0; i < 8; ++i) QTest::keyClick(&gain, Qt::Key_PageDown);  // 8 times 3 dB
   EXPECT_NEAR(check.value().gain, 0.1 * std::pow(10.0, -24.0 / 20.0), 1e-9);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak < 0.04; }));
+  EXPECT_TRUE(eventually([&] { return card.peak < 0.04; }));
   EXPECT_FALSE(check.value().measured_dBA.has_value());
   EXPECT_TRUE(check.reservation().contains("was not measured"));
   EXPECT_GE(changed.count(), 8);
@@ -132,10 +132,10 @@ TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {
   check.show();
   EXPECT_EQ(check.reservation(), "");
   QTest::mouseClick(&child<QPushButton>(check, "play_noise"), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !check.reservation().isEmpty(); }, 20000));
+  ASSERT_TRUE(eventually([&] { return !check.reservation().isEmpty(); }));
   EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("Headphones does not play"));
   card.hangs = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return check.reservation().isEmpty(); }, 20000));
+  EXPECT_TRUE(eventually([&] { return check.reservation().isEmpty(); }));
 }
 
 TEST(NoiseCheck, AProtocolWithoutNoiseStillHasCues) {

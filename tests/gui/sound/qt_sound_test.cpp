@@ -19,6 +19,7 @@
 
 #include "app/gui/sound/speech_file.h"
 #include "tests/gui/sound/fake_card.h"
+#include "tests/gui/support/widgets.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -36,34 +37,34 @@ MaskingNoise pink_noise() {
 TEST(QtSound, IsSilentUntilTheNoiseIsAskedFor) {
   FakeCard card{};
   QtSound sound(pink_noise(), {}, output_of(card));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return card.opened == 1 && sound.is_running(); }));
+  ASSERT_TRUE(eventually([&] { return card.opened == 1 && sound.is_running(); }));
   EXPECT_EQ(card.peak, 0.0);
   sound.set_masking(true);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.05; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.05; }));
 }
 
 TEST(QtSound, IsNotRunningWhenTheOutputStopsTakingSamples) {
   FakeCard card{};
   QtSound sound(pink_noise(), {}, output_of(card));
   sound.set_masking(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.0; }));
+  ASSERT_TRUE(eventually([&] { return card.peak > 0.0; }));
   EXPECT_TRUE(sound.is_running());
   card.stands_still = true;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !sound.is_running(); }));
+  EXPECT_TRUE(eventually([&] { return !sound.is_running(); }));
   card.stands_still = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
+  EXPECT_TRUE(eventually([&] { return sound.is_running(); }));
 }
 
 // A person without noise in their headphones is not masked, whatever else could take samples.
 TEST(QtSound, ALostCardIsNotReplacedByTheNullOutputAndIsOpenedAgainWhenItIsBack) {
   FakeCard card{};
   QtSound sound(pink_noise(), {}, output_of(card));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
+  ASSERT_TRUE(eventually([&] { return sound.is_running(); }));
   card.lost = true;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !sound.is_running(); }));
+  ASSERT_TRUE(eventually([&] { return !sound.is_running(); }));
   EXPECT_FALSE(sound.is_null());
   card.lost = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running() && card.opened == 2; }));
+  EXPECT_TRUE(eventually([&] { return sound.is_running() && card.opened == 2; }));
 }
 
 TEST(QtSound, ABusyWindowDoesNotStopTheStream) {
@@ -84,7 +85,7 @@ TEST(QtSound, ACardThatCannotBeOpenedIsTriedUntilItCan) {
   EXPECT_FALSE(sound.is_running());
   EXPECT_FALSE(sound.is_null()) << "another output would not be heard in these headphones";
   card.lost = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running() && card.opened == 1; }));
+  EXPECT_TRUE(eventually([&] { return sound.is_running() && card.opened == 1; }));
 }
 
 // A sound server that takes the stream and drops it: open is not heard.
@@ -94,13 +95,13 @@ TEST(QtSound, ACardThatDiesAsSoonAsItIsOpenIsNeverRunningAndWhatIsStoredSaysSo) 
   QtSound sound(pink_noise(), {}, output_of(card));
   EXPECT_EQ(nlohmann::json::parse(sound.description_json()).at("heard"), false);
   bool ran = false;
-  ASSERT_TRUE(QTest::qWaitFor([&] {
+  ASSERT_TRUE(eventually([&] {
     ran = ran || sound.is_running();
     return card.opened >= 3;
   }));
   EXPECT_FALSE(ran);
   card.dies = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
+  EXPECT_TRUE(eventually([&] { return sound.is_running(); }));
 }
 
 // A sound server that is busy or dead, a card pulled out in the very moment.
@@ -115,7 +116,7 @@ TEST(QtSound, NobodyWaitsForACardThatDoesNotAnswerAndWhatIsStoredSaysSo) {
   }  // the session ends while it still hangs
   EXPECT_EQ(card.opened, 0);
   card.hangs = false;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return card.opened == 1 && !card.open; }));
+  ASSERT_TRUE(eventually([&] { return card.opened == 1 && !card.open; }));
   EXPECT_EQ(card.peak, 0.0);
 }
 
@@ -140,11 +141,11 @@ TEST(QtSound, TheNullOutputTakesSamplesAtTheirRate) {
     frames += static_cast<std::int64_t>(stereo.size() / 2);
   });
   EXPECT_TRUE(stream.output().is_null);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return frames > 0; }));
+  ASSERT_TRUE(eventually([&] { return frames > 0; }));
   QElapsedTimer clock{};
   clock.start();
   const std::int64_t before = frames;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return frames - before >= 24000; }, 20000));
+  ASSERT_TRUE(eventually([&] { return frames - before >= 24000; }));
   // Half a second of samples takes no less; how much more depends on how busy the machine is. What
   // stood in the clock's step before counts for at most a quarter of a second.
   EXPECT_GE(clock.elapsed(), 240);
@@ -246,7 +247,7 @@ TEST(QtSound, PlaysTheRecordedWordOfItsProtocol) {
   FakeCard card{};
   QtSound sound({}, {{"question", write_wav(folder, 1, 16, word)}}, output_of(card));
   sound.play(Cue::question, 0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
+  EXPECT_TRUE(eventually([&] { return card.peak > 0.1; }));
   EXPECT_THROW(QtSound({}, {{"question", folder.filePath("none.wav").toStdString()}}),
                std::runtime_error);
 }

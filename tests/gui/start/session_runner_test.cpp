@@ -13,12 +13,11 @@
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/full_disk.h"
+#include "tests/gui/support/widgets.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
-
-constexpr int kRunnerPatience_ms = 20000;
 
 class RunningSession : public testing::Test {
  protected:
@@ -69,8 +68,7 @@ struct Listener {
         ended(&runner, &SessionRunner::ended),
         failed(&runner, &SessionRunner::failed) {}
   bool wait() {
-    return QTest::qWaitFor([this] { return !ended.isEmpty() || !failed.isEmpty(); },
-                           kRunnerPatience_ms);
+    return eventually([this] { return !ended.isEmpty() || !failed.isEmpty(); });
   }
   SessionEnd end() const { return ended.first().first().value<SessionEnd>(); }
   AfterFailure way_on() const { return failed.first().at(1).value<AfterFailure>(); }
@@ -160,7 +158,7 @@ TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
     SessionRunner runner;
     Listener listener(runner);
     runner.start(order);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
+    ASSERT_TRUE(eventually([&] { return !listener.done.isEmpty(); }));
     const FullDisk full(4096);
     ASSERT_TRUE(listener.wait());
     ASSERT_EQ(listener.failed.size(), 1);
@@ -193,11 +191,9 @@ TEST_F(RunningSession, StopsTheForceInAnEmergencyAndWaitsForTheExperimenter) {
   SessionRunner runner;
   Listener listener(runner);
   runner.start(order);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
+  ASSERT_TRUE(eventually([&] { return !listener.done.isEmpty(); }));
   runner.requests().emergency_stop();
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return runner.monitor().snapshot().phase == SessionPhase::fault; },
-                      kRunnerPatience_ms));
+  ASSERT_TRUE(eventually([&] { return runner.monitor().snapshot().phase == SessionPhase::fault; }));
   EXPECT_TRUE(runner.is_running());
   EXPECT_EQ(runner.monitor().snapshot().fault, Fault::emergency_stop);
   runner.requests().clear_fault();
@@ -212,7 +208,7 @@ TEST_F(RunningSession, IsAbortedAndStoredWhenItsOwnerGoesAway) {
     SessionRunner runner;
     Listener listener(runner);
     runner.start(order);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
+    ASSERT_TRUE(eventually([&] { return !listener.done.isEmpty(); }));
   }
   const Study stored = Study::open(study, Access::read_only);
   ASSERT_EQ(stored.sessions().size(), 1U);
@@ -234,9 +230,8 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
     SessionRunner runner;
     runner.start(order);
     // The first screen waits for a confirmation that never comes.
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return runner.monitor().snapshot().scene->kind == ParticipantScene::Kind::text; },
-        kRunnerPatience_ms));
+    ASSERT_TRUE(eventually(
+        [&] { return runner.monitor().snapshot().scene->kind == ParticipantScene::Kind::text; }));
   }
   const Study stored = Study::open(study, Access::read_only);
   ASSERT_EQ(stored.sessions().size(), 1U);

@@ -34,8 +34,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kPatience_ms = 20000;
-
 void insert_before(std::string& text, const std::string& place, const std::string& added) {
   text.insert(text.find(place), added);
 }
@@ -99,12 +97,11 @@ class TheStartPage : public testing::Test {
   bool can_start() const { return find<QPushButton>("start").isEnabled(); }
   /// Until the study has been read.
   bool wait_for_study() const {
-    return QTest::qWaitFor([this] { return page->is_read(); }, kPatience_ms);
+    return eventually([this] { return page->is_read(); });
   }
   /// Until the checklist is up to date as well.
   bool wait_for_checks() const {
-    return QTest::qWaitFor([this] { return page->is_read() && !has_reason("The checklist"); },
-                           kPatience_ms);
+    return eventually([this] { return page->is_read() && !has_reason("The checklist"); });
   }
   void choose(const std::filesystem::path& file, const std::optional<std::string>& participant = {},
               std::optional<std::int64_t> session = {}) const {
@@ -260,7 +257,7 @@ TEST_F(TheStartPage, HasALineForEverythingThatIsLookedAt) {
   for (const char* line : {"check_protocol", "check_participant", "check_study", "check_disk",
                            "check_stimuli", "check_device", "check_calibration", "check_force_zero",
                            "check_rate", "check_screens", "check_masking_noise"}) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return is_shown(line); })) << line;
+    EXPECT_TRUE(eventually([&] { return is_shown(line); })) << line;
   }
   EXPECT_TRUE(find<QLabel>("check_force_zero").text().contains("Exactly 0 N"));
 }
@@ -339,7 +336,7 @@ TEST_F(TheStartPage, SaysThatAStudyCannotBeReadAndReadsItWhenAskedAgain) {
   write_file(store, "no study", Overwrite::allow);
   page->choose(protocol, std::nullopt, {});
   auto* banner = page->findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
   EXPECT_TRUE(banner->text().startsWith("The study could not be read: "));
   EXPECT_EQ(page->reasons(), std::vector<QString>{"The study has not been read."});
   write_file(store, bytes, Overwrite::allow);
@@ -420,7 +417,7 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   SessionRunner runner;
   QSignalSpy ended(&runner, &SessionRunner::ended);
   runner.start(page->order());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return !runner.is_running(); }));
   ASSERT_EQ(ended.size(), 1);
   EXPECT_EQ(ended.first().first().value<SessionEnd>().attempts, 2);
 }
@@ -537,7 +534,7 @@ TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   QObject::connect(page.get(), &StartPage::start_wanted, &runner,
                    [&runner](const SessionOrder& order) { runner.start(order); });
   click("start");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return !runner.is_running(); }));
   ASSERT_EQ(ended.size(), 1);
   EXPECT_EQ(ended.first().first().value<SessionEnd>().state, SessionState::completed);
   announce_change();
@@ -556,7 +553,7 @@ TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
   click("start");
   EXPECT_TRUE(is_shown("simulation_cancel"));
   auto* banner = page->findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
   // Two sessions each, of three trials.
   EXPECT_EQ(banner->text(), "6 sessions, 18 answers: look at the table.");
   EXPECT_EQ(wanted.size(), 0);
@@ -574,11 +571,10 @@ TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
   find<QSpinBox>("virtual_participants").setValue(200);
   ASSERT_TRUE(wait_for_checks());
   click("start");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QProgressBar>("simulation_progress").value() > 0; },
-                              kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return find<QProgressBar>("simulation_progress").value() > 0; }));
   click("simulation_cancel");
   auto* banner = page->findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
   EXPECT_TRUE(banner->text().contains("The simulation was stopped."))
       << banner->text().toStdString();
   EXPECT_LT(Study::open(folder, Access::read_only).sessions().size(), 400U);
@@ -604,9 +600,9 @@ TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
 TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
   page->show();
   page->activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(page.get(), kPatience_ms));
   choose(protocol);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return find<QWidget>("question_age").isVisible(); }));
+  ASSERT_TRUE(eventually([this] { return find<QWidget>("question_age").isVisible(); }));
   find<QComboBox>("protocols").setFocus();
   // Every control comes by Tab, from the protocol to the last one, and round again.
   QStringList reached{};
@@ -718,17 +714,16 @@ TEST(StartPagePictures, ShowEveryMode) {
     StartPage page(study);
     page.show();
     page.choose(folder / "protocols" / "chapter_recognition.json", std::nullopt, {});
-    const auto settle = [&page] {
-      EXPECT_TRUE(QTest::qWaitFor(
-          [&page] {
+    const auto settle =
+        [&page] {
+          EXPECT_TRUE(eventually([&page] {
             const auto reasons = page.reasons();
             return page.is_read() &&
                    std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
                      return reason.contains("The checklist");
                    });
-          },
-          kPatience_ms));
-    };
+          }));
+        };
     settle();
     take_screenshot(page, "start-page" + suffix);
     page.set_mode(SessionMode::pilot);

@@ -32,6 +32,7 @@
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -59,7 +60,7 @@ TEST_F(StudyWindowTest, OpensAsLargeAsItWasLeftHoweverOften) {
     StudyWindow window{};
     if (time == 0) window.resize(kLeft);
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience_ms));
     EXPECT_EQ(window.size(), kLeft) << "opened " << time << " times before";
     EXPECT_TRUE(window.close());
   }

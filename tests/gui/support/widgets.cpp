@@ -5,11 +5,11 @@
 namespace asperity {
 
 bool eventually(const std::function<bool()>& condition) {
-  return QTest::qWaitFor(condition, 20000);
+  return QTest::qWaitFor(condition, kPatience_ms);
 }
 
 void require(const std::function<bool()>& condition, const std::string& what) {
-  if (!QTest::qWaitFor(condition, 60000)) throw std::runtime_error("no " + what);
+  if (!eventually(condition)) throw std::runtime_error("no " + what);
 }
 
 }  // namespace asperity

@@ -8,6 +8,8 @@
 
 #include <QtWidgets/QWidget>
 
+#include "tests/support/patience.h"
+
 namespace asperity {
 
 /// The child of that object name; fails the test where there is none.
@@ -18,10 +20,10 @@ Widget& child(const QWidget& parent, const char* name) {
   return *found;
 }
 
-/// Waits, with events going on, until it holds; false after 20 s.
+/// Waits, with events going on, until it holds; false where it did not within `kPatience`.
 bool eventually(const std::function<bool()>& condition);
 
-/// Waits likewise, for 60 s; fails the test with "no `what`" where it never holds.
+/// The same; fails the test with "no `what`" where it never holds.
 void require(const std::function<bool()>& condition, const std::string& what);
 
 }  // namespace asperity

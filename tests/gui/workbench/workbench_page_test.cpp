@@ -42,8 +42,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kLongest_ms = 10000;
-
 void put(std::string& bytes, std::uint32_t number, int size) {
   for (int k = 0; k < size; ++k) bytes += static_cast<char>(number >> (8 * k) & 0xFFU);
 }
@@ -130,7 +128,7 @@ class Workbench : public testing::Test {
   }
 
   void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return page_->is_settled(); }, kLongest_ms));
+    ASSERT_TRUE(eventually([this] { return page_->is_settled(); }));
   }
 
   template <class Widget>
@@ -590,17 +588,13 @@ TEST_F(Workbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
                       Qt::NoModifier);
     QApplication::sendEvent(&relief, &moved);
     const std::size_t samples = comparison.stroke().path().size();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.stroke().path().size() >= samples + 16; },
-                                kLongest_ms));
+    ASSERT_TRUE(eventually([&] { return comparison.stroke().path().size() >= samples + 16; }));
   }
   const auto& live = find<SignalPlots>("forces");
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] {
-        return live.signal_series().size() == 3U && live.signal_series().front().y.size() > 300 &&
-               !live.spectrum_series().front().y.empty();
-      },
-      kLongest_ms))
-      << "while the mouse strokes";
+  EXPECT_TRUE(eventually([&] {
+    return live.signal_series().size() == 3U && live.signal_series().front().y.size() > 300 &&
+           !live.spectrum_series().front().y.empty();
+  })) << "while the mouse strokes";
   QTest::mouseRelease(&relief, Qt::LeftButton, {}, at(0.03));
   EXPECT_FALSE(comparison.stroke().is_going_on());
 
@@ -674,9 +668,9 @@ TEST_F(Workbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
   EXPECT_TRUE(roughness.isVisible());
   EXPECT_TRUE(roughness.series().empty());
   click("stroke_across");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !roughness.series().empty(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return !roughness.series().empty(); }));
   EXPECT_GE(comparison.stroke().path().size(), 500U) << "the beginning is left out";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !comparison.stroke().is_going_on(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return !comparison.stroke().is_going_on(); }));
   ASSERT_EQ(roughness.series().size(), 3U);
   for (std::size_t m = 0; m < 3; ++m) {
     const PlotSeries& curve = roughness.series()[m];
@@ -708,7 +702,7 @@ TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
   settle();
   EXPECT_EQ(card_.peak, 0.0);
   click("stroke_across");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return card_.peak > 0.0; }, kLongest_ms));
+  ASSERT_TRUE(eventually([this] { return card_.peak > 0.0; }));
 }
 
 TEST_F(Workbench, IsSilentOnceNobodyLooksAtIt) {
@@ -722,11 +716,11 @@ TEST_F(Workbench, IsSilentOnceNobodyLooksAtIt) {
   settle();
   const auto hear = [this] {
     click("stroke_across");
-    ASSERT_TRUE(QTest::qWaitFor([this] { return card_.peak > 0.0; }, kLongest_ms));
+    ASSERT_TRUE(eventually([this] { return card_.peak > 0.0; }));
     EXPECT_TRUE(card_.open);
   };
   const auto expect_silence = [&] {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !card_.open; }, kLongest_ms));
+    ASSERT_TRUE(eventually([this] { return !card_.open; }));
     EXPECT_FALSE(comparison.stroke().is_going_on());
     card_.peak = 0.0;
   };
@@ -740,7 +734,7 @@ TEST_F(Workbench, IsSilentOnceNobodyLooksAtIt) {
   click("mode_comparing");
   hear();
   find<QComboBox>("heard").setCurrentIndex(0);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return !card_.open; }, kLongest_ms));
+  EXPECT_TRUE(eventually([this] { return !card_.open; }));
 }
 
 TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
@@ -752,11 +746,11 @@ TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
     auto* page = window.findChild<WorkbenchPage*>("workbench");
     ASSERT_NE(page, nullptr);
     page->open_file(photograph("brick", 128));
-    ASSERT_TRUE(QTest::qWaitFor([page] { return page->is_settled(); }, kLongest_ms));
+    ASSERT_TRUE(eventually([page] { return page->is_settled(); }));
     QTest::mouseClick(page->findChild<QAbstractButton*>("mode_comparing"), Qt::LeftButton);
     page->findChild<ForceComparison*>("comparison")->set_sound(output_of(card_));
     page->findChild<QComboBox*>("heard")->setCurrentIndex(1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return card_.open > 0; }, kLongest_ms)) << way;
+    ASSERT_TRUE(eventually([this] { return card_.open > 0; })) << way;
     if (way == std::string("page")) {
       window.show_page("protocols");
     } else if (way == std::string("window")) {
@@ -764,7 +758,7 @@ TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
     } else {
       window.close_study();
     }
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !card_.open; }, kLongest_ms)) << way;
+    ASSERT_TRUE(eventually([this] { return !card_.open; })) << way;
   }
 }
 
@@ -775,10 +769,10 @@ TEST_F(Workbench, SaysThatASoundCardCannotBeOpened) {
   find<ForceComparison>("comparison").set_sound(output_of(card_));
   find<QComboBox>("heard").setCurrentIndex(1);
   auto& said = find<QLabel>("no_sound");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return said.isVisible(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
   EXPECT_TRUE(said.text().contains("Headphones could not be opened"));
   card_.lost = false;
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !said.isVisible(); }, kLongest_ms)) << "it plays now";
+  EXPECT_TRUE(eventually([&] { return !said.isVisible(); })) << "it plays now";
 }
 
 TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
@@ -789,7 +783,7 @@ TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
   find<QComboBox>("heard").setCurrentIndex(1);
   auto& said = find<QLabel>("no_sound");
   EXPECT_FALSE(said.isVisible()) << "it may only take its time";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return said.isVisible(); }, kLongest_ms));
+  ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
   EXPECT_TRUE(said.text().contains("Headphones does not play"));
   find<ForceComparison>("comparison").set_sound(null_output());
   EXPECT_TRUE(said.text().contains("There is no sound card"));
@@ -840,8 +834,7 @@ TEST_F(Workbench, LooksFinished) {
     settle();
     click("stroke_across");
     auto& comparison = find<ForceComparison>("comparison");
-    ASSERT_TRUE(QTest::qWaitFor([&comparison] { return comparison.stroke().path().size() > 1200; },
-                                kLongest_ms));
+    ASSERT_TRUE(eventually([&comparison] { return comparison.stroke().path().size() > 1200; }));
     shoot("workbench-forces" + look);
   }
   apply_theme(*qApp, ThemeChoice::light);
