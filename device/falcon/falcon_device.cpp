@@ -100,8 +100,9 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
 }
 
 FalconDevice::State FalconDevice::state_at(std::int64_t clock_ns) const noexcept {
-  if (!line_->is_watched()) return State::unwatched;
+  // First: plugged in again, it has another watchdog.
   if (!line_->is_connected()) return State::unplugged;
+  if (!line_->is_watched()) return State::unwatched;
   if (clock_ns - reading_.time_ns > kLongestSilence_ns) return State::silent;
   return reading_.is_homed ? State::well : State::not_homed;
 }

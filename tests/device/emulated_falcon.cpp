@@ -37,8 +37,6 @@ EmulatedFalcon::EmulatedFalcon(EmulatedBus& bus, EmulatedFalconSettings settings
   runs_ = settings_.runs_firmware;
   homed_ = settings_.is_homed;
   number_ = 10 * settings_.port;
-  ioctls_ = umockdev_ioctl_base_new();
-  g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(&EmulatedFalcon::on_ioctl), this);
   put_grip(centre_m_);
   plug_in();
 }
@@ -46,10 +44,12 @@ EmulatedFalcon::EmulatedFalcon(EmulatedBus& bus, EmulatedFalconSettings settings
 EmulatedFalcon::~EmulatedFalcon() {
   if (plugged_) unplug();
   umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
-  g_object_unref(ioctls_);
+  for (UMockdevIoctlBase* plug : plugs_) g_object_unref(plug);
 }
 
 void EmulatedFalcon::plug_in() {
+  UMockdevIoctlBase* plug = umockdev_ioctl_base_new();
+  g_signal_connect(plug, "handle-ioctl", G_CALLBACK(&EmulatedFalcon::on_ioctl), this);
   {
     const std::lock_guard lock(mutex_);
     plugged_ = true;
@@ -60,8 +60,9 @@ void EmulatedFalcon::plug_in() {
     strongest_ = 0;
     if (!node_.empty()) umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
     node_ = EmulatedBus::node_of(++number_);
+    plugs_.push_back(plug);
   }
-  umockdev_testbed_attach_ioctl(bus_.testbed(), node_.c_str(), ioctls_, nullptr);
+  umockdev_testbed_attach_ioctl(bus_.testbed(), node_.c_str(), plug, nullptr);
   const int serial = settings_.serial.empty() ? 0 : 3;
   const std::string descriptors = hex_of({0x12, 1,    0x10, 1, 0,  0,    0,    8,      0x03,
                                           0x04, 0x48, 0xcb, 0, 4,  0,    0,    serial, 1,   //
@@ -77,6 +78,8 @@ void EmulatedFalcon::unplug() {
     const std::lock_guard lock(mutex_);
     plugged_ = false;
     held_ = false;
+    urbs_.end_waiting(kUnplugged);
+    former_urbs_.take_finished(urbs_);
   }
   bus_.remove(system_path_);
 }
@@ -194,79 +197,75 @@ std::vector<std::pair<int, int>> EmulatedFalcon::settings_sent() const {
   return settings_sent_;
 }
 
-int EmulatedFalcon::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self) {
-  static_cast<EmulatedFalcon*>(self)->answer_ioctl(client);
+int EmulatedFalcon::on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* self) {
+  static_cast<EmulatedFalcon*>(self)->answer_ioctl(plug, client);
   return TRUE;
 }
 
-void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
+void EmulatedFalcon::answer_ioctl(const UMockdevIoctlBase* plug, UMockdevIoctlClient* client) {
+  const unsigned long request = umockdev_ioctl_client_get_request(client);
+  const int error = [&] {
+    const std::lock_guard lock(mutex_);
+    return plugged_ && plug == plugs_.back() ? serve(client) : serve_former(client);
+  }();
+  // The node is no device, so that the driver's poll never sleeps: let it sleep here.
+  if (error == EAGAIN) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  // The kernel tells how many bytes it sent.
+  const long done = request == USBDEVFS_BULK ? static_cast<long>(falcon::kFrame_bytes) : 0;
+  umockdev_ioctl_client_complete(client, error == 0 ? done : -1, error);
+}
+
+// Transfers that were under way end; all else finds no device.
+int EmulatedFalcon::serve_former(UMockdevIoctlClient* client) {
+  switch (umockdev_ioctl_client_get_request(client)) {
+    case USBDEVFS_REAPURB:
+    case USBDEVFS_REAPURBNDELAY:
+      return former_urbs_.reap(umockdev_ioctl_client_get_arg(client)) ? 0 : ENODEV;
+    default:
+      return ENODEV;
+  }
+}
+
+int EmulatedFalcon::serve(UMockdevIoctlClient* client) {
   UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
-  int error = 0;
   switch (umockdev_ioctl_client_get_request(client)) {
     case USBDEVFS_GET_CAPABILITIES: {
       UMockdevIoctlData* answer =
           umockdev_ioctl_data_resolve(argument, 0, sizeof(std::uint32_t), nullptr);
-      if (answer == nullptr) break;  // whoever asked is dead
+      if (answer == nullptr) return 0;  // whoever asked is dead
       const std::uint32_t capabilities =
           USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM |
           USBDEVFS_CAP_BULK_SCATTER_GATHER | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
       std::memcpy(answer->data, &capabilities, sizeof capabilities);
       umockdev_ioctl_data_unref(answer);
-      break;
+      return 0;
     }
-    case USBDEVFS_CLAIMINTERFACE: {
-      const std::lock_guard lock(mutex_);
-      error = !plugged_ ? ENODEV : held_ ? EBUSY : 0;
-      if (error == 0) {
-        held_ = true;
-        holder_ = client;
-      }
-      break;
-    }
-    case USBDEVFS_RELEASEINTERFACE: {
-      const std::lock_guard lock(mutex_);
+    case USBDEVFS_CLAIMINTERFACE:
+      if (held_) return EBUSY;
+      held_ = true;
+      holder_ = client;
+      return 0;
+    case USBDEVFS_RELEASEINTERFACE:
       if (holder_ == client) held_ = false;
-      break;
-    }
-    case USBDEVFS_BULK: {
-      const std::lock_guard lock(mutex_);
-      error = !plugged_ ? ENODEV : !held_ || holder_ != client ? EBUSY : send_at_once(argument);
-      // The kernel tells how many bytes it sent.
-      umockdev_ioctl_client_complete(
-          client, error == 0 ? static_cast<long>(falcon::kFrame_bytes) : -1, error);
-      return;
-    }
-    case USBDEVFS_SUBMITURB: {
-      const std::lock_guard lock(mutex_);
-      error = submit(argument);
-      break;
-    }
+      return 0;
+    case USBDEVFS_BULK:
+      return held_ && holder_ == client ? send_at_once(argument) : EBUSY;
+    case USBDEVFS_SUBMITURB:
+      return submit(argument);
     case USBDEVFS_REAPURB:
-    case USBDEVFS_REAPURBNDELAY: {
-      const bool done = [&] {
-        const std::lock_guard lock(mutex_);
-        return reap(argument, error);
-      }();
-      // The node is no device, so that the driver's poll never sleeps: let it sleep here.
-      if (!done && error == EAGAIN) std::this_thread::sleep_for(std::chrono::microseconds(100));
-      break;
-    }
-    case USBDEVFS_DISCARDURB: {
-      const std::lock_guard lock(mutex_);
-      error = urbs_.discard(argument);
-      break;
-    }
+    case USBDEVFS_REAPURBNDELAY:
+      return reap(argument);
+    case USBDEVFS_DISCARDURB:
+      return urbs_.discard(argument);
     case USBDEVFS_CLEAR_HALT:
     case USBDEVFS_RESETEP:
-      break;
+      return 0;
     default:
-      error = ENOTTY;
+      return ENOTTY;
   }
-  umockdev_ioctl_client_complete(client, error == 0 ? 0 : -1, error);
 }
 
 int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
-  if (!plugged_) return ENODEV;
   std::optional<Urb> one = UrbQueue::submitted(argument);
   if (!one) return ENODEV;
   const usbdevfs_urb& urb = one->urb();
@@ -286,16 +285,13 @@ int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
   return 0;
 }
 
-bool EmulatedFalcon::reap(UMockdevIoctlData* argument, int& error) {
-  if (!plugged_) urbs_.end_waiting(kUnplugged);
+int EmulatedFalcon::reap(UMockdevIoctlData* argument) {
   if (!urbs_.has_finished() && !urbs_.waiting().empty()) {
     if (const std::optional<int> count = fill(urbs_.waiting().front())) {
       urbs_.finish_waiting(0, *count);
     }
   }
-  if (urbs_.reap(argument)) return true;
-  error = plugged_ ? EAGAIN : ENODEV;
-  return false;
+  return urbs_.reap(argument) ? 0 : EAGAIN;
 }
 
 // One transfer out, for a process that has no libusb any more.

@@ -50,6 +50,7 @@ class EmulatedFalcon final {
   void press(std::uint8_t buttons);
   void home();
 
+  /// A file that was open of it answers nothing any more but that the device is gone, also when it is back.
   void unplug();
   void plug_in();
   /// Nobody may open it any more; a thread has to be without root's rights to find out.
@@ -92,10 +93,12 @@ class EmulatedFalcon final {
     std::chrono::steady_clock::time_point due{};
     std::vector<std::uint8_t> bytes{};
   };
-  static int on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
-  void answer_ioctl(UMockdevIoctlClient* client);
+  static int on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* self);
+  void answer_ioctl(const UMockdevIoctlBase* plug, UMockdevIoctlClient* client);
+  int serve(UMockdevIoctlClient* client);
+  int serve_former(UMockdevIoctlClient* client);
   int submit(UMockdevIoctlData* argument);
-  bool reap(UMockdevIoctlData* argument, int& error);
+  int reap(UMockdevIoctlData* argument);
   int send_at_once(UMockdevIoctlData* argument);
   int control(std::uint8_t* setup_and_data, int length);
   void take_byte(std::uint8_t byte);
@@ -106,7 +109,7 @@ class EmulatedFalcon final {
 
   EmulatedBus& bus_;
   EmulatedFalconSettings settings_{};
-  UMockdevIoctlBase* ioctls_ = nullptr;
+  std::vector<UMockdevIoctlBase*> plugs_{};  // one for each time that it was plugged in
   std::string node_{};
   std::string system_path_{};
   int number_ = 1;
@@ -142,6 +145,7 @@ class EmulatedFalcon final {
   int strongest_ = 0;
   std::vector<std::pair<int, int>> settings_sent_{};
   UrbQueue urbs_{};
+  UrbQueue former_urbs_{};  // of files from before it was plugged in
 };
 
 }  // namespace asperity

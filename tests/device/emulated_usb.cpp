@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -156,6 +157,11 @@ void UrbQueue::finish_waiting(std::size_t which, int length) {
 void UrbQueue::end_waiting(int status) {
   for (Urb& one : waiting_) finish(std::move(one), status, 0);
   waiting_.clear();
+}
+
+void UrbQueue::take_finished(UrbQueue& other) {
+  std::move(other.finished_.begin(), other.finished_.end(), std::back_inserter(finished_));
+  other.finished_.clear();
 }
 
 bool UrbQueue::reap(UMockdevIoctlData* argument) {

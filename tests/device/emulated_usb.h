@@ -82,6 +82,8 @@ class UrbQueue final {
   bool has_finished() const noexcept { return !finished_.empty(); }
   /// All that wait end with `status`.
   void end_waiting(int status);
+  /// Takes the finished ones of `other`, behind its own.
+  void take_finished(UrbQueue& other);
   /// Hands the driver one that is finished; false where there is none.
   bool reap(UMockdevIoctlData* argument);
   /// The driver takes one back; the error number.

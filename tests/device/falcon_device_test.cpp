@@ -500,9 +500,25 @@ TEST_F(Falcon, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
   }));
   EXPECT_EQ(emulated.take_strongest_word(), 0);
   emulated.unplug();
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_FALSE(answers(*device));
+    return device->complaint().find("is unplugged") != std::string::npos;
+  }));
   emulated.plug_in();
   push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
   EXPECT_TRUE(eventually([&] { return answers(*device) && device->complaint().empty(); }));
+}
+
+// Sooner than the driver, on a busy machine, has asked it anything.
+TEST_F(Falcon, IsOpenedAnewHoweverShortlyItWasUnplugged) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+  emulated.unplug();
+  emulated.plug_in();
+  EXPECT_TRUE(eventually([&] { return emulated.is_held() && answers(*device); }));
+  EXPECT_EQ(emulated.take_strongest_word(), 0);
+  push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
 }
 
 TEST_F(Falcon, IsRefusedWhereNobodyCouldTakeItsForceAway) {
