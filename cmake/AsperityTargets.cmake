@@ -34,8 +34,11 @@ function(asperity_configure target)
   if(ASPERITY_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
-  set_target_properties(${target} PROPERTIES
-    BUILD_RPATH "$ORIGIN/../lib" INSTALL_RPATH "$ORIGIN/../${ASPERITY_MODULE_FOLDER}")
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL EXECUTABLE)
+    set_target_properties(${target} PROPERTIES
+      BUILD_RPATH "$ORIGIN/../lib" INSTALL_RPATH "$ORIGIN/../${ASPERITY_MODULE_FOLDER}")
+  endif()
   # A program loads only what it calls.
   target_link_options(${target} PRIVATE LINKER:--as-needed $<$<BOOL:${ASPERITY_HAS_GOLD}>:-fuse-ld=gold>)
 endfunction()
