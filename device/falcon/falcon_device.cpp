@@ -10,7 +10,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "device/monotonic_clock.h"
 #include "device/units_in_use.h"
 
 namespace asperity {
@@ -72,7 +71,8 @@ FalconDevice::~FalconDevice() { zero_force(); }
 void FalconDevice::wait_until_homed(const FalconSettings& settings) {
   // The bus keeps them off this one.
   const LetOthersLook meanwhile(settings.alone);
-  const auto until = std::chrono::steady_clock::now() + settings.homing_patience;
+  const std::int64_t until_ns =
+      line_->now_ns() + std::chrono::nanoseconds(settings.homing_patience).count();
   bool told = false;
   for (;;) {
     falcon::require_no_stop(settings.stop);
@@ -88,7 +88,7 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
       }
       told = true;
     }
-    if (std::chrono::steady_clock::now() > until) {
+    if (line_->now_ns() > until_ns) {
       throw std::runtime_error(
           told
               ? "the Falcon was not homed in time: open it again, then pull the grip out all the "
@@ -109,7 +109,7 @@ FalconDevice::State FalconDevice::state_at(std::int64_t clock_ns) const noexcept
 
 bool FalconDevice::do_read(std::int64_t, ProbeState& state) noexcept {
   if (!line_->take(reading_)) read_again();
-  state_.store(state_at(monotonic_now_ns()), std::memory_order_relaxed);
+  state_.store(state_at(line_->now_ns()), std::memory_order_relaxed);
   state.position_m = from_machine(reading_.position_m - kOrigin_m);
   state.velocity_m_per_s = from_machine(reading_.velocity_m_per_s);
   state.buttons = reading_.buttons;

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "device/drivers.h"
-#include "device/monotonic_clock.h"
 #include "device/pause.h"
 
 namespace asperity::falcon {
@@ -74,7 +73,7 @@ FalconLine::~FalconLine() = default;  // the thread is the last member: stopped 
 
 void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcept {
   words_.store(packed(motor_words), std::memory_order_relaxed);
-  commanded_ns_.store(monotonic_now_ns(), std::memory_order_release);
+  commanded_ns_.store(now_ns(), std::memory_order_release);
 }
 
 void FalconLine::open(const std::stop_token& stop) {
@@ -84,7 +83,7 @@ void FalconLine::open(const std::stop_token& stop) {
   require_no_stop(stop);
   port_ = std::move(port);
   begin_watch();
-  heard_ns_ = exchanged_ns_ = monotonic_now_ns();
+  heard_ns_ = exchanged_ns_ = now_ns();
   connected_.store(true, std::memory_order_release);
   rate_Hz_ = measured_rate_Hz();
 }
@@ -116,13 +115,13 @@ void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const
 double FalconLine::measured_rate_Hz() {
   std::array<std::int64_t, kMeasuredFrames> durations_ns{};
   std::size_t count = 0;
-  const std::int64_t began_ns = monotonic_now_ns();
+  const std::int64_t began_ns = now_ns();
   std::int64_t last_ns = began_ns;
   while (count < durations_ns.size() && last_ns - began_ns < kMeasuring_ns) {
     (void)exchange();
-    const std::int64_t now_ns = monotonic_now_ns();
-    durations_ns[count++] = now_ns - last_ns;
-    last_ns = now_ns;
+    const std::int64_t ended_ns = now_ns();
+    durations_ns[count++] = ended_ns - last_ns;
+    last_ns = ended_ns;
   }
   const auto middle = durations_ns.begin() + static_cast<std::ptrdiff_t>(count / 2);
   std::nth_element(durations_ns.begin(), middle,
@@ -143,7 +142,7 @@ void FalconLine::converse(const std::stop_token& stop) {
     }
     if (!watchdog_->is_there()) watched_.store(false, std::memory_order_release);
     const Transfer ended = exchange();
-    if (ended == Transfer::gone || monotonic_now_ns() - heard_ns_ > kSilence_ns) {
+    if (ended == Transfer::gone || now_ns() - heard_ns_ > kSilence_ns) {
       lose();
     } else if (ended != Transfer::done) {
       pause(stop, kPauseAfterError);
@@ -185,7 +184,7 @@ bool FalconLine::is_reopened(const std::stop_token& stop) {
   if (stop.stop_requested()) return false;
   port_ = std::move(port);
   begin_watch();
-  heard_ns_ = exchanged_ns_ = monotonic_now_ns();
+  heard_ns_ = exchanged_ns_ = now_ns();
   connected_.store(true, std::memory_order_release);
   return true;
 }
@@ -200,19 +199,19 @@ void FalconLine::lose() noexcept {
   answers_.reset();
 }
 
-Command FalconLine::command_now(std::int64_t now_ns) const noexcept {
+Command FalconLine::command_at(std::int64_t time_ns) const noexcept {
   if (!answers_.is_homed()) return {.lamp = Lamp::red, .is_homing = true};
   Command command{.lamp = Lamp::green};
   if (!is_watched()) return command;
   const std::int64_t commanded_ns = commanded_ns_.load(std::memory_order_acquire);
-  if (now_ns - commanded_ns < kForceLasts_ns) {
+  if (time_ns - commanded_ns < kForceLasts_ns) {
     command.motor_words = unpacked(words_.load(std::memory_order_relaxed));
   }
   return command;
 }
 
 Transfer FalconLine::exchange() {
-  if (monotonic_now_ns() - exchanged_ns_ > kLongestGap_ns) in_doubt_ = kDoubtfulExchanges;
+  if (now_ns() - exchanged_ns_ > kLongestGap_ns) in_doubt_ = kDoubtfulExchanges;
   if (in_doubt_ > 0) {
     // Otherwise each answer from now on might be the one to a frame before.
     if (is_left_over()) {
@@ -222,7 +221,7 @@ Transfer FalconLine::exchange() {
     }
     reader_.reset();
   }
-  const std::int64_t began_ns = monotonic_now_ns();
+  const std::int64_t began_ns = now_ns();
   exchanged_ns_ = began_ns;
   const Transfer ended = exchange_one(began_ns);
   if (ended != Transfer::done) in_doubt_ = kDoubtfulExchanges;
@@ -242,7 +241,7 @@ bool FalconLine::is_left_over() {
 }
 
 Transfer FalconLine::exchange_one(std::int64_t began_ns) {
-  if (const Transfer ended = port_->write(frame_of(command_now(began_ns)), kPatience);
+  if (const Transfer ended = port_->write(frame_of(command_at(began_ns)), kPatience);
       ended != Transfer::done) {
     return ended;
   }
@@ -250,7 +249,7 @@ Transfer FalconLine::exchange_one(std::int64_t began_ns) {
     FalconPort::Packet packet{};
     std::size_t count = 0;
     const Transfer ended = port_->read(packet, count, kPatience);
-    const std::int64_t now_ns = monotonic_now_ns();
+    const std::int64_t ended_ns = now_ns();
     if (ended != Transfer::done) {
       if (ended != Transfer::timed_out) reader_.reset();  // half a frame will never be whole
       return ended;
@@ -261,13 +260,15 @@ Transfer FalconLine::exchange_one(std::int64_t began_ns) {
       const std::optional<Answer> answer = reader_.take(packet[i]);
       if (!answer) continue;
       heard = true;
-      if (const std::optional<Reading> reading = answers_.take(*answer, now_ns)) {
-        heard_ns_ = now_ns;
+      if (const std::optional<Reading> reading = answers_.take(*answer, ended_ns)) {
+        heard_ns_ = ended_ns;
         readings_.put(*reading);
       }
     }
     if (heard) return Transfer::done;
-    if (now_ns - began_ns > std::chrono::nanoseconds(kPatience).count()) return Transfer::timed_out;
+    if (ended_ns - began_ns > std::chrono::nanoseconds(kPatience).count()) {
+      return Transfer::timed_out;
+    }
   }
 }
 

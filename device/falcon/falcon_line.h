@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "device/falcon/falcon_port.h"
 #include "device/falcon/falcon_readings.h"
 #include "device/latest_value.h"
+#include "device/monotonic_clock.h"
 #include "device/watchdog_process.h"
 
 namespace asperity::falcon {
@@ -29,6 +31,9 @@ struct LineSettings {
   VelocityWindow velocity{};
   /// Ask for SCHED_FIFO for the thread; without the right to it, it goes on as a normal one.
   bool wants_fifo = true;
+  /// By which readings are stamped, and silences and forces measured; a test may have one of its own. Called from both
+  /// threads, in real time.
+  std::function<std::int64_t()> clock = monotonic_now_ns;
 };
 
 /// Sends the newest motor words and receives readings, frame for frame, as fast as the device answers
@@ -64,6 +69,7 @@ class FalconLine final {
   FalconLine& operator=(const FalconLine&) = delete;
 
   const LineSettings& settings() const noexcept { return settings_; }
+  std::int64_t now_ns() const noexcept { return settings_.clock(); }
   /// Frames per second that the device answered when it was opened.
   double rate_Hz() const noexcept { return rate_Hz_; }
 
@@ -87,7 +93,7 @@ class FalconLine final {
   bool is_left_over();
   void lose() noexcept;
   void leave_to_watchdog() noexcept;
-  Command command_now(std::int64_t now_ns) const noexcept;
+  Command command_at(std::int64_t time_ns) const noexcept;
 
   LineSettings settings_{};
   double rate_Hz_ = 0.0;

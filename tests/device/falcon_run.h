@@ -1,16 +1,21 @@
-// A servo thread on an emulated Falcon that is unplugged now and then.
+// A servo loop on an emulated Falcon that is unplugged now and then, in real time or step by step.
 
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "device/falcon/falcon_device.h"
+#include "device/monotonic_clock.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/support/eventually.h"
@@ -53,65 +58,133 @@ class RunWatch final {
   TickRecord last_{};
 };
 
-/// Runs for `duration`, unplugs the device `unplugs` times at even intervals and plugs it in again, and
-/// expects after each that nothing was lost, nothing pushed, and that it goes on.
-inline void run_with_unplugs(EmulatedBus& bus, std::chrono::milliseconds duration, int unplugs) {
-  EmulatedFalcon emulated(bus, {});
-  emulated.circle(0.015);
-  FalconSettings settings{};
-  settings.line.place = "usb 1-2";
-  settings.line.wants_fifo = false;  // the test bed's other end has to get its turn too
-  auto device = FalconDevice::open(settings);
-  RecordRing ring(32768);
-  RunWatch watch(ring);
-  {
-    // However late this busy machine makes the thread, that is not what is tested.
-    ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
-    loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
-    {
-      const ServoThread thread(loop, *device, Scheduling::normal);
-      const auto reached = [&watch](const auto& condition) {
-        return eventually([&] {
-          watch.drain();
-          return condition();
-        });
-      };
-      // A busy machine may keep the emulated device from answering for 50 ms at any time: that is a
-      // loss like another, and lifted as a person would lift it.
-      const auto go_on = [&] {
-        return reached([&] {
-          if (loop.status().fault != Fault::none && watch.answers()) loop.clear_fault();
-          return watch.is_felt();
-        });
-      };
-      const auto began = std::chrono::steady_clock::now();
-      for (int i = 1; i <= unplugs + 1; ++i) {
-        const auto until = began + duration * i / (unplugs + 1);
-        while (std::chrono::steady_clock::now() < until) {
-          ASSERT_TRUE(go_on());
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        if (i > unplugs) break;
-        const int losses = watch.losses;
-        emulated.unplug();
-        ASSERT_TRUE(reached([&] { return watch.losses > losses; }));
-        EXPECT_EQ(loop.status().fault, Fault::device_lost);
-        emulated.plug_in();
-        ASSERT_TRUE(reached([&] { return watch.answers(); }));
-        // It answers, and until somebody lifts the fault it gets no force.
-        EXPECT_EQ(emulated.take_strongest_word(), 0);
-        EXPECT_EQ(loop.status().fault, Fault::device_lost);
-        ASSERT_TRUE(go_on());
-        EXPECT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
-      }
-    }
-    watch.drain();
-    EXPECT_EQ(watch.ticks, loop.status().ticks);
+/// A Falcon, its driver and the loop on it, which somebody else ticks.
+class FalconRun final {
+ public:
+  FalconRun(EmulatedBus& bus, const EmulatedFalconSettings& falcon, double rate_Hz,
+            std::function<std::int64_t()> clock)
+      : clock_(std::move(clock)),
+        emulated_(bus, falcon),
+        device_(FalconDevice::open(settings_with(clock_))),
+        // However late this busy machine makes a thread, that is not what is tested.
+        loop_(std::make_unique<ServoLoop>(
+            *device_, ring_,
+            ServoSettings{
+                .rate_Hz = rate_Hz, .heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000})) {
+    emulated_.circle(0.015);
+    loop_->present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   }
-  EXPECT_EQ(ring.lost(), 0U);
-  EXPECT_GE(watch.losses, unplugs);
-  device.reset();
-  EXPECT_EQ(emulated.motor_words(), (std::array<std::int16_t, 3>{}));
+
+  EmulatedFalcon& emulated() noexcept { return emulated_; }
+  FalconDevice& device() noexcept { return *device_; }
+  ServoLoop& loop() noexcept { return *loop_; }
+  bool answers() const { return watch_.answers(); }
+
+  /// Runs for `duration`, unplugs the device `unplugs` times at even intervals and plugs it in again, and expects after
+  /// each that nothing was pushed and that it goes on. `pass` lets a little time go by, with its ticks.
+  void unplug_now_and_then(std::chrono::nanoseconds duration, int unplugs,
+                           const std::function<void()>& pass) {
+    const std::int64_t began_ns = clock_();
+    for (int i = 1; i <= unplugs + 1; ++i) {
+      const std::int64_t until_ns = began_ns + duration.count() * i / (unplugs + 1);
+      while (clock_() < until_ns) {
+        ASSERT_TRUE(goes_on(pass));
+        pass();
+      }
+      if (i > unplugs) break;
+      const int losses = watch_.losses;
+      emulated_.unplug();
+      ASSERT_TRUE(reaches([&] { return watch_.losses > losses; }, pass));
+      EXPECT_EQ(loop_->status().fault, Fault::device_lost);
+      emulated_.plug_in();
+      ASSERT_TRUE(reaches([&] { return watch_.answers(); }, pass));
+      // It answers, and until somebody lifts the fault it gets no force.
+      EXPECT_EQ(emulated_.take_strongest_word(), 0);
+      EXPECT_EQ(loop_->status().fault, Fault::device_lost);
+      ASSERT_TRUE(goes_on(pass));
+      EXPECT_TRUE(reaches([&] { return emulated_.take_strongest_word() > 0; }, pass));
+    }
+  }
+
+  /// After the last tick: ends the run, and expects that nothing was lost of it.
+  void end(int unplugs) {
+    watch_.drain();
+    EXPECT_EQ(watch_.ticks, loop_->status().ticks);
+    EXPECT_EQ(ring_.lost(), 0U);
+    EXPECT_GE(watch_.losses, unplugs);
+    loop_.reset();
+    device_.reset();
+    EXPECT_EQ(emulated_.motor_words(), (std::array<std::int16_t, 3>{}));
+  }
+
+ private:
+  static FalconSettings settings_with(const std::function<std::int64_t()>& clock) {
+    FalconSettings settings{};
+    settings.line.place = "usb 1-2";
+    settings.line.wants_fifo = false;  // the test bed's other end has to get its turn too
+    settings.line.clock = clock;
+    return settings;
+  }
+  template <typename Condition>
+  bool reaches(const Condition& condition, const std::function<void()>& pass) {
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    for (watch_.drain(); !condition(); watch_.drain()) {
+      if (std::chrono::steady_clock::now() > until) return false;
+      pass();
+    }
+    return true;
+  }
+  // A busy machine may keep the emulated device from answering at any time: that is a loss like another, and lifted
+  // as a person would lift it.
+  bool goes_on(const std::function<void()>& pass) {
+    return reaches(
+        [&] {
+          if (loop_->status().fault != Fault::none && watch_.answers()) loop_->clear_fault();
+          return watch_.is_felt();
+        },
+        pass);
+  }
+
+  std::function<std::int64_t()> clock_{};
+  EmulatedFalcon emulated_;
+  std::unique_ptr<FalconDevice> device_;
+  RecordRing ring_{32768};
+  RunWatch watch_{ring_};
+  std::unique_ptr<ServoLoop> loop_;
+};
+
+/// On a servo thread and the machine's clock.
+inline void run_in_real_time(EmulatedBus& bus, std::chrono::nanoseconds duration, int unplugs) {
+  FalconRun run(bus, {}, 1000.0, monotonic_now_ns);
+  {
+    const ServoThread thread(run.loop(), run.device(), Scheduling::normal);
+    run.unplug_now_and_then(duration, unplugs,
+                            [] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+  }
+  run.end(unplugs);
+}
+
+/// On a clock that only ticks move, so that no machine is too busy for the device to answer in time.
+inline void run_stepped(EmulatedBus& bus, std::chrono::nanoseconds duration, int unplugs) {
+  constexpr std::int64_t kStep_ns = 20'000'000;  // well below HapticDevice::kLongestSilence_ns
+  constexpr std::int64_t kMoment_ns = 1'000;
+  std::atomic<std::int64_t> now_ns{3'600'000'000'000};
+  FalconRun run(bus, {.rate_Hz = 1e6}, 1e9 / kStep_ns, [&now_ns] { return now_ns.load(); });
+  run.unplug_now_and_then(duration, unplugs, [&] {
+    if (run.answers()) {
+      now_ns += kStep_ns;
+      // The next frame is answered at this moment, and with the one after it that answer has come.
+      const std::int64_t before = run.emulated().frames();
+      EXPECT_TRUE(eventually(
+          [&] { return run.emulated().frames() >= before + 2 || !run.emulated().is_held(); }));
+    } else {
+      // It is looked for in real time, for which the clock all but waits.
+      now_ns += kMoment_ns;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    run.loop().tick(now_ns);
+  });
+  run.end(unplugs);
 }
 
 }  // namespace asperity
