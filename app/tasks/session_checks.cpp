@@ -463,7 +463,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
 TriedDevice try_loop(const CheckInputs& inputs, const Protocol& protocol,
                      const DriverRegistry& drivers) {
   LatestValue<PointerSample> nobody{};
-  return try_device(inputs.device, protocol, drivers, {.pointer = &nobody});
+  return inputs.trial(inputs.device, protocol, drivers, {.pointer = &nobody}, {});
 }
 
 /// The loop says nothing of a device that is not there, or that nobody has opened yet.

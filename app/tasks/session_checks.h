@@ -50,6 +50,7 @@ struct CheckInputs {
       driver_options{};  ///< that the session's driver is told; here for the command that measures
   /// A sentence of whoever looked for devices: why this one cannot be used. Empty: nothing is against it.
   std::string device_hindrance{};
+  DeviceTrial trial = try_device;
   /// Of an attached device, which is opened by a person's wish alone: what it did then. Null: not yet.
   std::shared_ptr<const TriedDevice> tried{};
   /// Warnings of the last comparison with the device, so that they are not found again; may be null.

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/phrase.h"
@@ -38,5 +39,10 @@ struct TriedDevice {
 TriedDevice try_device(const std::string& device, const Protocol& protocol,
                        const DriverRegistry& drivers, const DriverOptions& options,
                        const std::string& agreed = {});
+
+/// How devices are tried: by `try_device`, which finds the machine as busy as it is; a test may know better.
+using DeviceTrial = std::function<TriedDevice(
+    const std::string& device, const Protocol& protocol, const DriverRegistry& drivers,
+    const DriverOptions& options, const std::string& agreed)>;
 
 }  // namespace asperity

@@ -358,11 +358,12 @@ void DeviceChooser::try_now(const std::string& agreed) {
   };
   qApp->installEventFilter(this);
   try_task_.run<TriedDevice>(
-      [device = device(), protocol = protocol_, drivers = study_.drivers(), options, agreed](
-          const std::stop_token& stop, const BackgroundTask::Progress&) {
+      [trial = study_.device_trial(), device = device(), protocol = protocol_,
+       drivers = study_.drivers(), options,
+       agreed](const std::stop_token& stop, const BackgroundTask::Progress&) {
         DriverOptions mine = options;
         mine.stop = stop;
-        return try_device(device, *protocol, drivers, mine, agreed);
+        return trial(device, *protocol, drivers, mine, agreed);
       },
       [this, told = driver_places(), moved = !agreed.empty()](const TriedDevice& found) {
         qApp->removeEventFilter(this);

@@ -93,6 +93,7 @@ void StartPage::check() {
       .device = setup_->device().device(),
       .driver_options = driver_options(setup_->device().device()),
       .device_hindrance = setup_->device().hindrance(),
+      .trial = study_.device_trial(),
       .tried = setup_->device().tried(),
       .rehearsal = rehearsal_,
       .noise = noise(),

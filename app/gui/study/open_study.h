@@ -10,6 +10,7 @@
 
 #include <QtCore/QObject>
 
+#include "app/tasks/tried_device.h"
 #include "device/drivers.h"
 #include "renderers/force_model.h"
 #include "results_schema/study.h"
@@ -34,6 +35,9 @@ class OpenStudy final : public QObject {
   const DriverRegistry& drivers() const noexcept { return drivers_; }
   /// Before pages are made.
   void set_drivers(DriverRegistry drivers) { drivers_ = std::move(drivers); }
+  /// How pages try a device before a session.
+  const DeviceTrial& device_trial() const noexcept { return device_trial_; }
+  void set_device_trial(DeviceTrial trial) { device_trial_ = std::move(trial); }
   /// Everybody who shows the study reads it again.
   void announce_change() { emit changed(); }
   /// What a page leaves to the one that is made in its place for another theme or language; empty
@@ -49,6 +53,7 @@ class OpenStudy final : public QObject {
   bool can_be_written_ = true;
   ModelRegistry models_ = built_in_models();
   DriverRegistry drivers_ = built_in_drivers();
+  DeviceTrial device_trial_ = try_device;
   std::map<std::string, std::any> left_{};
 };
 

@@ -18,6 +18,7 @@
 #include "results_schema/atomic_file.h"
 #include "stimuli/preview.h"
 #include "stimuli/synthetic_surface.h"
+#include "tests/app/punctual_trial.h"
 
 namespace asperity {
 
@@ -179,6 +180,7 @@ void SessionRoom::close_windows() {
 void SessionRoom::open() {
   make_windows();
   require(window->open_study(folder()), "the study does not open");
+  window->study()->set_device_trial(punctual_trial);
 }
 
 bool SessionRoom::is_in(SessionPhase phase) {
@@ -298,19 +300,13 @@ void SessionRoom::agree() {
 void SessionRoom::press_start() {
   QWidget& page = *window->page("start");
   auto& button = child<QPushButton>(page, "start");
-  auto& again = child<QPushButton>(page, "check_again");
-  const auto has_begun = [&] { return desk->runner() != nullptr; };
-  for (int tries = 0; tries < 20 && !has_begun(); ++tries) {
-    // On a busy machine the loop may be found too slow: what a person does is look again. News of the
-    // study may take the button away just before it is pressed.
-    if (QTest::qWaitFor([&] { return button.isEnabled(); }, 3000)) {
-      QTest::mouseClick(&button, Qt::LeftButton);
-    } else if (again.isEnabled() && again.isVisible()) {
-      QTest::mouseClick(&again, Qt::LeftButton);
-    }
-  }
+  // News of the study may take the button away just before it is pressed.
+  const bool has_begun = until([&] {
+    if (desk->runner() == nullptr && button.isEnabled()) QTest::mouseClick(&button, Qt::LeftButton);
+    return desk->runner() != nullptr;
+  });
   ++clicks;
-  require(has_begun(), child<QWidget>(page, "start_reason").toolTip().toStdString());
+  require(has_begun, child<QWidget>(page, "start_reason").toolTip().toStdString());
   wait_for("the session", [&] { return monitor().facts() != nullptr || !desk->is_running(); });
   const std::optional<SessionTrouble> trouble = monitor().snapshot().trouble;
   require(monitor().facts() != nullptr,

@@ -9,6 +9,7 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "tests/app/punctual_trial.h"
 #include "tests/gui/sessions/session_room.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -64,6 +65,7 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
   name.setText(QString::fromStdString(folder().string()));
   QTest::keyClick(&name, Qt::Key_Return);
   wait_for("the study", [&] { return window->study() != nullptr; });
+  window->study()->set_device_trial(punctual_trial);
 
   click_row(*window, "protocols_table", "small");
   click(*window, "protocol_start");

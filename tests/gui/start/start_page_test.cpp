@@ -26,6 +26,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "tests/app/punctual_trial.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
@@ -61,6 +62,7 @@ class TheStartPage : public testing::Test {
     make_small_study(folder);
     write_protocol(protocol_with_questions());
     study = std::make_unique<OpenStudy>(folder);
+    study->set_device_trial(punctual_trial);
     page = std::make_unique<StartPage>(*study);
     page->resize(1146, 768);
   }

@@ -16,6 +16,7 @@
 #include "app/gui/study/study_window.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
+#include "tests/app/punctual_trial.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/full_disk.h"
 
@@ -32,6 +33,7 @@ class TheSessionDesk : public QuietHome {
 
   void open_demo() {
     ASSERT_TRUE(window_.open_study(small_demo_study()));
+    window_.study()->set_device_trial(punctual_trial);
     auto& table = child<StudyTable>(window_, "protocols_table");
     ASSERT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
     table.select(QString::fromStdString(
