@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFieldFormat = "asperity.height_field/1";
 constexpr double kLargestLevel = 65535.0;
 
-Json json_of(const HeightFieldProvenance& provenance) {
+Json provenance_json(const HeightFieldProvenance& provenance) {
   Json parameters = Json::object();
   for (const auto& [name, value] : provenance.parameters) {
     std::visit([&parameters, &key = name](const auto& v) { parameters[key] = v; }, value);
@@ -130,7 +130,7 @@ std::string encode_height_field_sidecar(const HeightField& field,
                   {"height_min_m", field.minimum_m()},
                   {"height_max_m", field.maximum_m()},
                   {"sha256", png_sha256},
-                  {"provenance", json_of(provenance)}};
+                  {"provenance", provenance_json(provenance)}};
   // A file name may hold bytes that are not UTF-8; the sidecar is, whatever happens.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

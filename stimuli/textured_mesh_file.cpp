@@ -72,7 +72,7 @@ std::string packed(const std::vector<Item>& items) {
   return bytes;
 }
 
-Json json_of(const GeometricError& error) {
+Json error_json(const GeometricError& error) {
   return {{"rms_m", error.rms_m}, {"max_m", error.max_m}};
 }
 
@@ -280,8 +280,8 @@ std::vector<std::byte> encode_textured_mesh(const StoredTexturedMesh& stored) {
       {"format", kMeshFormat},
       {"atlas",
        {{"rows", mesh.atlas.rows}, {"columns", mesh.atlas.columns}, {"step_m", mesh.atlas.step_m}}},
-      {"error", json_of(stored.plain)},
-      {"textured_error", json_of(stored.textured)},
+      {"error", error_json(stored.plain)},
+      {"textured_error", error_json(stored.textured)},
       {"provenance",
        {{"source_name", provenance.source_name},
         {"source_sha256", provenance.source_sha256},

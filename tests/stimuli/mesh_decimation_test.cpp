@@ -25,7 +25,7 @@ double rms_error_m(const TriangleMesh& original, const TriangleMesh& simplified)
   return plain_error(surface_samples(original, 5000), search, {}).rms_m;
 }
 
-std::string refusal(const TriangleMesh& mesh, std::size_t triangles) {
+std::string refused_decimation(const TriangleMesh& mesh, std::size_t triangles) {
   return refusal_of<std::invalid_argument>([&] { decimate_mesh(mesh, triangles, "thing"); });
 }
 
@@ -184,11 +184,12 @@ TEST(Decimation, GivesTheSameAgain) {
 
 TEST(Decimation, RefusesTargetsThatCannotBe) {
   const TriangleMesh mesh = box({0.01, 0.02, 0.03});
-  EXPECT_THAT(refusal(mesh, 13),
+  EXPECT_THAT(refused_decimation(mesh, 13),
               HasSubstr("thing cannot be simplified to 13 triangles: it has only 12"));
-  EXPECT_THAT(refusal(mesh, 3), HasSubstr("at least 4"));
+  EXPECT_THAT(refused_decimation(mesh, 3), HasSubstr("at least 4"));
   const TriangleMesh several = together(mesh, box({0.01, 0.01, 0.01}, {0.1, 0.0, 0.0}));
-  EXPECT_THAT(refusal(several, 6), HasSubstr("thing cannot be simplified to 6 triangles: at "));
+  EXPECT_THAT(refused_decimation(several, 6),
+              HasSubstr("thing cannot be simplified to 6 triangles: at "));
 }
 
 TEST(Decimation, TellsHowFarItIs) {

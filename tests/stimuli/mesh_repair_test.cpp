@@ -27,7 +27,7 @@ RepairedMesh repaired(const TriangleMesh& mesh, const MeshRepairLimits& limits =
   return result;
 }
 
-std::string refusal(const TriangleMesh& mesh, const MeshRepairLimits& limits = {}) {
+std::string refused_repair(const TriangleMesh& mesh, const MeshRepairLimits& limits = {}) {
   return refusal_of<std::invalid_argument>([&] { repair_mesh(mesh, limits, "thing"); });
 }
 
@@ -159,10 +159,10 @@ TEST(MeshRepair, ClosesSmallHolesAndSaysHowWideTheyWere) {
 TEST(MeshRepair, RefusesAWideOpeningUnlessItIsAskedFor) {
   TriangleMesh mesh = small_box();
   mesh.triangles.resize(10);  // without the side at +x, 40 mm by 60 mm
-  const std::string sentence = refusal(mesh);
+  const std::string sentence = refused_repair(mesh);
   EXPECT_THAT(sentence, HasSubstr("thing is not closed: it has 1 opening, the widest 72.111 mm"));
   EXPECT_THAT(sentence, HasSubstr("7.483 mm"));  // a tenth of the diagonal, 74.83 mm
-  EXPECT_THAT(refusal(mesh, {.widest_hole_m = std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_THAT(refused_repair(mesh, {.widest_hole_m = std::numeric_limits<double>::quiet_NaN()}),
               HasSubstr("widest_hole_m"));
   const RepairedMesh result = repaired(mesh, {.widest_hole_m = 0.08});
   EXPECT_NEAR(volume_m3(result.mesh), kBox_m3, 1e-12);
@@ -192,9 +192,11 @@ TEST(MeshRepair, LeavesASurfaceThatPassesThroughItselfAsItLies) {
 }
 
 TEST(MeshRepair, RefusesWhatHasNoInside) {
-  EXPECT_THAT(refusal({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}), HasSubstr("flat"));
-  EXPECT_THAT(refusal(box({0.01, 0.01, 0.0})), HasSubstr("flat"));
-  EXPECT_THAT(refusal({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}}), HasSubstr("no face"));
+  EXPECT_THAT(refused_repair({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}),
+              HasSubstr("flat"));
+  EXPECT_THAT(refused_repair(box({0.01, 0.01, 0.0})), HasSubstr("flat"));
+  EXPECT_THAT(refused_repair({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}}),
+              HasSubstr("no face"));
   // A strip of six faces, closed with a twist.
   TriangleMesh strip{};
   for (int i = 0; i < 3; ++i) {
@@ -208,7 +210,7 @@ TEST(MeshRepair, RefusesWhatHasNoInside) {
     }
   }
   strip.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}, {4, 1, 5}, {5, 1, 0}};
-  EXPECT_THAT(refusal(strip), HasSubstr("one side only"));
+  EXPECT_THAT(refused_repair(strip), HasSubstr("one side only"));
 }
 
 // Triangles between random corners meet in every way there is. What comes out can be simplified.
@@ -245,11 +247,11 @@ TEST(MeshRepair, MakesOfAnyTrianglesAClosedMeshOrSaysWhyNot) {
 TEST(MeshRepair, RefusesCoordinatesThatAreNoNumbersAndSizesNobodyFeels) {
   TriangleMesh mesh = small_box();
   mesh.vertices_m[6].y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal(mesh), HasSubstr("number 7"));
+  EXPECT_THAT(refused_repair(mesh), HasSubstr("number 7"));
   mesh.vertices_m[6].y = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(refusal(mesh), HasSubstr("number 7"));
-  EXPECT_THAT(refusal(box({10.0, 20.0, 30.0})), HasSubstr("unit"));
-  EXPECT_THAT(refusal(box({1e-6, 2e-6, 3e-6})), HasSubstr("unit"));
+  EXPECT_THAT(refused_repair(mesh), HasSubstr("number 7"));
+  EXPECT_THAT(refused_repair(box({10.0, 20.0, 30.0})), HasSubstr("unit"));
+  EXPECT_THAT(refused_repair(box({1e-6, 2e-6, 3e-6})), HasSubstr("unit"));
 }
 
 }  // namespace
