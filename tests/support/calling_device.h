@@ -32,7 +32,7 @@ class CallingDevice final : public HapticDevice {
   }
 
   std::atomic<bool> is_silent{false};
-  /// It is lost after so many readings. It has a reason for that until its calls are stopped.
+  /// After so many readings it is lost, and reports a reason until its calls are stopped.
   std::atomic<int> readings_left{std::numeric_limits<int>::max()};
   std::atomic<int> turned_away{0};  ///< calls that came to a closed gate
   std::atomic<double> last_force_N{-1.0};

@@ -1,4 +1,4 @@
-// A haptic device that does what a test says.
+// A haptic device whose behaviour a test sets.
 
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace asperity {
 
-/// Answers every reading with `probe`, takes every wrench, and keeps the last one. What a test sets in
-/// `at_read` and `at_send` is called first, and may change that.
+/// Answers every reading with `probe`, takes every wrench, and keeps the last one. Where a test sets `at_read`
+/// or `at_send`, it is called first, and may change that.
 ///
 /// It zeroes its force when it is destroyed, as every driver does: what `at_send` refers to lives as long as
 /// the device.

@@ -1,4 +1,4 @@
-// A person who takes part in a session as a test says.
+// A participant whose behaviour a test sets.
 
 #pragma once
 
@@ -29,7 +29,7 @@ struct PersonPace {
   double answering_s = 0.2;
 };
 
-/// Reads everything and answers with the first option, unless a test says otherwise; keeps what it was asked.
+/// Reads everything and answers with the first option, unless a test sets another reply; keeps what it was asked.
 class ScriptedPerson final : public Respondent {
  public:
   explicit ScriptedPerson(const PersonPace& pace = {}) : pace_(pace) {}
