@@ -35,9 +35,17 @@ void LiveWorkspace::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
 }
 
+bool LiveWorkspace::is_settled() const {
+  std::vector<LiveBin> newer{};
+  monitor_.bins_from(next_bin_, newer);
+  return newer.empty() && version_ == monitor_.snapshot().version && !reading_.is_running() &&
+         view_->is_drawn();
+}
+
 void LiveWorkspace::look_again() {
   const auto facts = monitor_.facts();
   const SessionSnapshot now = monitor_.snapshot();
+  version_ = now.version;
   bins_.clear();
   next_bin_ = monitor_.bins_from(next_bin_, bins_);
   if (!facts || !facts->plan || now.surface == 0) {

@@ -35,6 +35,8 @@ class LiveWorkspace final : public QWidget {
                 QWidget* parent = nullptr);
 
   const WorkspaceView& view() const noexcept { return *view_; }
+  /// Everything that the monitor knows by now is seen: nothing is still read or drawn.
+  bool is_settled() const;
 
  signals:
   /// The relief of a surface could not be read, and why: the surface stays plain.
@@ -54,6 +56,7 @@ class LiveWorkspace final : public QWidget {
   SurfaceLook look_ = SurfaceLook::plain;
   WorkspaceView* view_ = nullptr;
   QTimer timer_{this};
+  std::uint64_t version_ = 0;  ///< of the snapshot that was looked at
   std::uint64_t next_bin_ = 0;
   std::vector<LiveBin> bins_{};
   std::pair<int, int> shown_{};                                          ///< trial and surface

@@ -58,15 +58,8 @@ class LiveWorkspaceTest : public testing::Test {
   }
   /// What is seen once nothing more comes.
   static QImage settled(LiveWorkspace& workspace) {
-    QImage before{};
-    QImage now = workspace.grab().toImage();
-    EXPECT_TRUE(eventually([&] {
-      before = now;
-      QTest::qWait(60);
-      now = workspace.grab().toImage();
-      return workspace.view().is_drawn() && before == now;
-    }));
-    return now;
+    EXPECT_TRUE(eventually([&] { return workspace.is_settled(); }));
+    return workspace.grab().toImage();
   }
 
   QTemporaryDir folder_{};
@@ -107,12 +100,12 @@ TEST_F(LiveWorkspaceTest, TheProbeFollowsTheHandAndIsGoneBetweenSurfaces) {
   feel(1);
   const QImage empty = settled(workspace);
   move(-0.03F);
-  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != empty; }));
   const QImage left = settled(workspace);
+  EXPECT_NE(left, empty);
   move(0.03F);
-  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() != left; }));
+  EXPECT_NE(settled(workspace), left);
   feel(0);
-  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() == empty; }));
+  EXPECT_EQ(settled(workspace), empty);
 }
 
 TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
@@ -132,13 +125,13 @@ TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
   const QImage ball = settled(workspace);
   feel(2);
   move(0.0F);
-  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != ball; }));
   const QImage rod = settled(workspace);
+  EXPECT_NE(rod, ball);
   LiveBin turned{};
   turned.orientation = glm::angleAxis(1.0F, glm::vec3{0.0F, 1.0F, 0.0F});
   turned.touching = true;
   monitor_.add_bin(turned);
-  EXPECT_TRUE(eventually([&] { return workspace.grab().toImage() != rod; }));
+  EXPECT_NE(settled(workspace), rod);
 }
 
 TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
@@ -150,7 +143,6 @@ TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
   feel(1);
   const QImage empty = settled(workspace);
   move(-0.05F);  // the centre of the mirrored patch, and so of the picture
-  ASSERT_TRUE(eventually([&] { return workspace.grab().toImage() != empty; }));
   const QImage now = settled(workspace);
   int changed = 0;
   for (int row = 0; row < now.height(); ++row) {
