@@ -164,19 +164,25 @@ inline void run_in_real_time(EmulatedBus& bus, std::chrono::nanoseconds duration
   run.end(unplugs);
 }
 
-/// On a clock that only ticks move, so that no machine is too busy for the device to answer in time.
+/// A step of a clock that a test moves; below HapticDevice::kLongestSilence_ns.
+inline constexpr std::int64_t kStep_ns = 40'000'000;
+
+/// Moves the driver's clock on and waits for the device, so that no machine is too busy for it to answer in time.
+inline void pass_step(std::atomic<std::int64_t>& now_ns, const EmulatedFalcon& emulated) {
+  now_ns += kStep_ns;
+  // With the next frame the answer to the one before has come, which is at most a step old.
+  const std::int64_t before = emulated.frames();
+  EXPECT_TRUE(eventually([&] { return emulated.frames() > before || !emulated.is_held(); }));
+}
+
+/// On a clock that only ticks move.
 inline void run_stepped(EmulatedBus& bus, std::chrono::nanoseconds duration, int unplugs) {
-  constexpr std::int64_t kStep_ns = 20'000'000;  // well below HapticDevice::kLongestSilence_ns
   constexpr std::int64_t kMoment_ns = 1'000;
   std::atomic<std::int64_t> now_ns{3'600'000'000'000};
   FalconRun run(bus, {.rate_Hz = 1e6}, 1e9 / kStep_ns, [&now_ns] { return now_ns.load(); });
   run.unplug_now_and_then(duration, unplugs, [&] {
     if (run.answers()) {
-      now_ns += kStep_ns;
-      // The next frame is answered at this moment, and with the one after it that answer has come.
-      const std::int64_t before = run.emulated().frames();
-      EXPECT_TRUE(eventually(
-          [&] { return run.emulated().frames() >= before + 2 || !run.emulated().is_held(); }));
+      pass_step(now_ns, run.emulated());
     } else {
       // It is looked for in real time, for which the clock all but waits.
       now_ns += kMoment_ns;
