@@ -46,8 +46,10 @@ void take(int& descriptor, std::string& text) {
 }  // namespace
 
 Program::Program(const Invocation& invocation) {
+  const std::string program =
+      invocation.program.empty() ? ASPERITY_PROGRAM : invocation.program.string();
   std::vector<std::string> words = invocation.arguments;
-  words.insert(words.begin(), ASPERITY_PROGRAM);
+  words.insert(words.begin(), program);
   std::vector<char*> arguments{};
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -81,7 +83,7 @@ Program::Program(const Invocation& invocation) {
     }
     if (!invocation.folder.empty() && ::chdir(invocation.folder.c_str()) != 0) ::_exit(126);
     if (invocation.in_child) invocation.in_child();
-    ::execv(ASPERITY_PROGRAM, arguments.data());
+    ::execv(program.c_str(), arguments.data());
     ::_exit(127);
   }
   ::close(error.write_end);

@@ -14,6 +14,7 @@
 namespace asperity::test {
 
 struct Invocation {
+  std::filesystem::path program{};  ///< empty: the one that was built with the tests
   std::vector<std::string> arguments{};
   std::map<std::string, std::string> environment{};  ///< on top of this process's own
   std::filesystem::path folder{};                    ///< to run in; empty: where the test runs
