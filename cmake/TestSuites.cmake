@@ -5,7 +5,7 @@
 #   program   the program's path
 #   launcher  what starts it, in words; may be empty
 #   alone     patterns of suites whose tests get a process each: <folder>.<Suite>.<Test>
-#   labels, timeout_s, cost, working_directory
+#   labels, timeout_s (of one test), cost, working_directory
 
 if(NOT EXISTS "${program}")
   add_test("${folder}.IsNotBuilt" "${program}")
@@ -19,18 +19,25 @@ if("${program}" IS_NEWER_THAN "${list_file}")
     OUTPUT_VARIABLE listing RESULT_VARIABLE result ERROR_VARIABLE complaint TIMEOUT 120)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${program} --gtest_list_tests ended with \"${result}\": ${complaint}")
+  elseif(NOT listing MATCHES "\n  ")
+    message(FATAL_ERROR "${program} holds no test.")
   endif()
   # A parameter behind "#" may hold what a list of CMake cannot.
   string(REGEX REPLACE " +#[^\n]*" "" listing "${listing}")
-  file(WRITE "${list_file}" "${listing}")
+  # Renamed in one piece: another ctest may read it now.
+  string(RANDOM LENGTH 8 unique)
+  file(WRITE "${list_file}.${unique}" "${listing}")
+  file(RENAME "${list_file}.${unique}" "${list_file}")
 endif()
 
-# asperity_register(<name> <filter> <tests in it>)
+# asperity_register(<name> <filter> <tests in it>): a test that hangs ends its suite, and what GoogleTest has reported by then
+# is in the output; so a suite has the time of one test and a little for each other.
 function(asperity_register name filter count)
   add_test("${name}" ${launcher} "${program}" "--gtest_filter=${filter}")
   math(EXPR begins_early "${cost} + ${count}")
+  math(EXPR longest_s "${timeout_s} + 30 * (${count} - 1)")
   set_tests_properties("${name}" PROPERTIES
-    LABELS "${labels}" TIMEOUT ${timeout_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
+    LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
 endfunction()
 
 string(REPLACE ";" "|" alone_pattern "${alone}")
@@ -40,13 +47,14 @@ set(alone_pattern "^(${alone_pattern})\\.$")
 file(STRINGS "${list_file}" lines)
 set(suite "")
 set(count 0)
+set(suites "")
 foreach(line IN LISTS lines ITEMS "end.")
   if(line MATCHES "^  ([^ ]+)")
     set(test "${CMAKE_MATCH_1}")
     math(EXPR count "${count} + 1")
     if(suite MATCHES "${alone_pattern}")
       asperity_register("${folder}.${suite}${test}" "${suite}${test}" 1)
-      # Said by ctest itself; in a suite that has other tests a skipped one is seen in its output only.
+      # Reported by ctest itself; in a suite that has other tests only its output names a skipped one.
       set_tests_properties("${folder}.${suite}${test}" PROPERTIES SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
     endif()
   elseif(line MATCHES "^[^ ]+\\.$")
@@ -56,5 +64,11 @@ foreach(line IN LISTS lines ITEMS "end.")
     endif()
     set(suite "${line}")  # with its full stop
     set(count 0)
+    list(APPEND suites "${suite}")
+  endif()
+endforeach()
+foreach(pattern IN LISTS alone)
+  if(NOT "${suites}" MATCHES "(^|;)${pattern}\\.(;|$)")
+    message(FATAL_ERROR "No suite of ${program} matches ${pattern}, which its CMakeLists.txt names under ALONE.")
   endif()
 endforeach()
