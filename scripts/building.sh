@@ -32,17 +32,17 @@ configure() {
   (cd "$root" && quietly "$root/build/$preset-configure.log" cmake --preset "$preset" "$@")
 }
 
-# report_progress NAME LOG: copies ninja's output from standard input to the log. Of a build that takes minutes it
-# writes to the screen how many steps there are, and each tenth of them.
+# report_progress NAME LOG: copies ninja's output from standard input to the log. Of a build of more than a few steps it
+# writes to the screen how many there are, and each tenth of them.
 report_progress() {
   local name=$1 log=$2 line finished steps shown=-1
-  readonly minutes_from=20  # steps; fewer are done before anybody wonders
+  local -r few=3  # a link or two
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
       finished=${BASH_REMATCH[1]} steps=${BASH_REMATCH[2]}
-      if ((steps < minutes_from || finished * 10 / steps <= shown)); then continue; fi
-      if ((shown < 0)); then say "Building $name: $steps steps, some minutes. The compiler's output is in $log"; fi
+      if ((steps <= few || finished * 10 / steps <= shown)); then continue; fi
+      if ((shown < 0)); then say "Building $name: $steps steps, up to a minute each. The compiler's output is in $log"; fi
       shown=$((finished * 10 / steps))
       if ((shown > 0)); then
         say "$(printf 'Building %s: %d of %d steps after %d:%02d' "$name" "$finished" "$steps" $((SECONDS / 60)) $((SECONDS % 60)))"
@@ -59,7 +59,7 @@ build() {
   if [[ $# -gt 0 ]]; then arguments+=(--target "$@"); fi
   if [[ -t 2 ]]; then
     NINJA_STATUS="Building Asperity ($preset): %f of %t steps after %e s " cmake --build "${arguments[@]}" >&2
-  elif ! (SECONDS=0; cmake --build "${arguments[@]}" 2>&1 | report_progress "Asperity ($preset)" "$log"); then
+  elif ! (SECONDS=0; NINJA_STATUS="[%f/%t] " cmake --build "${arguments[@]}" 2>&1 | report_progress "Asperity ($preset)" "$log"); then
     tail --lines 100 "$log" >&2
     say "Failed: cmake --build ${arguments[*]} (all of its output is in $log)"
     return 1
