@@ -1,10 +1,10 @@
-// What it costs to start the program: processor time of `asperity --version`, which does nothing else.
+// Measures the processor time of `asperity --version`: what it costs to start the program.
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <string>
+#include <optional>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,8 +23,8 @@ double milliseconds_of(const timeval& time) {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
 }
 
-/// User and system time of one process, from its start to its end; negative where it failed.
-double start_ms(const std::filesystem::path& program) {
+/// User and system time of one process, from its start to its end; none where it fails.
+std::optional<double> start_ms(const std::filesystem::path& program) {
   const pid_t child = fork();
   if (child == 0) {
     if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(127);
@@ -33,20 +33,26 @@ double start_ms(const std::filesystem::path& program) {
   }
   int status = 0;
   rusage used{};
-  if (child < 0 || wait4(child, &status, 0, &used) != child || status != 0) return -1.0;
+  if (child < 0 || wait4(child, &status, 0, &used) != child || status != 0) {
+    return std::nullopt;
+  }
   return milliseconds_of(used.ru_utime) + milliseconds_of(used.ru_stime);
 }
 
 int run(bool json) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "asperity";
-  std::vector<double> times_ms(kStarts);
+  std::vector<double> times_ms{};
   start_ms(program);  // reads its files into memory
-  for (double& time_ms : times_ms) time_ms = start_ms(program);
-  std::sort(times_ms.begin(), times_ms.end());
-  if (times_ms.front() < 0.0) {
-    std::fprintf(stderr, "%s --version fails; build the target asperity first.\n", program.c_str());
-    return 1;
+  for (int i = 0; i < kStarts; ++i) {
+    const std::optional<double> time_ms = start_ms(program);
+    if (!time_ms) {
+      std::fprintf(stderr, "%s --version fails; build the target asperity first.\n",
+                   program.c_str());
+      return 1;
+    }
+    times_ms.push_back(*time_ms);
   }
+  std::sort(times_ms.begin(), times_ms.end());
   const double median_ms = 0.5 * (times_ms[kStarts / 2 - 1] + times_ms[kStarts / 2]);
   if (json) {
     const nlohmann::json result{
@@ -66,5 +72,10 @@ int run(bool json) {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-  return asperity::run(argc == 2 && std::strcmp(argv[1], "--json") == 0);
+  const bool json = argc == 2 && std::strcmp(argv[1], "--json") == 0;
+  if (argc > 1 && !json) {
+    std::fprintf(stderr, "Usage: bench_program_start [--json]\n");
+    return 2;
+  }
+  return asperity::run(json);
 }

@@ -1,6 +1,6 @@
 # What `cmake --install` puts where, and the Debian package of the same. The program carries its schemas,
 # library protocols, demonstration stimuli and translations within itself; those that people want to read
-# are put beside it as files too.
+# are also installed as files, and its modules in the folder where it looks for them (asperity_add_module).
 
 install(TARGETS asperity RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

@@ -13,6 +13,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsa
   check_linker_flag(CXX -fuse-ld=gold ASPERITY_HAS_GOLD)
 endif()
 
+add_custom_target(asperity_modules)
+
 # Language, warnings, floating-point rules and linking.
 function(asperity_configure target)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
@@ -38,6 +40,8 @@ function(asperity_configure target)
   if(type STREQUAL EXECUTABLE)
     set_target_properties(${target} PROPERTIES
       BUILD_RPATH "$ORIGIN/../lib" INSTALL_RPATH "$ORIGIN/../${ASPERITY_MODULE_FOLDER}")
+    # Behind the programs' own sources: they need modules only when they run.
+    add_dependencies(${target} asperity_modules)
   endif()
   # A program loads only what it calls.
   target_link_options(${target} PRIVATE LINKER:--as-needed $<$<BOOL:${ASPERITY_HAS_GOLD}>:-fuse-ld=gold>)
@@ -60,6 +64,7 @@ function(asperity_add_module name)
   target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
   asperity_configure(${name})
+  add_dependencies(asperity_modules ${name})
   install(TARGETS ${name} LIBRARY DESTINATION "${ASPERITY_MODULE_FOLDER}")
 endfunction()
 
@@ -124,7 +129,8 @@ function(asperity_add_tests folder)
   target_precompile_headers(${program} REUSE_FROM ${ARG_HEADERS})
   asperity_compile_as_test(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  set(timeout_s 300)
+  # Only what hangs takes so long, also beside other work; a wait that fails ends after the patience of tests/support.
+  set(timeout_s 600)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)
   elseif(CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
