@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -57,7 +57,7 @@ FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   const double below = n * k * (k + 1.0) - ties / (k - 1.0);
   const double above = 12.0 * (sums.array() - n * (k + 1.0) / 2.0).square().sum();
   if (n < 2.0 || !(below > 1e-9)) {
-    test.chi_squared = test.p = test.concordance = test.f = test.f_p = kNone;
+    test.chi_squared = test.p = test.concordance = test.f = test.f_p = kNoValue;
     return test;
   }
   test.chi_squared = above / below;
@@ -91,7 +91,7 @@ SignedRankTest signed_rank_test(std::span<const double> differences) {
   test.p = flips.two_sided;
   test.exact = flips.exact;
   test.drawn = flips.drawn;
-  test.rank_biserial = test.n > 0 ? (2.0 * test.positive - all) / all : kNone;
+  test.rank_biserial = test.n > 0 ? (2.0 * test.positive - all) / all : kNoValue;
   return test;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kNodes = 61;
 constexpr double kNoSpread = 1e-3;  // σ below it is 0
-constexpr double kNever = -40.0;    // ln σ of no spread at all
+constexpr double kLogOfNoSpread = -40.0;  // ln σ of no spread at all
 // One trial each says nothing of a spread: the likelihood is flat but for rounding.
 constexpr double kNotFlat = 1e-8;
 
@@ -279,8 +279,8 @@ std::optional<MixedLogit> mixed_logit(std::span<const GroupedHits> participants)
   }
   const Hermite rule = hermite();
   const Maximum full = best_of_starts(participants, fixed->beta, {0, 1, 2}, rule);
-  const Likelihood without_spread =
-      likelihood_of(participants, {fixed->beta.intercept, fixed->beta.second_group, kNever}, rule);
+  const Likelihood without_spread = likelihood_of(
+      participants, {fixed->beta.intercept, fixed->beta.second_group, kLogOfNoSpread}, rule);
   if (full.at(2) < std::log(kNoSpread) || full.likelihood.value < without_spread.value + kNotFlat) {
     return std::nullopt;
   }

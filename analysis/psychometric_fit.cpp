@@ -23,7 +23,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kGreatestGamma = 0.5;
 constexpr double kSlopeRange = 12.0;  // ln β may be this much below its bound
 constexpr double kSteepest = 0.99;    // F from 1 − this to this within the smallest gap
@@ -79,8 +79,8 @@ Standard standard_at(PsychometricShape shape, double t) {
 // t(F), the inverse.
 double standard_quantile(PsychometricShape shape, double F) {
   if (!(F > 0.0 && F < 1.0)) {
-    return F == 0.0 ? -kInfinite
-                    : (F == 1.0 ? kInfinite : std::numeric_limits<double>::quiet_NaN());
+    return F == 0.0 ? -kUnbounded
+                    : (F == 1.0 ? kUnbounded : std::numeric_limits<double>::quiet_NaN());
   }
   switch (shape) {
     case PsychometricShape::logistic:
@@ -171,16 +171,16 @@ class Problem final {
     if (levels_.size() < 2) {
       throw std::invalid_argument("blocks: a slope needs at least two levels with trials");
     }
-    double gap = kInfinite;
+    double gap = kUnbounded;
     for (std::size_t i = 1; i < levels_.size(); ++i) {
       gap = std::min(gap, levels_[i] - levels_[i - 1]);
     }
     const double rise =
         standard_quantile(model.shape, kSteepest) - standard_quantile(model.shape, 1.0 - kSteepest);
     const double steepest = std::log(rise / gap);
-    bounds_.low << (is_weibull(model.shape) ? std::numeric_limits<double>::min() : -kInfinite),
+    bounds_.low << (is_weibull(model.shape) ? std::numeric_limits<double>::min() : -kUnbounded),
         steepest - kSlopeRange, model.gamma.value_or(0.0), model.lambda.value_or(0.0);
-    bounds_.high << kInfinite, steepest, model.gamma.value_or(kGreatestGamma),
+    bounds_.high << kUnbounded, steepest, model.gamma.value_or(kGreatestGamma),
         model.lambda.value_or(model.greatest_lambda);
     free_ = {true, true, !model.gamma, !model.lambda};
     for (const PsychometricBlock& block : blocks_) {
@@ -294,7 +294,7 @@ std::vector<Eigen::Index> places_of(const Free& free) {
 
 struct CurveMaximum {
   CurveParameters at = CurveParameters::Zero();
-  double value = -kInfinite;
+  double value = -kUnbounded;
 };
 
 // Newton's method within the bounds over the parameters in `free`. A parameter that the gradient
@@ -393,7 +393,7 @@ CurveMaximum bobyqa(const Problem& problem, const CurveParameters& start) {
   optimizer.set_xtol_rel(1e-6);
   optimizer.set_ftol_abs(1e-9);
   optimizer.set_maxeval(500);
-  double value = -kInfinite;
+  double value = -kUnbounded;
   try {
     optimizer.optimize(point, value);
   } catch (const nlopt::roundoff_limited&) {
@@ -593,7 +593,7 @@ std::optional<double> profile_end(const Problem& problem, const Solution& soluti
   const double alpha = solution.maximum.at(0);
   const auto missing = [&](double at) {
     if (is_weibull(problem.model().shape) && !(at > 0.0)) {
-      return kInfinite;
+      return kUnbounded;
     }
     CurveParameters start = solution.maximum.at;
     start(0) = at;

@@ -81,7 +81,7 @@ bool stands_still(const StatusPath& status) noexcept {
   }
 }
 
-[[noreturn]] void refuse(const char* what, int error) {
+[[noreturn]] void refuse_to_start(const char* what, int error) {
   throw std::runtime_error(
       std::string("the process that sets the motors to zero should this program die cannot be "
                   "started (") +
@@ -94,7 +94,7 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   std::array<int, 2> ends{};
   // Sockets, and no pipe: writing to a watchdog that is dead is an error then, and no SIGPIPE.
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    refuse("socketpair", errno);
+    refuse_to_start("socketpair", errno);
   }
   StatusPath status{};
   std::snprintf(status.data(), status.size(), "/proc/%d/status", static_cast<int>(getpid()));
@@ -120,7 +120,7 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   leash_ = ends[1];
   if (process_ < 0) {
     close(leash_);
-    refuse("fork", error);
+    refuse_to_start("fork", error);
   }
 }
 

@@ -9,10 +9,16 @@ therefore counts as one group.
 
 File-local are names in an anonymous namespace, `static` functions and variables, constants without `inline`, aliases,
 and macros that stay defined. No other source of the target may declare the same name, nor may a header that one of
-them includes. Two file-local functions of one name are refused whatever their parameters: they would overload each
-other in some groups and not in others. A function of a header may be overloaded, with other parameters. A type that two
-sources define is refused too. What the language allows twice is allowed: `using namespace`, and aliases that agree word
-for word. A name in another named namespace is another name.
+them includes. Refused are in particular:
+
+- two file-local functions of one name, whatever their parameters: they would overload each other in some groups only;
+- a file-local function with the name of a header's, unless the parameters differ and the compiler finds that of the
+  header by its arguments, of which one is of a type of ours: it looks no further than an anonymous namespace;
+- two types that sources define with one name, in an anonymous namespace or not;
+- a constant inside of a function with the name of a file-local one (-Wshadow).
+
+What the language allows twice is allowed: `using namespace`, and aliases that agree word for word. A name in another
+named namespace is another name.
 
 The groups are read from the build folder, as CMake wrote them. Sources that are compiled alone are in none.
 """
@@ -47,7 +53,6 @@ CLOSING = {"(": ")", "[": "]", "{": "}"}
 CLASS_KEYS = {"class", "struct", "union", "enum"}
 SPECIFIERS = {"static", "inline", "constexpr", "constinit", "const", "extern", "typedef", "thread_local"}
 TAKING_PARENTHESES = {"alignas", "decltype", "noexcept", "__attribute__"}  # whose parentheses hold no parameters
-EVERY_SCOPE = "#define"
 TEST_MACROS = {"TEST", "TEST_F", "TEST_P"}
 
 
@@ -55,9 +60,18 @@ class Unreadable(Exception):
     pass
 
 
-class Sort(enum.Enum):
-    LOCAL = enum.auto()
-    TYPE = enum.auto()  # defined, and not file-local: once for all sources
+class Kind(enum.Enum):
+    TYPE = enum.auto()
+    ANNOUNCED_TYPE = enum.auto()
+    FUNCTION = enum.auto()
+    VARIABLE = enum.auto()
+    ALIAS = enum.auto()
+    MACRO = enum.auto()
+
+
+class Reach(enum.Enum):
+    INNER = enum.auto()  # inside of a function
+    LOCAL = enum.auto()  # to the file
     SHARED = enum.auto()
 
 
@@ -76,9 +90,9 @@ class Declaration:
     scope: str  # the named namespaces around it
     name: str
     line: int
-    sort: Sort
-    parameters: str | None = None  # of a function
-    alias_of: str | None = None
+    kind: Kind
+    reach: Reach
+    meaning: str = ""  # the types of a function's parameters; what an alias stands for
     path: pathlib.Path | None = None
 
 
@@ -150,11 +164,13 @@ def is_linkage(statement: list[Token]) -> bool:
 
 
 def ends_with_body(statement: list[Token]) -> bool:
-    """Of a namespace or a function; behind types and initialisers stands a semicolon."""
+    """Of a namespace, a function or a statement; behind types and initialisers stands a semicolon."""
     if statement[-1].text != "{":
         return False
     head = without_template(statement[:-1])
     texts = texts_of(head)
+    if texts in ([], ["else"], ["do"], ["try"]):
+        return True
     if "namespace" in texts[:2] or is_linkage(head):
         return True
     if "=" in texts or "(" not in texts:
@@ -192,18 +208,26 @@ def declarations_of(tokens: list[Token], scope: str = "", is_local: bool = False
             if texts[1] != "namespace":
                 yield from declared_alias(statement, scope)
         elif "namespace" in texts[:2]:
-            names = [token.text for token in statement[:-1] if token.kind == "word"]
-            names = [name for name in names if name not in ("inline", "namespace")]
-            inner = "::".join(([scope] if scope else []) + names)
+            names = namespaces_of(statement)
+            inner = "::".join(filter(None, [scope, *names]))
             yield from declarations_of(statement[-1].inside, inner, is_local or not names)
         elif is_linkage(statement[:-1]):
             yield from declarations_of(statement[-1].inside, scope, is_local)
         elif texts[0] in TEST_MACROS and texts[1:2] == ["("]:
             class_name = "_".join(texts_of(statement[1].inside)[::2] + ["Test"])
-            yield Declaration(scope, class_name, statement[0].line, Sort.TYPE)
+            yield Declaration(scope, class_name, statement[0].line, Kind.TYPE, Reach.SHARED)
         elif not is_macro_call(statement[:2]):
             for found in declared(without_attributes(without_template(statement)), scope):
-                yield dataclasses.replace(found, sort=Sort.LOCAL) if is_local else found
+                yield dataclasses.replace(found, reach=Reach.LOCAL) if is_local else found
+
+
+def namespaces_of(statement: list[Token]) -> list[str]:
+    """Those that a statement opens by name."""
+    return [token.text for token in statement if token.kind == "word" and token.text not in ("inline", "namespace")]
+
+
+def is_type(statement: list[Token]) -> bool:
+    return next((text for text in texts_of(statement) if text not in SPECIFIERS), "") in CLASS_KEYS
 
 
 def declared_alias(statement: list[Token], scope: str):
@@ -212,18 +236,19 @@ def declared_alias(statement: list[Token], scope: str):
     name, meaning = statement[-1], statement[1:]
     if "=" in texts:
         name, meaning = statement[1], statement[texts.index("=") + 1:]
-    yield Declaration(scope, name.text, name.line, Sort.LOCAL, alias_of=spelling(meaning))
+    yield Declaration(scope, name.text, name.line, Kind.ALIAS, Reach.LOCAL, spelling(meaning))
 
 
 def declared(statement: list[Token], scope: str):
     """What a declaration of a type, a function or variables declares."""
     specifiers = set(texts_of(statement)) & SPECIFIERS
     rest = [token for token in statement if token.text not in SPECIFIERS]
-    if rest and rest[0].text in CLASS_KEYS:
+    if is_type(rest):
         rest = [token for token in rest if token.text not in CLASS_KEYS]
         following = rest[1].text if len(rest) > 1 else ";"
         if rest[0].text != "{" and following in ("{", ":", ";", "final"):
-            yield Declaration(scope, rest[0].text, rest[0].line, Sort.SHARED if following == ";" else Sort.TYPE)
+            kind = Kind.ANNOUNCED_TYPE if following == ";" else Kind.TYPE
+            yield Declaration(scope, rest[0].text, rest[0].line, kind, Reach.SHARED)
         if "{" in texts_of(rest):
             rest = rest[texts_of(rest).index("{"):]  # behind a type there may be variables of it
 
@@ -233,24 +258,45 @@ def declared(statement: list[Token], scope: str):
         depth += {"<": 1, ">": -1}.get(rest[end].text, 0)
         end += 1
     brackets = rest[end] if end < len(rest) and rest[end].text == "(" else None
-    parameters = None
+    kind = Kind.VARIABLE
     if brackets and is_pointer(brackets):
         name = brackets.inside[1]
     elif 1 < end <= len(rest) and rest[end - 2].text not in ("::", "~", "operator"):
         name = rest[end - 1]
-        parameters = parameter_types(brackets.inside) if brackets else None
+        kind = Kind.FUNCTION if brackets else Kind.VARIABLE
     else:
         return  # a member of a class
     if name.kind not in ("word", "operator"):
         return
-    is_constant = parameters is None and specifiers & {"const", "constexpr"} and not specifiers & {"inline", "extern"}
-    sort = Sort.LOCAL if "static" in specifiers or is_constant else Sort.SHARED
+    parameters = parameter_types(brackets.inside) if kind == Kind.FUNCTION else ""
+    is_constant = kind == Kind.VARIABLE and specifiers & {"const", "constexpr"}
+    is_local = "static" in specifiers or is_constant and not specifiers & {"inline", "extern"}
+    reach = Reach.LOCAL if is_local else Reach.SHARED
     # An operator has no other name to choose.
     key = f"{name.text}({parameters})" if name.kind == "operator" else name.text
-    yield Declaration(scope, key, name.line, sort, parameters)
+    yield Declaration(scope, key, name.line, kind, reach, parameters)
     for comma, name, following in zip(rest[end:], rest[end + 1:], rest[end + 2:] + [Token("sign", "=", 0)]):
         if comma.text == "," and name.kind == "word" and following.text in ("=", "{", "["):
-            yield Declaration(scope, name.text, name.line, sort)
+            yield Declaration(scope, name.text, name.line, Kind.VARIABLE, reach)
+
+
+def inner_constants(tokens: list[Token], scope: str = "", encloses: str = "namespace"):
+    """Those inside of functions, which are not members of a class."""
+    for statement in statements(tokens):
+        texts = texts_of(statement)
+        if encloses == "function" and texts[0] in ("const", "constexpr", "static"):
+            for found in declared(without_attributes(statement), scope):
+                if found.kind == Kind.VARIABLE:
+                    yield dataclasses.replace(found, reach=Reach.INNER)
+        inner, inside = scope, "function"
+        if "namespace" in texts[:2]:
+            inner, inside = "::".join(filter(None, [scope, *namespaces_of(statement)])), "namespace"
+        elif is_linkage(statement[:-1]):
+            inside = "namespace"
+        elif is_type(without_template(statement)):
+            inside = "class"
+        for token in statement:
+            yield from inner_constants(token.inside, inner, inside if token.text == "{" else "function")
 
 
 def parameter_types(tokens: list[Token]) -> str:
@@ -275,10 +321,11 @@ def parameter_types(tokens: list[Token]) -> str:
 def read(path: pathlib.Path) -> list[Declaration]:
     macros: dict[str, int] = {}
     try:
-        found = list(declarations_of(tokens_of(path.read_text(encoding="utf-8"), macros)))
+        tokens = tokens_of(path.read_text(encoding="utf-8"), macros)
+        found = list(declarations_of(tokens)) + list(inner_constants(tokens))
     except (Unreadable, IndexError) as problem:
         raise Unreadable(f"{place(path)}:{problem}") from problem
-    found += [Declaration(EVERY_SCOPE, name, line, Sort.LOCAL) for name, line in macros.items()]
+    found += [Declaration("", name, line, Kind.MACRO, Reach.LOCAL) for name, line in macros.items()]
     return [dataclasses.replace(one, path=path) for one in found]
 
 
@@ -319,30 +366,39 @@ def headers_of(sources: list[pathlib.Path]) -> list[pathlib.Path]:
 
 # ---- Judging
 
-def collide(one: Declaration, other: Declaration) -> bool:
-    if one.path == other.path or one.alias_of is not None and one.alias_of == other.alias_of:
+def collide(one: Declaration, other: Declaration, types: set[str]) -> bool:
+    """`types` are those of ours."""
+    kinds = {one.kind, other.kind}
+    if one.path == other.path or Kind.MACRO not in kinds and one.scope != other.scope:
         return False
-    if one.scope != other.scope and EVERY_SCOPE not in (one.scope, other.scope):
+    if kinds == {Kind.ALIAS} and one.meaning == other.meaning:
         return False
-    if one.sort == other.sort == Sort.TYPE:
+    if kinds == {Kind.TYPE}:
         return True
-    if Sort.LOCAL not in (one.sort, other.sort):
-        return False
-    both_local = one.sort == other.sort
-    return both_local or None in (one.parameters, other.parameters) or one.parameters == other.parameters
+    reaches = {one.reach, other.reach}
+    if Reach.INNER in reaches:
+        return len(reaches) == 2 and kinds <= {Kind.VARIABLE, Kind.MACRO}
+    if reaches == {Reach.LOCAL, Reach.SHARED} and kinds == {Kind.FUNCTION}:
+        shared = one if one.reach == Reach.SHARED else other
+        return one.meaning == other.meaning or types.isdisjoint(re.findall(r"\w+", shared.meaning))
+    return Reach.LOCAL in reaches
 
 
 def complaints(target: str, sources: list[pathlib.Path]):
+    headers = headers_of(sources)
+    found = [one for source in sources for one in read(source)]
+    for header in headers:
+        found += [dataclasses.replace(one, reach=Reach.SHARED) if one.reach == Reach.LOCAL else one
+                  for one in read(header)]
+    types = {one.name for one in found if one.kind in (Kind.TYPE, Kind.ANNOUNCED_TYPE)}
+    types |= {one.name for one in found
+              if one.kind == Kind.ALIAS and not types.isdisjoint(re.findall(r"\w+", one.meaning))}
     by_name = collections.defaultdict(list)
-    for source in sources:
-        for found in read(source):
-            by_name[found.name].append(found)
-    for header in headers_of(sources):
-        for found in read(header):
-            by_name[found.name].append(dataclasses.replace(found, sort=Sort.SHARED))
-    for name, found in sorted(by_name.items()):
+    for one in found:
+        by_name[one.name].append(one)
+    for name, declarations in sorted(by_name.items()):
         places = {f"{place(one.path)}:{one.line}": None
-                  for one in found if any(collide(one, other) for other in found)}
+                  for one in declarations if any(collide(one, other, types) for other in declarations)}
         if places:
             yield f"{target}: {name} is declared in " + " and in ".join(places)
 
@@ -356,7 +412,8 @@ def main() -> int:
         sys.exit(__doc__)
     targets = sources_of_targets(pathlib.Path(sys.argv[1]))
     if not targets:
-        sys.exit(f"names: no target in {sys.argv[1]} is compiled in groups; configure with ASPERITY_COMPILE_IN_GROUPS=ON")
+        sys.exit(f"names: no target of {sys.argv[1]} is compiled in groups; "
+                 "configure with ASPERITY_COMPILE_IN_GROUPS=ON")
     try:
         found = [complaint for target, sources in targets.items() for complaint in complaints(target, sources)]
     except Unreadable as problem:

@@ -17,12 +17,12 @@ namespace {
 using Family = void (*)(const GatheredAnswers&, AnalysisOutcome&);
 
 Family family_of(const std::string& kind) {
-  static const std::map<std::string, Family> kFamilies{{"selection", analyze_selection},
-                                                       {"matching", analyze_matching},
-                                                       {"recognition", analyze_recognition},
-                                                       {"magnitude", analyze_magnitude}};
-  const auto found = kFamilies.find(kind);
-  return found == kFamilies.end() ? nullptr : found->second;
+  static const std::map<std::string, Family> kByKind{{"selection", analyze_selection},
+                                                     {"matching", analyze_matching},
+                                                     {"recognition", analyze_recognition},
+                                                     {"magnitude", analyze_magnitude}};
+  const auto found = kByKind.find(kind);
+  return found == kByKind.end() ? nullptr : found->second;
 }
 
 /// With a place for how many. `what` as AnswerCount has it.

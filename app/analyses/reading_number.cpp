@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDigits = 4;
+constexpr int kReadingDigits = 4;
 constexpr const char* kThinSpace = "\u202F";
 
 std::string with_digits(double value, std::chars_format format, int digits) {
@@ -46,7 +46,7 @@ std::string reading_number(double value) {
   if (value == std::round(value) && std::abs(value) < 1e9) return fixed(value, 0);
   const bool in_powers = std::abs(value) < 1e-3 || std::abs(value) >= 1e9;
   return in_powers ? with_digits(value, std::chars_format::scientific, 1)
-                   : with_digits(value, std::chars_format::general, kDigits);
+                   : with_digits(value, std::chars_format::general, kReadingDigits);
 }
 
 std::string reading_p_cell(double p) {

@@ -34,7 +34,7 @@ Finding finding_of(const StudyTests::Test& test) {
 }
 
 /// "20 participants"
-Phrase counted(std::size_t n, CountedUnit unit) {
+Phrase counted_units(std::size_t n, CountedUnit unit) {
   const std::string number = std::to_string(n);
   switch (unit) {
     case CountedUnit::participants:
@@ -258,7 +258,7 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
     return;
   }
   added.finding = *finding;
-  added.counted = counted(finding->n, unit);
+  added.counted = counted_units(finding->n, unit);
 }
 
 void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome) {

@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-const char* text_of(ParameterKind kind) {
+const char* kind_name(ParameterKind kind) {
   switch (kind) {
     case ParameterKind::number:
       return "number";
@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of_model(const ModelDeclaration& model) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const Parameter& parameter : model.parameters) {
     const bool is_choice = parameter.kind == ParameterKind::choice;
-    nlohmann::ordered_json json{{"name", parameter.name}, {"kind", text_of(parameter.kind)}};
+    nlohmann::ordered_json json{{"name", parameter.name}, {"kind", kind_name(parameter.kind)}};
     json["unit"] = is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.unit);
     json["minimum"] =
         is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.minimum);

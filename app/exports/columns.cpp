@@ -36,7 +36,7 @@ Cell seconds_in_session(const Place& at, const std::optional<std::int64_t>& time
   return time_ns ? seconds_in_session(at, *time_ns) : Cell{};
 }
 
-Cell cell_of(const nlohmann::json& value) {
+Cell json_cell(const nlohmann::json& value) {
   if (value.is_null()) return {};
   if (value.is_boolean()) return boolean(value.get<bool>());
   if (value.is_number_integer()) return value.get<std::int64_t>();
@@ -47,7 +47,7 @@ Cell cell_of(const nlohmann::json& value) {
 
 Cell member_of(const nlohmann::json* object, const std::string& name) {
   const auto found = object->find(name);
-  return found == object->end() ? Cell{} : cell_of(*found);
+  return found == object->end() ? Cell{} : json_cell(*found);
 }
 
 ExportColumn column(std::string name, std::string type, std::string unit, std::string description,

@@ -29,11 +29,11 @@ constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 /// hundredths of a second; then there is no session yet.
 Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links) {
   return [stop, links](double duration_s) {
-    constexpr double kSlice_s = 0.02;
+    constexpr double kSleep_s = 0.02;
     double left_s = duration_s;
     do {
-      std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kSlice_s)));
-      left_s -= kSlice_s;
+      std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kSleep_s)));
+      left_s -= kSleep_s;
       if (links.requests != nullptr) {
         if (const auto reason = links.requests->take_abort()) {
           throw RespondentGone(read_reason(*reason));

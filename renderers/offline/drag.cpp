@@ -19,7 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLongestStep_s = 50e-6;
-constexpr int kHalvings = 5;
+constexpr int kStepHalvings = 5;
 constexpr double kForgotten = 8.0;  // e⁻⁸ of the beginning is left
 constexpr double kShortestRecord_s = 0.5;
 constexpr std::size_t kFewestSpacings = 16;
@@ -228,7 +228,7 @@ std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
               .height_m = *found.height_m};
   std::optional<Run> last = simulated(renderer, stroke, length, steps, stop);
   DragResult result{.status = DragStatus::not_converged, .height_m = *found.height_m};
-  for (int halving = 0; last && halving < kHalvings; ++halving) {
+  for (int halving = 0; last && halving < kStepHalvings; ++halving) {
     steps.in_a_spacing *= 2;
     const std::optional<Run> finer = simulated(renderer, stroke, length, steps, stop);
     const bool is_same = finer && agree(last->roughness, finer->roughness);

@@ -90,7 +90,7 @@ TEST(SurfaceSampling, RefusesWhatIsNoContact) {
   const TexturedMesh plate = formed_plate({.size_m = {0.02, 0.02}}, kFlat);
   const std::vector<std::uint32_t> triangles = all_triangles(plate);
   const SamplingGrid grid{.width_m = 0.01, .samples = 3};
-  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  const double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [&](auto change) {
     TexturedMesh mesh = plate;
     ContactFrame frame;
@@ -104,16 +104,16 @@ TEST(SurfaceSampling, RefusesWhatIsNoContact) {
   };
   refuses([](auto&, auto& frame, auto&, auto&, auto&) { frame.n = {0, 0, -1}; });
   refuses([](auto&, auto& frame, auto&, auto&, auto&) { frame.u = {1, 0.1, 0}; });
-  refuses([&](auto&, auto& frame, auto&, auto&, auto&) { frame.origin_m.x = kNan; });
+  refuses([&](auto&, auto& frame, auto&, auto&, auto&) { frame.origin_m.x = kNotANumber; });
   refuses([](auto&, auto&, auto& window, auto&, auto&) { window.width_m = 0.0; });
   refuses([](auto&, auto&, auto& window, auto&, auto&) { window.samples = 1; });
   refuses([](auto&, auto&, auto&, auto& chosen, auto&) { chosen.push_back(2); });
-  refuses([&](auto&, auto&, auto&, auto&, auto& pose) { pose.rotation[1].y = kNan; });
+  refuses([&](auto&, auto&, auto&, auto&, auto& pose) { pose.rotation[1].y = kNotANumber; });
   refuses([](auto& mesh, auto&, auto&, auto&, auto&) { mesh.normals.pop_back(); });
   refuses([](auto& mesh, auto&, auto&, auto&, auto&) { mesh.places.pop_back(); });
   refuses([](auto& mesh, auto&, auto&, auto&, auto&) { mesh.triangles[0][1] = 4; });
   refuses([](auto& mesh, auto&, auto&, auto&, auto&) { mesh.atlas.values.pop_back(); });
-  refuses([&](auto& mesh, auto&, auto&, auto&, auto&) { mesh.vertices_m[0].z = kNan; });
+  refuses([&](auto& mesh, auto&, auto&, auto&, auto&) { mesh.vertices_m[0].z = kNotANumber; });
 }
 
 }  // namespace

@@ -85,6 +85,9 @@ REFUSED = {
         "kLast", in_namespace("const char* kOpen = R\"x({{{ \")\" )x\";\nchar kBracket = '{';\n/* { */ // {\n"
                               "const auto kPair = std::pair(1'000, '{');\nconstexpr int kLast = 1;"),
         in_namespace("Ring::Ring(int a) : a_{a}, b_(std::vector<int>{1}) {\n  if (a[b[0]]) {}\n}\nint kLast = 0;")),
+    "a constant inside of a function": (
+        "kOne", in_namespace("constexpr int kOne = 1;"),
+        in_namespace("int first() {\n  if (true) {\n  } else {\n  }\n  constexpr int kOne = 2;\n  return kOne;\n}")),
     "an operator": ("operator<(int, Row)", in_namespace("bool operator<(int a, Row b) { return true; }"),
                     in_namespace("bool operator<(int c, Row d) { return false; }")),
 }
@@ -104,7 +107,10 @@ ALLOWED = {
     "names inside of functions and classes": (
         in_namespace("int first() {\n  constexpr int kOne = 1;\n"
                      "  static int count = 0;\n  struct Row {};\n  return kOne;\n}"),
-        in_namespace("struct Other {\n  static constexpr int kOne = 1;\n  struct Row {};\n  int first();\n};")),
+        in_namespace("struct Other {\n  static constexpr int kOne = 1;\n  struct Row {};\n  int first();\n};\n"
+                     "int other() {\n  constexpr int kOne = 2;\n  return kOne;\n}")),
+    "a constant of a class": (in_namespace("constexpr int kOne = 1;"),
+                              in_namespace("struct Ring {\n  static constexpr int kOne = 2;\n};")),
     "members": ("namespace asperity { void Ring::push(int a) {} const int Ring::kOne = 1; Ring::~Ring() = default; }",
                 "namespace asperity { void Stack::push(int a) {} const int Stack::kOne = 2; struct Stack::Row {}; }"),
     "overloads for all": ("namespace asperity { std::string text_of(int a) { return {}; } }",
@@ -129,12 +135,14 @@ WITH_HEADER = {
     "a type": ("Trial", "struct Trial;", "struct Trial {\n  int a = 0;\n};"),
     "an alias": ("Row", "using Row = std::vector<int>;", "using Row = std::map<int, int>;"),
     "the same alias": (None, "using Row = std::vector<int>;", "using Row = std::vector<int>;"),
-    "a function": ("text_of", "std::string text_of(const Row& row, int n = 1);",
+    "a function": ("text_of", "struct Row;\nstd::string text_of(const Row& row, int n = 1);",
                    "std::string text_of(const Row& other, int m) { return {}; }"),
-    "an overload": (None, "std::string text_of(const Row& row);",
+    "an overload": (None, "struct Row;\nusing Rows = std::vector<Row>;\nstd::string text_of(const Rows& rows);",
                     "std::string text_of(const Column& column) { return {}; }"),
-    "an overload of a static function": (None, "static std::string text_of(const Row& row) { return {}; }",
-                                         "std::string text_of(const Column& column) { return {}; }"),
+    "an overload of a static function": (None, "struct Row;\nstatic int count_of(Row row) { return 1; }",
+                                         "int count_of(const Column& column) { return 2; }"),
+    "an overload that would be hidden": ("text_of", "struct Row;\nstd::string text_of(double value);",
+                                         "std::string text_of(const Row& row) { return {}; }"),
 }
 
 faults = []

@@ -33,13 +33,13 @@ OptionValue value_of(const Json& json) {
   return {};
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+[[noreturn]] void refuse_option(const std::string& name, const std::string& what) {
   throw std::runtime_error("the option \"" + name + "\" " + what);
 }
 
 double option_number(const OptionValue& option, const std::string& name) {
   if (const auto* number = std::get_if<double>(&option.value)) return *number;
-  refuse(name, "must be a number");
+  refuse_option(name, "must be a number");
 }
 
 // Levels and names that look like numbers are written without quotes by careful and careless hands.
@@ -47,7 +47,7 @@ std::string option_text(const OptionValue& option, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
   if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
   if (const auto* truth = std::get_if<bool>(&option.value)) return *truth ? "TRUE" : "FALSE";
-  refuse(name, "must be a text");
+  refuse_option(name, "must be a text");
 }
 
 template <class Item>
@@ -66,7 +66,7 @@ std::vector<std::string> distinct_names(const OptionValue& option, const std::st
   std::vector<std::string> names = list_of(option, name, option_text);
   std::set<std::string_view> seen{};
   for (const std::string& one : names) {
-    if (!seen.insert(one).second) refuse(name, "names \"" + one + "\" twice");
+    if (!seen.insert(one).second) refuse_option(name, "names \"" + one + "\" twice");
   }
   return names;
 }
@@ -128,7 +128,7 @@ const OptionValue* FamilyOptions::find(const std::string& name) const {
 
 const OptionValue& FamilyOptions::at(const std::string& name) const {
   const OptionValue* option = find(name);
-  if (option == nullptr) refuse(name, "is missing, and there is no default for it");
+  if (option == nullptr) refuse_option(name, "is missing, and there is no default for it");
   return *option;
 }
 
@@ -177,10 +177,10 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
   if (option == nullptr) return factors;
   const auto* object = std::get_if<OptionValue::Object>(&option->value);
   if (object == nullptr) {
-    refuse(name,
-           "must be an object of factors with their levels, like {\"" +
-               std::string(name == "between" ? "group\": [\"a\", \"b\"]" : "spacing\": [1, 2, 4]") +
-               "}");
+    refuse_option(name, "must be an object of factors with their levels, like {\"" +
+                            std::string(name == "between" ? "group\": [\"a\", \"b\"]"
+                                                          : "spacing\": [1, 2, 4]") +
+                            "}");
   }
   for (const auto& [factor, levels] : *object) {
     factors.emplace_back(factor, distinct_names(levels, name + '.' + factor));
@@ -191,7 +191,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
 double FamilyOptions::confidence() const {
   const double confidence = number_or("conf", 0.95);
   if (!(confidence > 0.0 && confidence < 1.0)) {
-    refuse("conf", "is " + number_text(confidence) + "; it must lie between 0 and 1");
+    refuse_option("conf", "is " + number_text(confidence) + "; it must lie between 0 and 1");
   }
   return confidence;
 }

@@ -209,7 +209,7 @@ struct RightAnswers {
   }
 };
 
-RightAnswers right_answers(const TidyTable& table) {
+RightAnswers read_right_answers(const TidyTable& table) {
   const LabelColumn experiments = table.all_labels("exp");
   const LabelColumn sexes = table.all_labels("sex");
   const std::vector<std::uint64_t> correct = table.counts("correct");
@@ -321,8 +321,8 @@ std::vector<Finding> seedpaper_findings(const TidyInput& input) {
   FindingList findings{};
   input.table(2);  // all three, before anything is read of them
   add_table_1(choice_table(input.table(0)), findings);
-  const RightAnswers matching = right_answers(input.table(1));
-  const RightAnswers recognition = right_answers(input.table(2));
+  const RightAnswers matching = read_right_answers(input.table(1));
+  const RightAnswers recognition = read_right_answers(input.table(2));
   add_right_answers("t2", matching,
                     {{"all4", whole_chance(kTextures)}, {"one", item_chance(kTextures)}}, findings);
   add_right_answers("t3", recognition, {{"one", 1.0 / kPictures}}, findings);

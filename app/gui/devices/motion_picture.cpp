@@ -19,7 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr double kMotionMillimetres = 1000.0;  // per metre
-constexpr double kLeast_mm = 1.0;              // an axis shows at least so much
+constexpr double kLeastAxis_mm = 1.0;          // an axis shows at least so much
 constexpr double kLeast_N = 0.2;
 
 QCustomPlot* make_motion_plot(QWidget* parent, const char* name) {
@@ -112,7 +112,7 @@ MotionPicture::MotionPicture(QWidget* parent)
   rows->setSpacing(kGrid / 2);
   rows->addWidget(make_motion_heading(tr("MOTION mm") + keys, over_time));
   d.position.plot = make_motion_plot(over_time, "motion_plot");
-  d.position.least = kLeast_mm;
+  d.position.least = kLeastAxis_mm;
   rows->addWidget(d.position.plot, 5);
   rows->addWidget(make_motion_heading(tr("FORCE N, as sent") + keys, over_time));
   d.force.plot = make_motion_plot(over_time, "motion_force_plot");

@@ -293,12 +293,12 @@ QRect SeenBody::area(const WorkspaceCamera& camera, const SeenPose& pose) const 
 }
 
 QImage picture_of_body(const std::shared_ptr<const TexturedMesh>& mesh, int side_px) {
-  const SeenBody::Colour kStone{0.80, 0.775, 0.735};
+  const SeenBody::Colour kBodyStone{0.80, 0.775, 0.735};
   const SeenPatch seen = seen_patch_of(*mesh, SurfacePatch{});
   const QSize size(side_px, side_px);
   const WorkspaceCamera camera(seen.patch, size, seen.thickness_m);
   BodyLayer layer(QRect(QPoint(0, 0), size), 2);
-  SeenBody(mesh, SurfaceLook::relief, kStone).draw(camera, {}, layer);
+  SeenBody(mesh, SurfaceLook::relief, kBodyStone).draw(camera, {}, layer);
   return layer.image();
 }
 

@@ -229,7 +229,7 @@ void LiveGuide::paintEvent(QPaintEvent*) {
     draw_bar(painter, room, order);
     top += numbers;
   };
-  constexpr double kMillimetres = 1e3;
+  constexpr double kMillimetresPerMetre = 1e3;
   if (rows.track > 0) draw_track(painter, take(rows.track), asked_, patch_, shown_);
   if (rows.force) {
     bar({.band = asked_.normal_force_N,
@@ -239,7 +239,7 @@ void LiveGuide::paintEvent(QPaintEvent*) {
   if (rows.speed) {
     bar({.band = asked_.speed_m_per_s,
          .end = std::max(scale_.speed_m_per_s, end_of_bar(asked_.speed_m_per_s)),
-         .shown_per_value = kMillimetres,
+         .shown_per_value = kMillimetresPerMetre,
          .value = shown_.stroking_m_per_s});
   }
 }

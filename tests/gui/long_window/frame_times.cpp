@@ -13,8 +13,8 @@ namespace asperity {
 
 namespace {
 
-double seconds_between(std::chrono::steady_clock::time_point from,
-                       std::chrono::steady_clock::time_point to) {
+double elapsed_s(std::chrono::steady_clock::time_point from,
+                 std::chrono::steady_clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
@@ -27,14 +27,14 @@ FrameTimes::FrameTimes(SessionWindow& window, ParticipantView& mirror)
 
 void FrameTimes::Frames::begin() {
   const Time now = std::chrono::steady_clock::now();
-  if (fired) seen.interval_s.push_back(seconds_between(*fired, now));
+  if (fired) seen.interval_s.push_back(elapsed_s(*fired, now));
   fired = now;
   open = true;
 }
 
 void FrameTimes::Frames::end() {
   if (painted && open) {
-    seen.frame_s.push_back(seconds_between(*fired, std::chrono::steady_clock::now()));
+    seen.frame_s.push_back(elapsed_s(*fired, std::chrono::steady_clock::now()));
     open = false;
   }
   painted = false;

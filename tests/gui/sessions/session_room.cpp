@@ -58,7 +58,7 @@ std::string block_of(const ProtocolWish& wish) {
          wish.question + "}";
 }
 
-std::string text_of(const ProtocolWish& wish) {
+std::string protocol_text(const ProtocolWish& wish) {
   std::string textures{};
   for (const std::string name : {"slate", "cork", "linen"}) {
     textures += (textures.empty() ? "" : ", ") + ('"' + name) + R"(": {"height_field": "stimuli/)" +
@@ -115,7 +115,7 @@ void SessionRoom::make_study() {
 
 void SessionRoom::add_protocol(const ProtocolWish& wish) {
   const std::filesystem::path file = folder() / "protocols" / (wish.name + ".json");
-  write_file(file, text_of(wish), Overwrite::refuse);
+  write_file(file, protocol_text(wish), Overwrite::refuse);
   load_protocol(file, built_in_models(), folder());  // says here what is wrong with it
 }
 
