@@ -72,7 +72,7 @@ endfunction()
 # paid for once a group. What a source keeps to itself still has to have a name of its own in the target.
 function(asperity_compile_in_groups target)
   if(ASPERITY_COMPILE_IN_GROUPS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     # A class that a source defines from its header's name may hold what the source keeps to itself; a group
     # looks to gcc like a header that does so.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

@@ -5,12 +5,12 @@ root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 
 say() { echo "$*" >&2; }
 
-# As many compilers as there are cores, but no more than one per GiB of memory: one can take that much.
+# As many compilers as there are cores, but no more than two for 3 GiB of memory: one takes up to 1.4 GiB.
 jobs() {
-  local cores memory_GiB
+  local cores for_memory
   cores=$(nproc)
-  memory_GiB=$(awk '/^MemTotal:/ { print int($2 / 1048576) }' /proc/meminfo)
-  echo $((memory_GiB < 1 ? 1 : memory_GiB < cores ? memory_GiB : cores))
+  for_memory=$(awk '/^MemTotal:/ { print int($2 / 1048576 / 1.5) }' /proc/meminfo)
+  echo $((for_memory < 1 ? 1 : for_memory < cores ? for_memory : cores))
 }
 
 # quietly LOG COMMAND…: the output goes to the log, and to the screen only when the command fails.
