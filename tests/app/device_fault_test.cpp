@@ -22,8 +22,10 @@
 #include "app/tasks/measure_device.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
+#include "device/pause.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/support/patience.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/scripted_person.h"
@@ -269,9 +271,7 @@ TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
     SessionRequests requests{};
     // The hand may come a tick late for what the protocol asks: that is not what is tested.
     const std::jthread limit([&requests](const std::stop_token& ended) {
-      for (int i = 0; i < 600 && !ended.stop_requested(); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      }
+      pause(ended, kPatience);
       requests.abort("it took too long");
     });
     run_session(inputs, models, &person, {}, {}, {.requests = &requests});

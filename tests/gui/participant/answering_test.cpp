@@ -50,7 +50,7 @@ struct Room {
   }
   /// Gives up after a while, so that a test that has failed ends.
   static Wait wait() {
-    return [left_s = 20.0](double seconds) mutable {
+    return [left_s = 1e-3 * kPatience_ms](double seconds) mutable {
       left_s -= seconds;
       if (left_s < 0.0) throw RespondentGone("nobody answered");
       std::this_thread::sleep_for(std::chrono::duration<double>(seconds));

@@ -52,7 +52,7 @@ TEST(NoiseCheck, PlaysACueWithoutNoise) {
   NoiseCheck check(declared_noise(), output_of(card));
   check.show();
   QTest::mouseClick(&child<QPushButton>(check, "play_cue"), Qt::LeftButton);
-  EXPECT_TRUE(eventually([&] { return card.peak > 0.1; }));
+  EXPECT_TRUE(eventually([&] { return card.highest_peak > 0.1; }));
   EXPECT_TRUE(eventually([&] { return card.peak == 0.0; }));
 }
 

@@ -78,7 +78,7 @@ class TheDeviceChooser : public testing::Test {
       options.library = ASPERITY_TEST_DRD;
       ++openings;
       options.tell("Pull the grip out.");
-      const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      const auto until = std::chrono::steady_clock::now() + kPatience;
       bool may_open = false;
       while (!may_open && !options.stop.stop_requested() &&
              std::chrono::steady_clock::now() < until) {
