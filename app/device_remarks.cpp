@@ -152,7 +152,7 @@ Phrase phrase_of(DeviceTrait trait) {
   return {};
 }
 
-Phrase listed(const std::vector<DeviceTrait>& traits) {
+Phrase listed_traits(const std::vector<DeviceTrait>& traits) {
   Phrase all{};
   for (const DeviceTrait trait : traits) {
     all = all.empty() ? phrase_of(trait) : Phrase("%1, %2").with(all, phrase_of(trait));
@@ -163,7 +163,7 @@ Phrase listed(const std::vector<DeviceTrait>& traits) {
 Phrase what_is_known(const DeviceProfile& profile) {
   if (profile.stands_for().empty()) return {};
   return phrase("DeviceTest", "Simulated in place of %1; known of it: %2; not known: %3.")
-      .with(profile.stands_for(), listed(profile.known()), listed(profile.not_known));
+      .with(profile.stands_for(), listed_traits(profile.known()), listed_traits(profile.not_known));
 }
 
 Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {

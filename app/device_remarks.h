@@ -58,7 +58,7 @@ Phrase read_remark(const std::string& stored);
 /// "moving mass"
 Phrase phrase_of(DeviceTrait trait);
 /// "friction, damping"
-Phrase listed(const std::vector<DeviceTrait>& traits);
+Phrase listed_traits(const std::vector<DeviceTrait>& traits);
 /// "Simulated in place of delta.3; known of it: workspace, …; not known: …": what stands above the items of such a
 /// device. Empty of every other.
 Phrase what_is_known(const DeviceProfile& profile);

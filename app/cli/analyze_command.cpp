@@ -25,7 +25,7 @@
 namespace asperity {
 namespace {
 
-struct Options {
+struct AnalyzeOptions {
   std::string study{};
   std::optional<std::string> protocol{};
   bool json = false;
@@ -40,7 +40,7 @@ struct Options {
   bool force = false;
 };
 
-int analyze_case(const Options& options) {
+int analyze_case(const AnalyzeOptions& options) {
   const ReferenceCase read = read_reference_case(options.reference_case);
   const TidyFamily& family = tidy_family(read.family);
   refuse_further_tables(family, read.input);
@@ -76,7 +76,7 @@ void write_figures(const std::string& folder, const std::vector<Figure>& figures
 }
 #endif
 
-int analyze_tables(const Options& options) {
+int analyze_tables(const AnalyzeOptions& options) {
   const TidyFamily& family = tidy_family(options.kind);
   TidyInput input{};
   if (!options.options_file.empty()) {
@@ -112,7 +112,7 @@ int analyze_tables(const Options& options) {
   return 0;
 }
 
-int analyze_answers(const Options& options) {
+int analyze_answers(const AnalyzeOptions& options) {
   const Study study = Study::open(options.study, Access::read_only);
   const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
   say_condition(study);
@@ -133,7 +133,7 @@ int analyze_answers(const Options& options) {
 }  // namespace
 
 void add_analyze(CLI::App& program, Job& job) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* command = program.add_subcommand(
       "analyze", "Show the tables and tests of a study's answers, or of anyone's tables.");
   auto* study = command->add_option("STUDY", options->study, "Folder of the study");

@@ -16,11 +16,11 @@ constexpr double kClocksDiffer_days = 1.0 / 24.0;
 std::string days_text(double days) { return fixed(days, days < 100.0 ? 1 : 0); }
 
 bool fails(const DeviceItem& item, const DeviceProfile& profile, const Protocol& protocol) {
-  using Status = DeviceItem::Status;
+  using ItemStatus = DeviceItem::Status;
   const DeviceQuantity* const quantity = device_quantity(item.name);
-  if (quantity == nullptr) return item.status == Status::fail;  // it is done or not
+  if (quantity == nullptr) return item.status == ItemStatus::fail;  // it is done or not
   // Without a number it was not measured; what failed all the same, no limit can clear.
-  if (!item.value) return item.status == Status::fail;
+  if (!item.value) return item.status == ItemStatus::fail;
   if (quantity->is_timing && profile.is_simulated) return false;
   const auto asked = protocol.device_limits.find(item.name);
   if (asked != protocol.device_limits.end()) {
@@ -30,7 +30,7 @@ bool fails(const DeviceItem& item, const DeviceProfile& profile, const Protocol&
       UsualLimits{.rate_Hz = protocol.rate_Hz, .is_simulated = profile.is_simulated}.of(item.name);
   if (!usual || keeps(*item.value, quantity->bound, *usual)) return false;
   // A lab may have held it to less; not where there is nothing to choose.
-  return item.status == Status::fail || !quantity->takes_limit;
+  return item.status == ItemStatus::fail || !quantity->takes_limit;
 }
 
 Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,

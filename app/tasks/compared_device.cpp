@@ -46,7 +46,7 @@ void tell_unknown(const SoughtDevice& device, const Warn& warn) {
   if (missing.empty()) return;
   const std::string real(model_stood_for(device.wanted.which.model));
   warn("of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
-       " stands for, are not known: " + listed(missing).english() +
+       " stands for, are not known: " + listed_traits(missing).english() +
        "; no stimulus was compared with what these would tell");
 }
 

@@ -533,13 +533,13 @@ class DeviceTest final {
     constexpr double kLowest_Hz = 8.0;
     constexpr int kTones = 24;
     const double highest_Hz = std::min(200.0, 0.2 * options_.rate_Hz);
-    struct Tone {
+    struct ResonanceTone {
       double frequency_Hz = 0.0;
       double begins_s = 0.0;
       double judged_from_s = 0.0;
       double ends_s = 0.0;
     };
-    std::vector<Tone> tones{};
+    std::vector<ResonanceTone> tones{};
     double now_s = kSettled_s;
     for (int i = 0; i < kTones; ++i) {
       const double f_Hz = kLowest_Hz * std::pow(highest_Hz / kLowest_Hz, i / (kTones - 1.0));
@@ -557,7 +557,7 @@ class DeviceTest final {
       stage.force_N = [=, &tones](double since_s, const ProbeState& probe) mutable {
         hold.begin(since_s, probe);
         glm::dvec3 force_N = hold.force_N(probe);
-        for (const Tone& tone : tones) {
+        for (const ResonanceTone& tone : tones) {
           if (since_s < tone.begins_s || since_s >= tone.ends_s) continue;
           force_N[axis] += tone_N * std::sin(2.0 * std::numbers::pi * tone.frequency_Hz *
                                              (since_s - tone.begins_s));
@@ -571,7 +571,7 @@ class DeviceTest final {
         continue;
       }
       std::vector<FrequencyResponse> responses{};
-      for (const Tone& tone : tones) {
+      for (const ResonanceTone& tone : tones) {
         std::vector<double> time_s{};
         std::vector<double> position_m{};
         std::vector<double> force_N{};

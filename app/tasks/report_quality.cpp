@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kStepped = "stepped";  // by a simulated clock
 
-using Row = std::vector<std::string>;
+using QualityRow = std::vector<std::string>;
 
 /// Median over the attempts, and the worst of them.
-Row time_row(const std::string& what, const std::vector<double>& values_s) {
+QualityRow time_row(const std::string& what, const std::vector<double>& values_s) {
   const std::optional<Summary> summary = summary_of(values_s);
   if (!summary) return {what, "–", "–"};
   return {what, reading_quantity(summary->p50, "s"), reading_quantity(summary->maximum, "s")};
@@ -27,7 +27,7 @@ std::uint64_t unsigned_count(std::int64_t count) {
   return count < 0 ? 0 : static_cast<std::uint64_t>(count);
 }
 
-Row count_row(const std::string& what, const ReportedCount& count, const std::string& of) {
+QualityRow count_row(const std::string& what, const ReportedCount& count, const std::string& of) {
   return {what, reading_count(unsigned_count(count.total)),
           reading_count(count.affected) + " of " + reading_count(count.of) + ' ' + of,
           reading_count(unsigned_count(count.worst))};
@@ -166,7 +166,7 @@ ReportTable counts_table(const ReportFacts& facts) {
         count_row("beyond a limit of " + model + ": " + kind + ", " + felt, count, "surfaces"));
   }
   // What never happened has been said.
-  std::erase_if(table.rows, [](const Row& row) { return row[1] == "0"; });
+  std::erase_if(table.rows, [](const QualityRow& row) { return row[1] == "0"; });
   return table;
 }
 

@@ -439,7 +439,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   if (!uncompared.empty()) {
     profile.state = State::look;
     profile.text = phrase("SessionChecks", "%1 Not known of %2, and compared with nothing: %3.")
-                       .with(profile.text, found.profile->stands_for(), listed(uncompared));
+                       .with(profile.text, found.profile->stands_for(), listed_traits(uncompared));
     profile.remedy = phrase("SessionChecks", "Measure a real one as soon as it is there.");
   }
   // What breaks a limit of the protocol's has a line of its own.

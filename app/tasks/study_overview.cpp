@@ -381,7 +381,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
     }
     overviews.push_back(std::move(stimulus));
   };
-  using Kind = StimulusOverview::Kind;
+  using StimulusKind = StimulusOverview::Kind;
   for (const std::filesystem::path& file : files_in(study / "stimuli")) {
     if (stop.stop_requested()) break;
     const bool is_picture = is_picture_name(file);
@@ -389,14 +389,15 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
     StimulusOverview stimulus{};
     stimulus.path = "stimuli/" + file.filename().string();
     std::error_code ignored{};
-    stimulus.kind = !is_picture                                          ? Kind::textured_mesh
-                    : std::filesystem::exists(sidecar_of(file), ignored) ? Kind::height_field
-                                                                         : Kind::picture;
+    stimulus.kind = !is_picture ? StimulusKind::textured_mesh
+                    : std::filesystem::exists(sidecar_of(file), ignored)
+                        ? StimulusKind::height_field
+                        : StimulusKind::picture;
     if (const auto found = users.find(stimulus.path); found != users.end()) {
       stimulus.used_by = found->second;
     }
     add(std::move(stimulus), [&](StimulusOverview& own) -> std::shared_ptr<const TexturedMesh> {
-      if (own.kind != Kind::textured_mesh) {
+      if (own.kind != StimulusKind::textured_mesh) {
         look_into(own, file, relief_rows);
         return {};
       }
@@ -411,7 +412,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
     if (body.texture) body.height_field = protocol->textures.at(*body.texture).height_field;
     StimulusOverview stimulus{};
     stimulus.path = protocol->name + '/' + name;
-    stimulus.kind = Kind::shape;
+    stimulus.kind = StimulusKind::shape;
     stimulus.shape = body.shape;
     stimulus.used_by = {protocol->name};
     add(std::move(stimulus), [&](StimulusOverview&) {

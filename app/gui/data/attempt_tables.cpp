@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-using Align = StudyTable::Align;
+using CellAlign = StudyTable::Align;
 
 QStandardItem* decimal_cell(const std::optional<double>& value, int decimals, double scale = 1.0) {
   if (!value) return empty_number_cell();
@@ -171,42 +171,42 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
     return table;
   };
   answers_ = add(tr("Answers"), "attempt_answers",
-                 {{tr("Item"), 64, Align::number},
-                  {tr("Question"), 0, Align::text},
-                  {tr("Answer"), 0, Align::text},
-                  {tr("Right"), 88, Align::text},
-                  {tr("Choices, as shown"), 0, Align::text},
-                  {AttemptWords::after_contact(), 152, Align::number},
-                  {AttemptWords::after_cue(), 120, Align::number},
-                  {tr("Given by"), 136, Align::text}});
+                 {{tr("Item"), 64, CellAlign::number},
+                  {tr("Question"), 0, CellAlign::text},
+                  {tr("Answer"), 0, CellAlign::text},
+                  {tr("Right"), 88, CellAlign::text},
+                  {tr("Choices, as shown"), 0, CellAlign::text},
+                  {AttemptWords::after_contact(), 152, CellAlign::number},
+                  {AttemptWords::after_cue(), 120, CellAlign::number},
+                  {tr("Given by"), 136, CellAlign::text}});
   AttemptWords::explain_times(*answers_->model(), 5, 6);
   surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
-                  {{tr("No."), 64, Align::number},
-                   {tr("Role"), 128, Align::text},
-                   {tr("Texture"), 112, Align::text},
-                   {tr("Model"), 168, Align::text},
-                   {tr("Parameters"), 0, Align::text},
-                   {tr("Contact, s"), 112, Align::number},
-                   {tr("Texture force, N"), 160, Align::number}});
+                  {{tr("No."), 64, CellAlign::number},
+                   {tr("Role"), 128, CellAlign::text},
+                   {tr("Texture"), 112, CellAlign::text},
+                   {tr("Model"), 168, CellAlign::text},
+                   {tr("Parameters"), 0, CellAlign::text},
+                   {tr("Contact, s"), 112, CellAlign::number},
+                   {tr("Texture force, N"), 160, CellAlign::number}});
   surfaces_heading_ = page->findChild<QLabel*>("attempt_surfaces_heading");
   compliance_ = add(tr("Explored as asked?"), "attempt_compliance",
-                    {{tr("Surface"), 88, Align::number},
-                     {tr("Quantity"), 0, Align::text},
-                     {tr("Asked"), 128, Align::text},
-                     {tr("Median"), 96, Align::number},
-                     {tr("5 %"), 80, Align::number},
-                     {tr("95 %"), 80, Align::number},
-                     {tr("In band"), 96, Align::number},
-                     {tr("Met"), 136, Align::text}});
+                    {{tr("Surface"), 88, CellAlign::number},
+                     {tr("Quantity"), 0, CellAlign::text},
+                     {tr("Asked"), 128, CellAlign::text},
+                     {tr("Median"), 96, CellAlign::number},
+                     {tr("5 %"), 80, CellAlign::number},
+                     {tr("95 %"), 80, CellAlign::number},
+                     {tr("In band"), 96, CellAlign::number},
+                     {tr("Met"), 136, CellAlign::text}});
   loop_ = add(tr("How the servo loop ran"), "attempt_loop",
-              {{tr("Measure"), 0, Align::text},
-               {tr("Value"), 160, Align::number},
-               {tr("Standing"), 160, Align::text}});
+              {{tr("Measure"), 0, CellAlign::text},
+               {tr("Value"), 160, CellAlign::number},
+               {tr("Standing"), 160, CellAlign::text}});
   limits_ = add(tr("What the force model counted, in ticks"), "attempt_limits",
-                {{tr("Surface"), 88, Align::number},
-                 {tr("What"), 0, Align::text},
-                 {tr("Ticks"), 160, Align::number},
-                 {tr("Standing"), 160, Align::text}});
+                {{tr("Surface"), 88, CellAlign::number},
+                 {tr("What"), 0, CellAlign::text},
+                 {tr("Ticks"), 160, CellAlign::number},
+                 {tr("Standing"), 160, CellAlign::text}});
   limits_heading_ = page->findChild<QLabel*>("attempt_limits_heading");
   rows->addStretch(1);
   setWidget(page);
@@ -287,20 +287,20 @@ HistoryTables::HistoryTables(QWidget* parent) : QWidget(parent) {
   rows->setContentsMargins(0, kMargin, 0, 0);
   rows->setSpacing(kGrid);
   rows->addWidget(make_heading(tr("Decisions about the attempt or its session"), this));
-  decisions_ = new StudyTable({{tr("No."), 56, Align::number},
-                               {tr("When"), 192, Align::text},
-                               {tr("About"), 144, Align::text},
-                               {tr("Decision"), 208, Align::text},
-                               {tr("Reason"), 0, Align::text},
-                               {tr("Who"), 160, Align::text}},
+  decisions_ = new StudyTable({{tr("No."), 56, CellAlign::number},
+                               {tr("When"), 192, CellAlign::text},
+                               {tr("About"), 144, CellAlign::text},
+                               {tr("Decision"), 208, CellAlign::text},
+                               {tr("Reason"), 0, CellAlign::text},
+                               {tr("Who"), 160, CellAlign::text}},
                               this);
   decisions_->setObjectName("attempt_decisions");
   rows->addWidget(decisions_, 1);
   rows->addSpacing(kMargin);
   rows->addWidget(make_heading(tr("What happened during the attempt"), this));
-  events_ = new StudyTable({{tr("Time, s"), 96, Align::number},
-                            {tr("What"), 200, Align::text},
-                            {tr("Words"), 0, Align::text}},
+  events_ = new StudyTable({{tr("Time, s"), 96, CellAlign::number},
+                            {tr("What"), 200, CellAlign::text},
+                            {tr("Words"), 0, CellAlign::text}},
                            this);
   events_->setObjectName("attempt_events");
   rows->addWidget(events_, 1);

@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-enum Kind { bright_high, dark_high, side_light, paint };
+enum RecipeKind { bright_high, dark_high, side_light, paint };
 
 std::vector<Parameter> declared(std::initializer_list<const char*> names) {
   std::vector<Parameter> chosen{};
