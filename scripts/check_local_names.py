@@ -15,7 +15,7 @@ them includes. Refused are in particular:
 - a file-local function with the name of a header's, unless the parameters differ and the compiler finds that of the
   header by its arguments, of which one is of a type of ours: it looks no further than an anonymous namespace;
 - two types that sources define with one name, in an anonymous namespace or not;
-- a constant inside of a function with the name of a file-local one (-Wshadow).
+- a constant, a type or an alias inside of a function with the name of a file-local one (-Wshadow).
 
 What the language allows twice is allowed: `using namespace`, and aliases that agree word for word. A name in another
 named namespace is another name.
@@ -280,14 +280,18 @@ def declared(statement: list[Token], scope: str):
             yield Declaration(scope, name.text, name.line, Kind.VARIABLE, reach)
 
 
-def inner_constants(tokens: list[Token], scope: str = "", encloses: str = "namespace"):
-    """Those inside of functions, which are not members of a class."""
+def inner_declarations(tokens: list[Token], scope: str = "", encloses: str = "namespace"):
+    """Constants, types and aliases inside of functions, which are not members of a class."""
     for statement in statements(tokens):
         texts = texts_of(statement)
-        if encloses == "function" and texts[0] in ("const", "constexpr", "static"):
-            for found in declared(without_attributes(statement), scope):
-                if found.kind == Kind.VARIABLE:
-                    yield dataclasses.replace(found, reach=Reach.INNER)
+        found = []
+        if encloses == "function" and (texts[0] in ("const", "constexpr", "static") or is_type(statement)):
+            found = declared(without_attributes(statement), scope)
+        elif encloses == "function" and texts[0] == "using" and "=" in texts:
+            found = declared_alias(statement, scope)
+        for one in found:
+            if one.kind in (Kind.VARIABLE, Kind.TYPE, Kind.ALIAS):
+                yield dataclasses.replace(one, reach=Reach.INNER)
         inner, inside = scope, "function"
         if "namespace" in texts[:2]:
             inner, inside = "::".join(filter(None, [scope, *namespaces_of(statement)])), "namespace"
@@ -296,7 +300,7 @@ def inner_constants(tokens: list[Token], scope: str = "", encloses: str = "names
         elif is_type(without_template(statement)):
             inside = "class"
         for token in statement:
-            yield from inner_constants(token.inside, inner, inside if token.text == "{" else "function")
+            yield from inner_declarations(token.inside, inner, inside if token.text == "{" else "function")
 
 
 def parameter_types(tokens: list[Token]) -> str:
@@ -322,7 +326,7 @@ def read(path: pathlib.Path) -> list[Declaration]:
     macros: dict[str, int] = {}
     try:
         tokens = tokens_of(path.read_text(encoding="utf-8"), macros)
-        found = list(declarations_of(tokens)) + list(inner_constants(tokens))
+        found = list(declarations_of(tokens)) + list(inner_declarations(tokens))
     except (Unreadable, IndexError) as problem:
         raise Unreadable(f"{place(path)}:{problem}") from problem
     found += [Declaration("", name, line, Kind.MACRO, Reach.LOCAL) for name, line in macros.items()]
@@ -371,13 +375,14 @@ def collide(one: Declaration, other: Declaration, types: set[str]) -> bool:
     kinds = {one.kind, other.kind}
     if one.path == other.path or Kind.MACRO not in kinds and one.scope != other.scope:
         return False
+    reaches = {one.reach, other.reach}
+    if Reach.INNER in reaches:
+        alike = kinds == {Kind.VARIABLE} or kinds <= {Kind.TYPE, Kind.ANNOUNCED_TYPE, Kind.ALIAS}
+        return len(reaches) == 2 and (alike or Kind.MACRO in kinds)
     if kinds == {Kind.ALIAS} and one.meaning == other.meaning:
         return False
     if kinds == {Kind.TYPE}:
         return True
-    reaches = {one.reach, other.reach}
-    if Reach.INNER in reaches:
-        return len(reaches) == 2 and kinds <= {Kind.VARIABLE, Kind.MACRO}
     if reaches == {Reach.LOCAL, Reach.SHARED} and kinds == {Kind.FUNCTION}:
         shared = one if one.reach == Reach.SHARED else other
         return one.meaning == other.meaning or types.isdisjoint(re.findall(r"\w+", shared.meaning))

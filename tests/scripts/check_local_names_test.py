@@ -88,6 +88,10 @@ REFUSED = {
     "a constant inside of a function": (
         "kOne", in_namespace("constexpr int kOne = 1;"),
         in_namespace("int first() {\n  if (true) {\n  } else {\n  }\n  constexpr int kOne = 2;\n  return kOne;\n}")),
+    "a type inside of a function": ("Row", in_namespace("struct Row {};"),
+                                    in_namespace("int first() {\n  struct Row {\n    int a;\n  };\n  return 1;\n}")),
+    "an alias inside of a function": ("Row", in_namespace("using Row = int;"),
+                                      in_namespace("int first() {\n  using Row = int;\n  return 1;\n}")),
     "an operator": ("operator<(int, Row)", in_namespace("bool operator<(int a, Row b) { return true; }"),
                     in_namespace("bool operator<(int c, Row d) { return false; }")),
 }
