@@ -24,6 +24,7 @@ using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 constexpr double kTolerance = 1e-9;
+constexpr double kRounding = 1e-12;  // of numbers that are zero but for it
 constexpr const char* kReport = "rows of tables";
 
 /// Without tabs and line breaks, which separate cells and rows where they are stored.
@@ -206,7 +207,9 @@ bool agree(const std::string& stored, const std::string& now) {
   if (stored == now) return true;
   const std::optional<double> a = number_in(stored);
   const std::optional<double> b = number_in(now);
-  return a && b && std::abs(*a - *b) <= kTolerance * std::max(std::abs(*a), std::abs(*b));
+  return a && b &&
+         std::abs(*a - *b) <=
+             std::max(kRounding, kTolerance * std::max(std::abs(*a), std::abs(*b)));
 }
 
 /// Whether all numbers of a row of a report are in another, in the same order.
