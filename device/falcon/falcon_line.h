@@ -31,8 +31,8 @@ struct LineSettings {
   VelocityWindow velocity{};
   /// Ask for SCHED_FIFO for the thread; without the right to it, it goes on as a normal one.
   bool wants_fifo = true;
-  /// By which readings are stamped, and silences and forces measured; a test may have one of its own. Called from both
-  /// threads, in real time.
+  /// The clock of readings, silences and forces, in nanoseconds; a test may pass its own. Any thread. Real-time: it
+  /// neither allocates nor throws.
   std::function<std::int64_t()> clock = monotonic_now_ns;
 };
 
