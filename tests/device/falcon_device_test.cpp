@@ -661,7 +661,7 @@ TEST_F(Falcon, ComesBackAfterItWasUnpluggedWithoutForce) {
   EmulatedFalcon emulated(bus(), {.serial = "NF042"});
   const auto device = open();
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
-  EXPECT_EQ(device->complaint(), "");
+  EXPECT_TRUE(eventually([&] { return answers(*device) && device->complaint().empty(); }));
   emulated.unplug();
   EXPECT_TRUE(eventually([&] {
     return !answers(*device) && device->complaint().find("is unplugged") != std::string::npos;
