@@ -129,10 +129,9 @@ TEST(QtSound, NobodyWaitsForACardThatHangsWhenItIsToBeClosed) {
   for (std::size_t i = 0; i < kStreams; ++i) {
     streams.push_back(std::make_unique<SoundStream>(output_of(card), SoundStream::Fill{}));
   }
-  QElapsedTimer clock{};
-  clock.start();
   streams.clear();
-  EXPECT_LT(clock.elapsed(), 50 * static_cast<qint64>(kStreams));
+  // All of them hang until the card is gone: a program that waited for one would not come here.
+  EXPECT_GT(card.users.use_count(), static_cast<long>(kStreams));
 }
 
 TEST(QtSound, TheNullOutputTakesSamplesAtTheirRate) {
