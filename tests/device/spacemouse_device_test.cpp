@@ -62,7 +62,7 @@ class SpaceMouse : public testing::Test {
 
 std::optional<ProbeState> read(HapticDevice& device) { return device.read(monotonic_now_ns()); }
 
-bool answers(HapticDevice& device) { return read(device).has_value(); }
+bool mouse_answers(HapticDevice& device) { return read(device).has_value(); }
 
 // What the device says once it says that; a busy machine may lose the device for a moment.
 std::optional<ProbeState> read_until(HapticDevice& device,
@@ -215,7 +215,7 @@ TEST_F(SpaceMouse, IsListedAndNotTouchedWhileThisProgramUsesIt) {
   EXPECT_TRUE(devices[1].is_usable());
   EXPECT_THAT(refusal_of([] { open("SM042"); }), HasSubstr("This program uses it now"));
   EXPECT_EQ(emulated.opened(), before);
-  EXPECT_TRUE(answers(*device));
+  EXPECT_TRUE(mouse_answers(*device));
 }
 
 TEST_F(SpaceMouse, DeclaresThatNobodyFeelsIt) {
@@ -231,7 +231,7 @@ TEST_F(SpaceMouse, DeclaresThatNobodyFeelsIt) {
   EXPECT_EQ(capability.buttons, 1);
   EXPECT_THAT(capability.remarks, HasSubstr("up to 0.1 m/s and turns at up to 1 rad/s"));
   EXPECT_THAT(capability.remarks, HasSubstr("dead zone of 5 %"));
-  ASSERT_TRUE(answers(*device));
+  ASSERT_TRUE(mouse_answers(*device));
   const auto sent = device->push({.force_N = {1.0, 2.0, 3.0}, .torque_N_m = {1.0, 0.0, 0.0}}, 1e-3);
   ASSERT_TRUE(sent.has_value());
   EXPECT_EQ(sent->wrench.force_N, glm::dvec3(0.0));
@@ -379,7 +379,7 @@ TEST_F(SpaceMouse, StandsStillAtOnceWhenItIsUnpluggedInMidMotionAndGoesOnWhenItI
   // For long enough to be a decimetre away, had it gone on.
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
   while (std::chrono::steady_clock::now() < until) {
-    EXPECT_FALSE(answers(*device));
+    EXPECT_FALSE(mouse_answers(*device));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   emulated.plug_in();
@@ -419,7 +419,7 @@ TEST_F(SpaceMouse, StandsStillOnItsWayHomeToo) {
   }));
   int lost = 0;
   ASSERT_TRUE(eventually([&] {
-    EXPECT_FALSE(answers(*device));
+    EXPECT_FALSE(mouse_answers(*device));
     return ++lost > 100;
   }));
   emulated.plug_in();
@@ -435,7 +435,7 @@ TEST_F(SpaceMouse, IsLostAtRestTooWhenItIsUnplugged) {
   emulated.say({3, 0b01, 0});
   ASSERT_TRUE(read_until(*device, [](const ProbeState& now) { return now.buttons == 1; }));
   emulated.unplug();
-  EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_TRUE(eventually([&] { return !mouse_answers(*device); }));
   emulated.plug_in();
   const auto back = read_until(*device, [](const ProbeState&) { return true; });
   ASSERT_TRUE(back.has_value());
@@ -486,16 +486,16 @@ TEST_F(SpaceMouse, IsFoundAgainByItsSerialNumberAndLeavesItsNeighbourAlone) {
   EmulatedSpaceMouse neighbour(bus(), {.port = 1, .serial = "SM043"});
   const auto device = open("SM042");
   ours.unplug();
-  ASSERT_TRUE(eventually([&] { return !answers(*device); }));
+  ASSERT_TRUE(eventually([&] { return !mouse_answers(*device); }));
   const int before = neighbour.opened();
   // Three searches for it.
   ASSERT_TRUE(eventually([&] {
-    EXPECT_FALSE(answers(*device));
+    EXPECT_FALSE(mouse_answers(*device));
     EXPECT_FALSE(neighbour.is_held());
     return neighbour.opened() >= before + 3;
   }));
   ours.plug_in();
-  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  EXPECT_TRUE(eventually([&] { return mouse_answers(*device); }));
   EXPECT_TRUE(ours.is_held());
   EXPECT_FALSE(neighbour.is_held());
 }
