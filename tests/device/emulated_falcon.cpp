@@ -232,7 +232,7 @@ int EmulatedFalcon::serve(UMockdevIoctlClient* client) {
     case USBDEVFS_GET_CAPABILITIES: {
       UMockdevIoctlData* answer =
           umockdev_ioctl_data_resolve(argument, 0, sizeof(std::uint32_t), nullptr);
-      if (answer == nullptr) return 0;  // whoever asked is dead
+      if (answer == nullptr) return 0;  // the process that asked is dead
       const std::uint32_t capabilities =
           USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM |
           USBDEVFS_CAP_BULK_SCATTER_GATHER | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;

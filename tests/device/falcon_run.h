@@ -58,7 +58,7 @@ class RunWatch final {
   TickRecord last_{};
 };
 
-/// A Falcon, its driver and the loop on it, which somebody else ticks.
+/// A Falcon, its driver and the loop on it, which the caller ticks.
 class FalconRun final {
  public:
   FalconRun(EmulatedBus& bus, const EmulatedFalconSettings& falcon, double rate_Hz,
@@ -98,7 +98,7 @@ class FalconRun final {
       EXPECT_EQ(loop_->status().fault, Fault::device_lost);
       emulated_.plug_in();
       ASSERT_TRUE(reaches([&] { return watch_.answers(); }, pass));
-      // It answers, and until somebody lifts the fault it gets no force.
+      // It answers, and until the fault is lifted it gets no force.
       EXPECT_EQ(emulated_.take_strongest_word(), 0);
       EXPECT_EQ(loop_->status().fault, Fault::device_lost);
       ASSERT_TRUE(goes_on(pass));
