@@ -188,6 +188,21 @@ TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
   EXPECT_NE(shown_reason().find("who saw"), std::string::npos) << shown_reason();
 }
 
+TEST_F(TheStartPage, RefusesToStartWhereTheLoopIsTooSlow) {
+  study->set_device_trial([](const auto&... inputs) {
+    TriedDevice tried = punctual_trial(inputs...);
+    tried.quality.period_mean_s *= 2.0;
+    return tried;
+  });
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_FALSE(can_start());
+  EXPECT_TRUE(find<QLabel>("check_rate").text().contains("too slow or too busy"))
+      << find<QLabel>("check_rate").text().toStdString();
+}
+
 TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
   choose(protocol);
   fill_in();
