@@ -30,12 +30,6 @@ std::filesystem::path lock_of_writers(const std::filesystem::path& study) {
   return study / "locks" / "writers.lock";
 }
 
-bool log_is_empty(const std::filesystem::path& study) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(beside_database(study, "-wal"), error);
-  return error || bytes == 0;
-}
-
 /// Nothing when it was asked to stop.
 std::optional<std::string> seal_text_of(Database& database, const SealWatch& watch = {}) {
   constexpr sqlite3_int64 kPiece_bytes = 1 << 20;

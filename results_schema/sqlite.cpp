@@ -47,6 +47,9 @@ std::string meaning_of(int code) {
       return "the disk did not read or write. Everything finished before this is safely stored";
     case SQLITE_PERM:
       return "the system does not permit it";
+    case SQLITE_PROTOCOL:
+      return "the log next to study.sqlite does not fit its index; close the programs that use the "
+             "study, then try again where its folder can be written to";
     case SQLITE_CONSTRAINT:
       return "the row is not acceptable";
     default:

@@ -2,10 +2,13 @@
 
 #include "results_schema/study.h"
 
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
+#include <fstream>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -28,13 +31,6 @@ std::filesystem::path log_of(const std::filesystem::path& database, const char* 
   std::filesystem::path path = database;
   path += suffix;
   return path;
-}
-
-/// Absent counts as empty.
-std::uintmax_t size_of(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  return error ? 0 : size;
 }
 
 int number_of(Database& database, const char* sql) {
@@ -73,6 +69,27 @@ const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
 
 std::filesystem::path database_in(const std::filesystem::path& folder) {
   return folder / "study.sqlite";
+}
+
+bool log_is_empty(const std::filesystem::path& folder) {
+  // "Write-Ahead Log File Format" of SQLite: without such a header there is nothing of use in a log.
+  constexpr std::size_t kHeader_bytes = 32;
+  constexpr std::uint32_t kMagic =
+      0x377f0682;  // or the next number: of the order of bytes in checksums
+  const std::filesystem::path log = log_of(database_in(folder), "-wal");
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(log, error);
+  if (error || bytes <= kHeader_bytes) return true;
+  std::array<unsigned char, 12> start{};
+  std::ifstream file(log, std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(start.data()), start.size())) return false;
+  const auto number_at = [&start](std::size_t at) {
+    return std::uint32_t{start[at]} << 24 | std::uint32_t{start[at + 1]} << 16 |
+           std::uint32_t{start[at + 2]} << 8 | std::uint32_t{start[at + 3]};
+  };
+  const std::uint32_t page_bytes = number_at(8);
+  return (number_at(0) & ~1U) != kMagic || !std::has_single_bit(page_bytes) || page_bytes < 512 ||
+         page_bytes > 65536;
 }
 
 void migrate(Database& database, int from) {
@@ -177,11 +194,12 @@ void Study::Store::connect_for_reading() {
   const std::filesystem::path file = database_in(folder);
   for (int left = kTries;; --left) {
     const bool has_index = std::filesystem::exists(log_of(file, "-shm"));
-    const bool log_is_used = size_of(log_of(file, "-wal")) > 0;
     immutable_since.reset();
     const Stamp before = stamp();
     Database::Mode mode = Database::Mode::read_only;
-    if (!log_is_used && !(has_index && std::filesystem::exists(log_of(file, "-wal")))) {
+    // A writer that was killed leaves both behind. Where the log is no more than a header, SQLite would wait in
+    // vain for an index that fits it.
+    if (log_is_empty(folder) && !(has_index && is_being_written(folder))) {
       immutable_since = before;
       mode = Database::Mode::immutable;
     } else if (!has_index || (reads_beside_writers && ::access(folder.c_str(), W_OK) == 0)) {

@@ -105,6 +105,10 @@ void copy_pages(Database& from, Database& to);
 /// The part of a study that is one file.
 std::filesystem::path database_in(const std::filesystem::path& folder);
 
+/// Whether the database's write-ahead log adds nothing to it: it is absent, ends with its header, which is written
+/// before the first row, or has none that is valid.
+bool log_is_empty(const std::filesystem::path& folder);
+
 /// The element of a closed set that a word of the database stands for.
 template <typename Enum, std::size_t kCount>
 Enum enum_of(const std::string& text, const std::array<Enum, kCount>& all) {

@@ -81,6 +81,66 @@ TEST(StudyReading, WritesNothingIntoAStudyWhoseWriterWasKilled) {
   EXPECT_EQ(state_of(folder.path()), before);
 }
 
+/// A closed study whose next writer was killed before its first commit: of what it wrote to the log, only the
+/// first bytes.
+void make_study_with_log(const std::filesystem::path& folder, const std::string& log) {
+  make_closed_study(folder);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Study study = Study::open(folder, Access::read_write);
+    study.add_participant({.label = "Lost"});
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  const std::filesystem::path file = folder / "study.sqlite-wal";
+  const std::string whole = read_file(file);
+  ASSERT_GT(whole.size(), log.size());
+  // An empty byte stands for what SQLite wrote there.
+  std::string start = log;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (start[i] == 0) start[i] = whole[i];
+  }
+  write_file(file, start, Overwrite::allow);
+}
+
+// The header has 32 bytes, the head of a frame 24, a page 4096.
+TEST(StudyReading, NeedsNoWriterAfterOneWasKilledBeforeItsFirstCommit) {
+  for (const std::size_t bytes : {0U, 1U, 31U, 32U, 33U, 56U, 4151U, 4152U}) {
+    const TemporaryFolder folder;
+    ASSERT_NO_FATAL_FAILURE(make_study_with_log(folder / "s", std::string(bytes, '\0'))) << bytes;
+    const auto before = state_of(folder.path());
+    ASSERT_NO_THROW(read_everything(Study::open(folder / "s", Access::read_only))) << bytes;
+    EXPECT_EQ(state_of(folder.path()), before) << bytes;
+    Study::open(folder / "s", Access::read_only).copy_to(folder / "copy");
+    EXPECT_EQ(Study::open(folder / "copy", Access::read_only).participants().size(), 1U) << bytes;
+    Study::open(folder / "s", Access::read_write).add_participant({.label = "Later"});
+    EXPECT_EQ(Study::open(folder / "s", Access::read_only).participants().size(), 2U) << bytes;
+  }
+}
+
+TEST(StudyReading, PassesOverALogWithoutAValidHeader) {
+  for (const std::string& log :
+       {std::string(5000, 'x'), std::string(8, '\0') + std::string(5000, 'x')}) {
+    const TemporaryFolder folder;
+    ASSERT_NO_FATAL_FAILURE(make_study_with_log(folder / "s", log));
+    read_everything(Study::open(folder / "s", Access::read_only));
+  }
+}
+
+// The log of a study whose last writer was killed stays a header only until somebody writes.
+TEST(StudyReading, FollowsAWriterThatComesAfterOneThatWasKilled) {
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(make_study_with_log(folder / "s", std::string(32, '\0')));
+  const Study reader = Study::open(folder / "s", Access::read_only);
+  EXPECT_EQ(reader.participants().size(), 1U);
+  Study writer = Study::open(folder / "s", Access::read_write);
+  for (int i = 0; i < 20; ++i) {
+    writer.add_participant({.label = "N" + std::to_string(i)});
+    EXPECT_EQ(reader.participants().size(), 2U + static_cast<std::size_t>(i));
+  }
+}
+
 /// What a program that reads and writes at once can do with a study whose writer was killed.
 bool can_write_beside_a_reader(const std::filesystem::path& folder, bool is_told) {
   const pid_t child = ::fork();  // being told holds for the whole process
