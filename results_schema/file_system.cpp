@@ -13,6 +13,19 @@
 #include "results_schema/study.h"
 
 namespace asperity {
+namespace {
+
+void refuse_lock_through_link(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+  if (error) return;
+  throw ResultsError(path.string() + " is a symbolic link to " + target.string() +
+                         "; the locks of a study are files of its own. Remove the link, then try "
+                         "again",
+                     path, ELOOP);
+}
+
+}  // namespace
 
 void fail_on_file(const std::filesystem::path& path, const std::string& what, int error_number) {
   std::string reason = std::strerror(error_number);
@@ -117,6 +130,31 @@ struct flock lock_of_whole_file(short type) noexcept {
   lock.l_type = type;
   lock.l_whence = SEEK_SET;
   return lock;
+}
+
+int open_lock_file(const std::filesystem::path& path, int flags) {
+  refuse_lock_through_link(path.parent_path());
+  const int folder =
+      ::open(path.parent_path().c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (folder < 0) return -1;
+  // O_NONBLOCK: opening a named pipe would wait for its other end.
+  const int file =
+      ::openat(folder, path.filename().c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  const int error_number = errno;
+  ::close(folder);
+  if (file < 0) {
+    if (error_number == ELOOP) refuse_lock_through_link(path);
+    errno = error_number;
+    return -1;
+  }
+  struct stat status {};
+  if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+    ::close(file);
+    throw ResultsError(
+        path.string() + " is not a file, so it cannot be a lock; remove it, then try again", path,
+        EINVAL);
+  }
+  return file;
 }
 
 std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path) {

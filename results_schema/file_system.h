@@ -44,6 +44,11 @@ bool rename_to_free_name(const std::filesystem::path& from, const std::filesyste
 /// the same file does not let go of it.
 struct flock lock_of_whole_file(short type) noexcept;
 
+/// Opens a lock file of a study, `locks/NAME`, with the flags of open(2). Returns -1 and leaves errno where it
+/// cannot. It is never emptied or made through a symbolic link, which would lead to the files of whoever opens it.
+/// Errors: ResultsError for a link, and for what is not a file.
+int open_lock_file(const std::filesystem::path& path, int flags);
+
 /// The name of a network file system by the number that statfs gives it; empty for a local one.
 std::string network_file_system_of(long type) noexcept;
 /// The same for the file system that holds `path`.

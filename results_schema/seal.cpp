@@ -104,7 +104,11 @@ bool has_seal(const std::filesystem::path& study) {
 }
 
 bool is_being_written(const std::filesystem::path& study) noexcept {
-  const int file = ::open(lock_of_writers(study).c_str(), O_RDONLY | O_CLOEXEC);
+  int file = -1;
+  try {
+    file = open_lock_file(lock_of_writers(study), O_RDONLY);
+  } catch (const std::exception&) {
+  }
   if (file < 0) return false;
   struct flock lock = lock_of_whole_file(F_WRLCK);
   const bool asked = ::fcntl(file, F_OFD_GETLK, &lock) == 0;
@@ -122,10 +126,10 @@ SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database)
   if (network_file_system_at(study).empty()) {
     std::error_code error;
     const bool is_new = !std::filesystem::exists(path, error);
-    lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    lock_ = open_lock_file(path, O_RDWR | O_CREAT);
     if (lock_ >= 0 && is_new) give_mode_of_database(study, path);
     // Whoever may only read it can still tell others that somebody writes.
-    if (lock_ < 0) lock_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (lock_ < 0) lock_ = open_lock_file(path, O_RDONLY);
     if (lock_ >= 0 && !lock_shared(lock_)) {
       ::close(lock_);
       lock_ = -1;

@@ -72,7 +72,7 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
   }
   std::error_code error;
   std::filesystem::create_directory(path_.parent_path(), error);
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = open_lock_file(path_, O_RDWR | O_CREAT);
   if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
   struct flock lock = lock_of_whole_file(F_WRLCK);
   if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
@@ -106,7 +106,7 @@ StudyLock::~StudyLock() {
 std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
                                              const std::string& name) {
   const std::filesystem::path path = lock_path(study, name);
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open_lock_file(path, O_RDONLY);
   if (descriptor < 0) {
     if (errno == ENOENT) return std::nullopt;
     fail_on_file(path, "opened", errno);
@@ -136,7 +136,7 @@ std::vector<std::string> StudyLock::held(const std::filesystem::path& study,
       continue;
     }
     std::error_code unknown;
-    const std::filesystem::file_status kind = entry->status(unknown);
+    const std::filesystem::file_status kind = entry->symlink_status(unknown);
     if (kind.type() == std::filesystem::file_type::none) {
       fail_on_file(entry->path(), "examined", unknown.value());
     }

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/refusal.h"
@@ -20,6 +22,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -102,6 +105,59 @@ TEST(StudyLock, StaysInItsFolder) {
     EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), name); }),
                 HasSubstr("no name for a lock"));
   }
+}
+
+// Whoever can write to a shared study must not have others empty their own files.
+TEST(StudyLock, IsNeverALink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "s/locks");
+  write_file(folder / "precious", "words", Overwrite::refuse);
+  std::filesystem::create_symlink(folder / "precious", folder / "s/locks/session-P01.lock");
+  std::filesystem::create_symlink(folder / "made", folder / "s/locks/device.lock");
+  const std::string sentence = (folder / "s/locks/session-P01.lock").string() +
+                               " is a symbolic link to " + (folder / "precious").string();
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder / "s", "session-P01"); }),
+              AllOf(HasSubstr(sentence), HasSubstr("Remove the link")));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock::holder(folder / "s", "session-P01"); }),
+              HasSubstr(sentence));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder / "s", "device"); }),
+              HasSubstr("is a symbolic link"));
+  EXPECT_THAT(StudyLock::held(folder / "s", "session-"), IsEmpty());
+  EXPECT_EQ(read_file(folder / "precious"), "words");
+  EXPECT_FALSE(std::filesystem::exists(folder / "made"));
+}
+
+TEST(StudyLock, IsNotReachedThroughALink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "s");
+  std::filesystem::create_directories(folder / "elsewhere");
+  write_file(folder / "elsewhere/session-P01.lock", "words", Overwrite::refuse);
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "s/locks");
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder / "s", "session-P01"); }),
+              HasSubstr((folder / "s/locks").string() + " is a symbolic link to"));
+  EXPECT_EQ(read_file(folder / "elsewhere/session-P01.lock"), "words");
+}
+
+TEST(StudyLock, IsAFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "locks");
+  ASSERT_EQ(::mkfifo((folder / "locks/session-P01.lock").c_str(), 0666), 0);
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock::holder(folder.path(), "session-P01"); }),
+              HasSubstr("session-P01.lock is not a file"));
+}
+
+TEST(LockOfWriters, IsNeverALink) {
+  const TemporaryFolder folder;
+  { Study::create(folder / "s", "x"); }
+  write_file(folder / "precious", "words", Overwrite::refuse);
+  std::filesystem::permissions(folder / "precious", std::filesystem::perms::owner_read);
+  std::filesystem::remove(folder / "s/locks/writers.lock");
+  std::filesystem::create_symlink(folder / "precious", folder / "s/locks/writers.lock");
+  EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
+              HasSubstr("writers.lock is a symbolic link to"));
+  EXPECT_EQ(Study::open(folder / "s", Access::read_only).name(), "x");
+  EXPECT_EQ(std::filesystem::status(folder / "precious").permissions(),
+            std::filesystem::perms::owner_read);
 }
 
 // People copy, rename and save into every folder that they can open.
