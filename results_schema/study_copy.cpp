@@ -65,6 +65,24 @@ bool is_loose_file(const std::filesystem::path& relative) {
   return relative.extension() != ".tmp" && relative.extension() != ".part";
 }
 
+/// A link leads to what is not of the study, or to what a copy would hold twice.
+void refuse_link(const std::filesystem::path& study, const std::filesystem::path& relative) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::read_symlink(study / relative, error);
+  if (error) return;
+  throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
+                         " is a symbolic link to " + target.string() +
+                         ", and a copy holds no links. Replace the link with what it leads to, or "
+                         "remove it, then copy again",
+                     study / relative, ELOOP);
+}
+
+/// The same for every part of a path that a row names.
+void refuse_links_on(const std::filesystem::path& study, const std::filesystem::path& relative) {
+  std::filesystem::path part;
+  for (const std::filesystem::path& name : relative) refuse_link(study, part /= name);
+}
+
 void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::map<std::string, std::set<std::string>> vouched;
   {
@@ -72,6 +90,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
     vouched = checksums_by_path(copy);
   }
   for (const auto& [path, sha256] : vouched) {
+    refuse_links_on(from, path);
     if (!sha256.contains(copy_and_hash(path_in_study(from, path), path_in_study(to, path)))) {
       throw ResultsError("the study " + from.string() + " cannot be copied: its file " + path +
                              " is not what it was when it was used (its SHA-256 differs)",
@@ -79,9 +98,10 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
     }
   }
   for (const auto& entry : std::filesystem::recursive_directory_iterator(from)) {
-    const std::filesystem::path relative = std::filesystem::relative(entry.path(), from);
-    if (!entry.is_regular_file() || vouched.contains(relative.string())) continue;
-    if (is_loose_file(relative)) copy_and_hash(entry.path(), to / relative);
+    const std::filesystem::path relative = entry.path().lexically_relative(from);
+    if (!is_loose_file(relative) || vouched.contains(relative.string())) continue;
+    refuse_link(from, relative);
+    if (entry.is_regular_file()) copy_and_hash(entry.path(), to / relative);
   }
   for (const char* const part : {"protocols", "stimuli", "recordings", "locks"}) {
     std::filesystem::create_directories(to / part);

@@ -217,6 +217,56 @@ TEST(StudyCopy, RefusesAStudyWhoseFilesDoNotHold) {
   EXPECT_FALSE(std::filesystem::exists(folder / "copy.part"));
 }
 
+/// Every file and folder below `folder`, without the one named.
+std::vector<std::string> names_below(const std::filesystem::path& folder,
+                                     const std::filesystem::path& without) {
+  std::vector<std::string> names;
+  for (auto entry = std::filesystem::recursive_directory_iterator(folder);
+       entry != std::filesystem::recursive_directory_iterator(); ++entry) {
+    if (entry->path() == without) {
+      entry.disable_recursion_pending();
+    } else {
+      names.push_back(entry->path().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(StudyCopy, RefusesLinksAndWritesNowhereElse) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  std::filesystem::create_directories(folder / "elsewhere");
+  write_file(folder / "elsewhere" / "a.png", "x", Overwrite::refuse);
+  const auto refused_with = [&](const std::filesystem::path& target,
+                                const std::string& link) -> std::string {
+    std::filesystem::create_symlink(target, study / link);
+    const auto before = names_below(folder.path(), study);
+    const std::string refusal = refusal_of<ResultsError>(
+        [&] { Study::open(study, Access::read_only).copy_to(folder / "copy"); });
+    EXPECT_EQ(names_below(folder.path(), study), before);
+    std::filesystem::remove(study / link);
+    return refusal;
+  };
+  const auto names = [](const std::string& link, const std::string& target) {
+    return AllOf(HasSubstr("its " + link + " is a symbolic link to " + target),
+                 HasSubstr("Replace the link"));
+  };
+  EXPECT_THAT(refused_with("../../elsewhere/a.png", "stimuli/x"),
+              names("stimuli/x", "../../elsewhere/a.png"));
+  EXPECT_THAT(refused_with("../../nowhere", "stimuli/y"), names("stimuli/y", "../../nowhere"));
+  EXPECT_THAT(refused_with("../../elsewhere", "protocols/more"),
+              names("protocols/more", "../../elsewhere"));
+  // What rows vouch for.
+  std::filesystem::rename(study / "stimuli/metal.png", folder / "elsewhere" / "metal.png");
+  EXPECT_THAT(refused_with(folder / "elsewhere" / "metal.png", "stimuli/metal.png"),
+              HasSubstr("its stimuli/metal.png is a symbolic link"));
+  std::filesystem::rename(folder / "elsewhere" / "metal.png", study / "stimuli/metal.png");
+  std::filesystem::rename(study / "recordings", folder / "elsewhere" / "recordings");
+  EXPECT_THAT(refused_with(folder / "elsewhere" / "recordings", "recordings"),
+              HasSubstr("its recordings is a symbolic link"));
+}
+
 TEST(StudyVerify, FindsNothingWrongInAGoodStudy) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
