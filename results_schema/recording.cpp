@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -226,9 +227,13 @@ RecordingRow RecordingWriter::finish() {
   if (!rename_to_free_name(file_->output.path(), file_->target)) {
     fail_on_file(file_->target, "made", EEXIST);
   }
-  // The chain of names up to a folder that was there before: recordings/ may be new.
-  sync_folder(file_->target.parent_path());
-  sync_folder(file_->target.parent_path().parent_path());
+  // Every name from the study down to the file: the folders of its participant and session may be new.
+  const std::filesystem::path in_study(file_->path);
+  std::filesystem::path folder = file_->target;
+  for (auto left = std::distance(in_study.begin(), in_study.end()); left > 0; --left) {
+    folder = folder.parent_path();
+    sync_folder(folder);
+  }
   file_->finished = true;
   return {.path = file_->path,
           .format = kFormat,

@@ -15,6 +15,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,6 +41,16 @@ RecordingRow write(const std::filesystem::path& study, int records,
     writer.append(std::int64_t{10'000'000} * i - 5, values_at(i).data());
   }
   return writer.finish();
+}
+
+// The first recording of a participant makes two folders.
+TEST(Recording, SyncsEveryNameOnTheWayToItsFile) {
+  const TemporaryFolder study;
+  const SyncWatch watch;
+  write(study.path(), 1, "recordings/P01/session-01/a.asprec");
+  EXPECT_THAT(watch.synced(),
+              testing::IsSupersetOf({study.path(), study / "recordings", study / "recordings/P01",
+                                     study / "recordings/P01/session-01"}));
 }
 
 std::string refusal_to_read(const std::filesystem::path& path) {

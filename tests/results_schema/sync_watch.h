@@ -1,0 +1,21 @@
+// Notes which files and folders a program has synced.
+
+#pragma once
+
+#include <filesystem>
+#include <set>
+
+namespace asperity {
+
+/// While it lives, every call of fsync(2) in this process is noted, and made. One at a time.
+class SyncWatch final {
+ public:
+  SyncWatch();
+  ~SyncWatch();
+  SyncWatch(const SyncWatch&) = delete;
+  SyncWatch& operator=(const SyncWatch&) = delete;
+
+  std::set<std::filesystem::path> synced() const;
+};
+
+}  // namespace asperity
