@@ -16,6 +16,8 @@
 #include <openssl/evp.h>
 #include <zstd.h>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 namespace {
@@ -30,6 +32,13 @@ constexpr std::size_t kDigest_bytes = 64;
 constexpr std::size_t kLongestHeader_bytes = 1 << 20;
 constexpr std::size_t kMostItems = std::size_t{1} << 28;
 constexpr int kCompressionLevel = 3;
+// A zstd block of four bytes stands for 128 KiB at most.
+constexpr std::size_t kMostUnpacked = std::size_t{1} << 15;
+// What is felt measures up to 10 m across (mesh_repair.h) and lies near its frame's origin. The tick computes in
+// single precision, which cubes of lengths must not leave.
+constexpr double kFurthest_m = 20.0;
+constexpr double kLargestTexel = 32767.0;
+constexpr const char* kRemedy = "Make the mesh again with asperity bake.";
 
 std::string sha256_of(std::initializer_list<std::string_view> parts) {
   EVP_MD_CTX* context = EVP_MD_CTX_new();
@@ -163,6 +172,15 @@ class Reader final {
     const Json& kind = array(which_++);
     const std::size_t count = whole(kind, "count");
     const std::size_t bytes = whole(kind, "bytes");
+    // Before any memory is taken for it.
+    const unsigned long long unpacked = ZSTD_getFrameContentSize(payload_.data(), bytes);
+    const bool states_size = unpacked != ZSTD_CONTENTSIZE_UNKNOWN;
+    if ((states_size && unpacked != count * sizeof(Item)) ||
+        count * sizeof(Item) / kMostUnpacked > bytes) {
+      refuse("holds an array \"" + text(kind, "name") + "\" that cannot be unpacked: " +
+             std::to_string(count) + " items are announced, and its " + std::to_string(bytes) +
+             " bytes hold another number of them. " + kRemedy);
+    }
     std::vector<Item> items(count);
     const std::size_t size =
         ZSTD_decompress(items.data(), count * sizeof(Item), payload_.data(), bytes);
@@ -187,13 +205,20 @@ class Reader final {
         atlas.columns > kMostItems || atlas.rows * atlas.columns != atlas.values.size()) {
       refuse("has an atlas whose rows and columns are not its texels.");
     }
-    if (!(atlas.step_m >= 0.0 && atlas.step_m < 1.0)) {
-      refuse("has an atlas with a step of " + std::to_string(atlas.step_m) + " m.");
+    if (!(atlas.step_m >= 0.0 && atlas.step_m * kLargestTexel <= kFurthest_m)) {
+      refuse("has an atlas with step_m " + number_text(atlas.step_m) +
+             ", which displaces a surface by up to " + number_text(atlas.step_m * kLargestTexel) +
+             " m; at most " + number_text(kFurthest_m) + " m is allowed. " + kRemedy);
     }
-    const auto finite = [](const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); };
     constexpr double kUnit = 1e-6;
     for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-      if (!finite(mesh.vertices_m[i])) refuse("has a vertex that is not a finite place.");
+      for (int axis = 0; axis < 3; ++axis) {
+        const double place_m = mesh.vertices_m[i][axis];
+        if (std::abs(place_m) <= kFurthest_m) continue;  // false for NaN
+        refuse("has vertex " + std::to_string(i) + " with " + "xyz"[axis] + " = " +
+               number_text(place_m) + " m; each coordinate must lie between -" +
+               number_text(kFurthest_m) + " m and " + number_text(kFurthest_m) + " m. " + kRemedy);
+      }
       if (!(std::abs(glm::length(mesh.normals[i]) - 1.0) < kUnit)) {
         refuse("has a normal that is not of unit length.");
       }

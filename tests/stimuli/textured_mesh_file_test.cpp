@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <openssl/sha.h>
 
 #include "stimuli/mesh_decimation.h"
 #include "stimuli/texture_baking.h"
@@ -121,7 +122,7 @@ TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].y = std::nan(""); }),
               HasSubstr("outside of the atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.vertices_m[2].z = std::nan(""); }),
-              HasSubstr("finite"));
+              HasSubstr("z = nan"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals[2] *= 2.0; }),
               HasSubstr("unit length"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals.pop_back(); }),
@@ -136,6 +137,57 @@ TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
                 s.mesh.places.clear();
               }),
               HasSubstr("no triangles"));
+}
+
+// Finite numbers that no single precision can multiply, and lengths that nothing to be felt has.
+TEST(TexturedMeshFile, WithAVertexOrADisplacementFarAwayIsRefused) {
+  for (const double far_m : {1e300, -1e300, 1e20, 20.001}) {
+    EXPECT_THAT(refusal_of_changed([far_m](auto& s) { s.mesh.vertices_m[2].y = far_m; }),
+                testing::AllOf(testing::StartsWith("thing has vertex 2 with y = "),
+                               HasSubstr("between -20 m and 20 m"), HasSubstr("asperity bake")))
+        << far_m;
+  }
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.atlas.step_m = 0.5; }),
+              testing::AllOf(HasSubstr("step_m 0.5"), HasSubstr("at most 20 m"),
+                             HasSubstr("asperity bake")));
+  EXPECT_NO_THROW(read_back(text_of([] {
+    StoredTexturedMesh far = made();
+    far.mesh.vertices_m[2].y = -20.0;
+    far.mesh.atlas.step_m = 20.0 / 32768.0;
+    return far;
+  }())));
+}
+
+std::string sha256_in_hex(const std::string& content) {
+  unsigned char digest[SHA256_DIGEST_LENGTH];
+  SHA256(reinterpret_cast<const unsigned char*>(content.data()), content.size(), digest);
+  std::string hex;
+  for (const unsigned char byte : digest) {
+    constexpr const char* kHex = "0123456789abcdef";
+    hex += {kHex[byte >> 4], kHex[byte & 15]};
+  }
+  return hex;
+}
+
+// The header of a good file, with another number of items and its own digest.
+std::string with_count(const std::string& array, const std::string& count) {
+  const std::string good = text_of(made());
+  std::string header = good.substr(0, good.find('\n'));
+  const std::size_t at = header.find("\"count\":", header.find("\"name\":\"" + array + "\"")) + 8;
+  header.replace(at, header.find(',', at) - at, count);
+  const std::string payload = good.substr(good.find('\n') + 66);
+  return header + '\n' + sha256_in_hex(header + payload) + '\n' + payload;
+}
+
+TEST(TexturedMeshFile, WhoseHeaderAnnouncesMoreThanItHoldsIsRefusedBeforeAnyMemoryIsTaken) {
+  for (const char* array : {"vertices_m", "normals", "triangles", "places", "atlas"}) {
+    for (const char* count : {"2147483648", "6442450944"}) {
+      EXPECT_THAT(refusal_of_file(with_count(array, count)),
+                  testing::AllOf(testing::StartsWith("thing "), HasSubstr(array),
+                                 HasSubstr(count + std::string(" items"))))
+          << array;
+    }
+  }
 }
 
 }  // namespace
