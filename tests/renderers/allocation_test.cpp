@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,45 +10,75 @@
 #include <gtest/gtest.h>
 
 #include "renderers/servo_loop.h"
+#include "tests/renderers/meshes.h"
 #include "tests/renderers/surfaces.h"
+#include "tests/renderers/textured_bodies.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {
 
-RendererInputs stimulus_with(ParameterValues parameters) {
-  RendererInputs inputs;
-  inputs.parameters = std::move(parameters);
-  inputs.patch = wide_patch();
-  inputs.height_field = grating();
-  return inputs;
-}
-
+/// A model of the registry, and parameters that choose one of its ways through the tick.
 struct Case {
-  const char* model = "";
+  const ForceModel* model = nullptr;
   ParameterValues parameters{};
 };
 
-std::vector<Case> every_law() {
-  return {{"height_map", {{"lateral_gradient_gain", 1.0}}},
-          {"height_map", {{"law", std::string("literal")}}},
-          {"sinusoid", {}},
-          {"sinusoid", {{"force_direction", std::string("local_normal")}}},
-          {"stochastic", {}},
-          {"lateral_gradient", {}}};
+/// By the model's name: the parameters of each law that has code of its own.
+const std::map<std::string, std::vector<ParameterValues>>& laws() {
+  static const std::map<std::string, std::vector<ParameterValues>> kLaws{
+      {"height_map", {{{"lateral_gradient_gain", 1.0}}, {{"law", std::string("literal")}}}},
+      {"sinusoid", {{}, {{"force_direction", std::string("local_normal")}}}},
+      {"stochastic", {{}}},
+      {"lateral_gradient", {{}}},
+      {"pd_gradient",
+       {{},
+        {{"coupling", std::string("none")}},
+        {{"coupling", std::string("none")}, {"maximum", std::string("smooth")}}}}};
+  return kLaws;
+}
+
+/// Of every model of the registry; one without a case in `laws` is a failure, since nobody would notice that its
+/// tick allocates.
+std::vector<Case> every_law(const ModelRegistry& registry) {
+  std::vector<Case> cases;
+  for (const ForceModel& model : registry.models()) {
+    const auto found = laws().find(model.declaration.id);
+    if (found == laws().end() || found->second.empty()) {
+      ADD_FAILURE() << "the force model " << model.declaration.id << " has no case in laws()";
+      continue;
+    }
+    for (const ParameterValues& parameters : found->second) cases.push_back({&model, parameters});
+  }
+  return cases;
+}
+
+std::unique_ptr<ForceRenderer> renderer_for(const Case& each) {
+  static const auto kBall = shared(shifted(bare(ball(1.5e-3, 14, 20)), {0.0, 0.0, 1.5e-3}));
+  static const auto kPlate = shared(grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3}));
+  RendererInputs inputs;
+  inputs.parameters = each.parameters;
+  inputs.patch = wide_patch();
+  if (each.model->declaration.needs_bodies) {
+    inputs.tool = kBall;
+    inputs.surface = kPlate;
+  } else {
+    inputs.height_field = grating();
+  }
+  return make_renderer(*each.model, inputs);
 }
 
 TEST(Allocation, NoModelTouchesTheHeapInATick) {
   if (!AllocationGuard::kCounts) GTEST_SKIP() << "the sanitizer owns the heap";
   const ModelRegistry registry = built_in_models();
-  for (const Case& each : every_law()) {
-    const auto renderer = registry.make(each.model, stimulus_with(each.parameters));
+  for (const Case& each : every_law(registry)) {
+    const auto renderer = renderer_for(each);
     const std::vector<ProbeState> path = samples_of({.duration_s = 2.0});
     const AllocationGuard guard;
     renderer->reset(path.front());
     for (const ProbeState& probe : path) renderer->tick(probe, 0.001);
-    EXPECT_EQ(guard.count(), 0) << each.model;
+    EXPECT_EQ(guard.count(), 0) << each.model->declaration.id;
   }
 }
 
@@ -67,9 +98,9 @@ TEST(Allocation, TheServoTickNeverTouchesTheHeap) {
     }
     touched += guard.count();
   };
-  for (const Case& each : every_law()) {
+  for (const Case& each : every_law(registry)) {
     loop.heartbeat();
-    loop.present({.id = 1, .renderer = registry.make(each.model, stimulus_with(each.parameters))});
+    loop.present({.id = 1, .renderer = renderer_for(each)});
     device.probe.position_m.z = 0.01;
     ticks(60);
     device.probe.position_m.z = -0.001;
@@ -77,7 +108,7 @@ TEST(Allocation, TheServoTickNeverTouchesTheHeap) {
     loop.withdraw();
     ticks(60);
     EXPECT_NE(loop.collect().renderer, nullptr);
-    loop.present({.id = 2, .renderer = registry.make(each.model, stimulus_with(each.parameters))});
+    loop.present({.id = 2, .renderer = renderer_for(each)});
     ticks(3000);  // the conductor falls silent
     loop.emergency_stop();
     ticks(2);
