@@ -44,6 +44,19 @@ TEST(SignFlipTest, CountsEveryPatternOfSigns) {
   EXPECT_NEAR(test.two_sided, as_far / 128.0, 1e-15);
 }
 
+// Half of all patterns are as large as a sum of 1 of an odd number of units, so that both sides are everything;
+// with 77 units that sum of doubles was 1 + 2.2e-16.
+TEST(SignFlipTest, GivesNoProbabilityAbove1) {
+  for (std::size_t units = 1; units <= 301; units += 2) {
+    std::vector<std::int64_t> differences(units, 1);
+    for (std::size_t i = 0; i < units / 2; ++i) differences[i] = -1;
+    const SignFlipTest test = sign_flip_test(differences);
+    EXPECT_LE(test.two_sided, 1.0) << units;
+    EXPECT_NEAR(test.two_sided, 1.0, 1e-14) << units;
+    EXPECT_LE(test.upper, 1.0) << units;
+  }
+}
+
 // 1500 units of 1000 each, 60 more of them positive than negative: 60/√1500 = 1.55 deviations.
 TEST(SignFlipTest, DrawsWhatIsTooMuchToCount) {
   std::vector<std::int64_t> differences(1500, 1000);
