@@ -16,6 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLeastSlope = 0.005;  // turns a force by 0.3°
+constexpr double kMostDrawnOut = 1e6;  // longer one way by more, texels have no relief to be felt
 
 /// From texel to texel of a face: so many columns and rows, and the same on the surface.
 struct Chord {
@@ -227,11 +228,12 @@ double bend2_per_m2(const FaceTexels::Bends& bends, const Chord& a, const Chord&
 void add(Slopes& slopes, const FaceTexels& texels, const std::pair<Chord, Chord>& ways,
          double step_m, double area_m2) {
   const auto& [a, b] = ways;
+  const double first_m = glm::length(a.way_m);
+  if (!(glm::length(b.way_m) < kMostDrawnOut * first_m)) return;
   const double face_slope2 = step_m * step_m * slope2(texels, a, b);
   if (!(face_slope2 > kLeastSlope * kLeastSlope)) return;
   slopes.all_m2 += face_slope2 * area_m2;
   slopes.area_m2 += area_m2;
-  const double first_m = glm::length(a.way_m);
   // Nearly as long along both: below that only the shorter way is known.
   long long ratio = 1;
   while (1.5 * static_cast<double>(ratio) * first_m < glm::length(b.way_m)) ratio *= 2;

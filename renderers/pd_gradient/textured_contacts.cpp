@@ -21,12 +21,17 @@ constexpr double kSamePlace = 1.5;
 constexpr double kNone = 1e-9;  // what rounding leaves of a share
 constexpr double kAlike = 0.1;  // of a force: what a share changes by in a millisecond
 
-bool is_finite(const Pose& pose) noexcept {
-  double sum = 0.0;
+/// A rotation, and a place at which single precision still tells millimetres apart. Further out, or turned by
+/// what is no rotation, products overflow and nothing can be compared any more.
+bool is_in_reach(const Pose& pose) noexcept {
+  constexpr double kFurthest_m = 1e4;
+  constexpr double kUnit = 1e-3;
   for (int axis = 0; axis < 3; ++axis) {
-    sum += glm::dot(pose.rotation[axis], glm::dvec3(0.0)) + 0.0 * pose.position_m[axis];
+    const glm::dvec3& column = pose.rotation[axis];
+    if (!(std::abs(glm::dot(column, column) - 1.0) <= kUnit)) return false;  // false for NaN
+    if (!(std::abs(pose.position_m[axis]) <= kFurthest_m)) return false;
   }
-  return sum == 0.0;  // 0 times what is not finite is not a number
+  return true;
 }
 
 glm::dvec3 in_body(const Pose& pose, const glm::dvec3& place_m) noexcept {
@@ -144,8 +149,8 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   left_out_ = {};
   std::swap(before_, contacts_);
   contacts_.clear();
-  is_inside_ = is_inside_ && is_finite(a) && is_finite(b);
-  if (!is_finite(a) || !is_finite(b)) return {};
+  is_inside_ = is_inside_ && is_in_reach(a) && is_in_reach(b);
+  if (!is_in_reach(a) || !is_in_reach(b)) return {};
   const std::span<const TrianglePair> pairs = query_.find(relative(a, b));
   left_out_.pairs = query_.count() - pairs.size();
   const std::span<const ContactRegion> regions = regions_.update(pairs, a, b);
@@ -212,7 +217,7 @@ void TexturedContacts::look_inside(const Pose& a, const Pose& b) noexcept {
 }
 
 bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
-  if (!is_finite(a) || !is_finite(b)) return false;
+  if (!is_in_reach(a) || !is_in_reach(b)) return false;
   return !query_.find(relative(a, b)).empty() || hold_each_other(a, b);
 }
 

@@ -236,6 +236,11 @@ inline unsigned meeting(const float (&low)[3][kClusterSize], const float (&high)
   return ~apart & 0xFFFFU;
 }
 
+/// So many of sixteen lanes, or all of them.
+inline unsigned first_lanes(std::size_t count) {
+  return count < kClusterSize ? (1U << count) - 1U : 0xFFFFU;
+}
+
 inline OneTriangle triangle_of(const MovedCluster& cluster, int lane) {
   OneTriangle one;
   for (int corner = 0; corner < 3; ++corner) {
@@ -276,7 +281,9 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
     bool has_moved = false;
     Slab slab{};
     for (std::size_t group = 0; group < groups; ++group) {
-      unsigned near = meeting(b.boxes[group].low, b.boxes[group].high, box_low, box_high);
+      // Comparisons with what is not a number keep every lane, also those that hold nothing.
+      unsigned near = meeting(b.boxes[group].low, b.boxes[group].high, box_low, box_high) &
+                      first_lanes(b.count - group * kClusterSize);
       for (; near != 0; near &= near - 1) {
         const int box = __builtin_ctz(near);
         if (!has_moved) {
@@ -307,7 +314,8 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
             one_low[axis] = moved.low[axis][lane];
             one_high[axis] = moved.high[axis][lane];
           }
-          const unsigned lanes = meeting(other.low, other.high, one_low, one_high) & others;
+          const unsigned lanes =
+              meeting(other.low, other.high, one_low, one_high) & others & other.used;
           if (lanes == 0) continue;
           const Verdict verdict = compare(triangle_of(moved, lane), other, lanes, pose.tolerance_m);
           for (unsigned left = verdict.together; left != 0; left &= left - 1) {

@@ -120,5 +120,21 @@ TEST(FinestWave, TakesNeitherTheBendOfAFaceNorItsRoundingForDetail) {
   EXPECT_EQ(finest_wave_m(bare(plain_plate(kPlate)), 1.0), std::numeric_limits<double>::infinity());
 }
 
+// A file may hold a face with two corners at nearly one place. It has as many texels, and no relief to be felt.
+TEST(FinestWave, OfAFaceDrawnOutToNothingIsThatOfTheOthers) {
+  const FormedPlate shape{.size_m = {12e-3, 8e-3}, .cells = {2, 2}};
+  TexturedMesh mesh =
+      relief(shape, 32, 0.0, [](double x_m, double) { return wave_m(20e-6, 1e-3, x_m); });
+  const auto& [a, b, c] = mesh.triangles.front();
+  for (const double apart_m : {1e-60, 1e-100, 1e-150}) {
+    mesh.vertices_m[a] = {0.0, 0.0, 0.0};
+    mesh.vertices_m[b] = {apart_m, 0.0, 0.0};
+    mesh.vertices_m[c] = {0.0, 0.01, 0.0};
+    const double found_m = finest_wave_m(mesh, 1.0);
+    EXPECT_GT(found_m, 0.1e-3) << apart_m;
+    EXPECT_LT(found_m, 3e-3) << apart_m;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

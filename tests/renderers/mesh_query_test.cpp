@@ -159,6 +159,32 @@ TEST(MeshQuery, FarFromTheOriginSeesWhatItSeesAtTheOrigin) {
   }
 }
 
+// Of what is too large for single precision nothing is known, and every triangle may be met. 17 clusters of
+// triangles, and then 15 places for clusters that there are not.
+TEST(MeshQuery, FindsOnlyTrianglesThatThereAreAndEachPairOnce) {
+  const TriangleMesh good = bumpy_torus(15, 9);
+  ASSERT_EQ(good.triangles.size(), 270U);
+  TriangleMesh wild = good;
+  wild.vertices_m[5] = {1e300, -1e300, 2.0};
+  const auto a = std::make_shared<ClusteredMesh>(wild);
+  const auto b = std::make_shared<ClusteredMesh>(good);
+  const Pose huge{.rotation = glm::dmat3(1e200)};
+  for (const InstructionSet set : instruction_sets_here()) {
+    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a), std::pair(a, a)}) {
+      MeshQuery query(first, second, 270U * 270U + 1U, set);
+      for (const Pose& pose : {Pose{}, huge, Pose{.position_m = {1e300, 0.0, 0.0}}}) {
+        const Pairs found = sorted(query.find(pose));
+        for (const auto& [of_first, of_second] : found) {
+          ASSERT_LT(of_first, 270U) << name_of(set);
+          ASSERT_LT(of_second, 270U) << name_of(set);
+        }
+        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << name_of(set);
+        EXPECT_EQ(query.count(), found.size());
+      }
+    }
+  }
+}
+
 TEST(MeshQuery, CountsThePairsThatItHasNoRoomToList) {
   const auto mesh = std::make_shared<ClusteredMesh>(bumpy_torus(12, 9));
   MeshQuery roomy(mesh, mesh, 100000);

@@ -1270,5 +1270,34 @@ TEST(TexturedContacts, FeelTheSameFromKeptHeightsAsFromNewOnes) {
   EXPECT_LT(furthest_N, 0.1 * std::sqrt(squares_N2 / kTicks));
 }
 
+// A device may report anything, and a file that is read may hold what nobody would model. AddressSanitizer and
+// UndefinedBehaviorSanitizer see what the plain build does not.
+TEST(TexturedContacts, SurvivesEveryPlaceTurnAndVertexThatIsANumber) {
+  std::vector<Pose> poses{{.position_m = {0.0, 0.0, -0.5e-3}}};
+  for (const double far_m : {1.0, 9e3, 2e4, 1e20, 1e300}) {
+    for (const glm::dvec3 way : {glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(1.0, -1.0, 1.0)}) {
+      poses.push_back({.position_m = far_m * way});
+    }
+    poses.push_back({.rotation = glm::dmat3(far_m), .position_m = {0.0, 0.0, -0.5e-3}});
+    poses.push_back({.rotation = glm::dmat3(1.0 / far_m), .position_m = {0.0, 0.0, -0.5e-3}});
+  }
+  const TexturedMesh tool = shifted(bare(ball(1e-3, 14, 20)), {0.0, 0.0, 1e-3});
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
+  for (const double far_m : {20.0, -20.0}) {
+    for (const bool of_tool : {true, false}) {
+      TexturedMesh a = tool;
+      TexturedMesh b = plate;
+      (of_tool ? a : b).vertices_m[3].y = far_m;
+      TexturedContacts contacts = between(a, b, hard(50e-6));
+      for (const Pose& pose : poses) {
+        for (int tick = 0; tick < 3; ++tick) contacts.find(pose, {}, kTick_s);
+        contacts.touch(pose, {});
+        contacts.find(poses.front(), {}, kTick_s);
+        contacts.reset();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asperity
