@@ -113,8 +113,7 @@ Phrase read_remark(const std::string& stored) {
     }
     return words.filled(std::move(arguments));
   }
-  for (const Fault fault : {Fault::emergency_stop, Fault::device_lost, Fault::not_finite,
-                            Fault::workspace_left, Fault::repeated_misses}) {
+  for (const Fault fault : kFaults) {
     if (phrase_of(fault).english() == stored) return phrase_of(fault);
   }
   return stored;

@@ -62,6 +62,8 @@ const char* name_of(Fault fault) noexcept {
       return "workspace_left";
     case Fault::repeated_misses:
       return "repeated_misses";
+    case Fault::standstill:
+      return "standstill";
   }
   return "unknown";
 }
@@ -109,6 +111,7 @@ ServoLoop::ServoLoop(HapticDevice& device, RecordRing& records, const ServoSetti
   require_positive("ServoSettings::misses_to_fault", settings.misses_to_fault);
   require_positive("ServoSettings::workspace_margin_m", settings.workspace_margin_m);
   require_positive("ServoSettings::silence_to_fault_s", settings.silence_to_fault_s);
+  require_positive("ServoSettings::standstill_to_fault_s", settings.standstill_to_fault_s);
   period_ns_ = period_ns_of(settings.rate_Hz);
   servo_->recent_misses_ns.assign(static_cast<std::size_t>(settings.misses_to_fault) + 1, 0);
 }
@@ -141,8 +144,7 @@ void ServoLoop::emergency_stop() noexcept {
   fault_.store(Fault::emergency_stop, std::memory_order_release);
 }
 
-void ServoLoop::clear_fault() noexcept {
-  Fault seen = fault_.load(std::memory_order_acquire);
+void ServoLoop::clear_fault(Fault seen) noexcept {
   fault_.compare_exchange_strong(seen, Fault::none, std::memory_order_acq_rel);
 }
 
@@ -190,6 +192,10 @@ void ServoLoop::exchange_presentations() noexcept {
     servo.leaving = servo.felt->number <= withdrawn_up_to_.load(std::memory_order_acquire);
     servo.start_over();
   }
+}
+
+bool ServoLoop::is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
+  return static_cast<double>(to_ns - from_ns) * 1e-9 > settings_.standstill_to_fault_s;
 }
 
 bool ServoLoop::conductor_is_silent(std::int64_t now_ns) noexcept {
@@ -311,6 +317,8 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
   Servo& servo = *servo_;
   const double dt_s = servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz)
                                        : 1.0 / settings_.rate_Hz;
+  // Asked before a waiting presentation is taken: that one has pushed nobody yet.
+  if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
   TickRecord record{};
   count_deadline(now_ns, deadline_ns, record);
   exchange_presentations();
@@ -322,6 +330,7 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
   if (servo.felt) record.presentation = servo.felt->presentation.id;
   if (servo.felt && fault_.load(std::memory_order_acquire) == Fault::none) {
     render(silent, dt_s, record);
+    if (clock != nullptr && is_standstill(now_ns, clock())) raise(Fault::standstill);
   }
   send(dt_s, record);
 

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -26,8 +27,13 @@ enum class Fault : std::uint8_t {
   not_finite,  ///< the device or the renderer produced a number that is not finite
   workspace_left,
   repeated_misses,  ///< more than ServoSettings::misses_to_fault deadlines missed within a second
+  standstill,  ///< no tick for ServoSettings::standstill_to_fault_s while a surface was presented
 };
 const char* name_of(Fault fault) noexcept;
+/// Every fault but `none`, in the order of the enumeration.
+inline constexpr std::array kFaults{Fault::emergency_stop,  Fault::device_lost,
+                                    Fault::not_finite,      Fault::workspace_left,
+                                    Fault::repeated_misses, Fault::standstill};
 
 struct ServoSettings {
   double rate_Hz = 1000.0;
@@ -38,6 +44,9 @@ struct ServoSettings {
   double workspace_margin_m = 0.02;  ///< how far outside the device's workspace is a fault
   /// Without a call from a device that keeps time itself (Pacing::theirs), after which it is lost.
   double silence_to_fault_s = 1e-9 * static_cast<double>(HapticDevice::kLongestSilence_ns);
+  /// From tick to tick, while a surface is presented: what the hand did meanwhile is unknown, and so is what the motors
+  /// do now. A test on a busy machine sets a longer time.
+  double standstill_to_fault_s = 1e-9 * static_cast<double>(HapticDevice::kLongestSilence_ns);
 };
 
 /// One consistent look at the loop, from any thread.
@@ -54,6 +63,9 @@ struct ServoStatus {
 /// on a simulated clock. In a tick: read the device → round the ProbeState to what will be recorded
 /// → clamp dt to [½, 4] periods → take a waiting presentation, `reset` it → `renderer.tick` → ramp
 /// → limiter → send → push one TickRecord.
+///
+/// A standstill (the machine was suspended, the program stopped by a signal or a debugger, or starved) is a fault while
+/// a surface is presented. Without one it is only counted, and what is presented next begins with a dt of one period.
 ///
 /// What the caller may rely on:
 /// - A presentation starts at gain 0 and rises to 1 over `ramp_s`, counted from the first tick with
@@ -101,15 +113,16 @@ class ServoLoop final {
   void emergency_stop() noexcept;
   /// The device that should call has fallen silent: raises `device_lost` without a tick. From any thread.
   void lose_device() noexcept { raise(Fault::device_lost); }
-  /// Lifts the fault that `status` shows; one that comes at the same moment stays.
-  void clear_fault() noexcept;
+  /// Lifts the fault that `status` showed to the caller; another one that has come since stays.
+  void clear_fault(Fault seen) noexcept;
   ServoStatus status() const noexcept;
 
   /// Reads the clock that `now_ns` came from.
   using ClockReading = std::int64_t (*)() noexcept;
 
   /// One tick. `deadline_ns` is when it should have begun, `now_ns` when it did: equal when
-  /// stepped. With a clock, the record says how long the tick took.
+  /// stepped. With a clock, the record states how long the tick took, and a standstill within the tick is seen before
+  /// its force is sent.
   void tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock = nullptr) noexcept;
   void tick(std::int64_t now_ns) noexcept { tick(now_ns, now_ns); }
 
@@ -123,6 +136,7 @@ class ServoLoop final {
   void read_probe(std::int64_t now_ns, TickRecord& record) noexcept;
   void render(bool silent, double dt_s, TickRecord& record) noexcept;
   void send(double dt_s, TickRecord& record) noexcept;
+  bool is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
   void publish_status() noexcept;
   void raise(Fault fault) noexcept;
 

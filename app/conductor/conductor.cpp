@@ -30,12 +30,18 @@ Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& bu
       settings_(std::move(settings)),
       requests_(settings_.links.requests == nullptr ? own_requests_ : *settings_.links.requests),
       course_(study, protocol, rig, respondent, requests_, settings_.links),
-      outside_([this](double duration_s) { course_.wait_outside_trial(duration_s); }) {}
+      outside_([this](double duration_s) { course_.wait_outside_trial(duration_s); }),
+      unheeding_([this](double duration_s) {
+        for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
+          course_.pass_slice();
+        }
+      }) {}
 
 SessionEnd Conductor::run(OpenSession session) {
   session_ = std::move(session);
   stopped_.reset();
   attempts_made_ = 0;
+  standstills_ = 0;
   const std::int64_t began_ns = rig_.clock().now_ns();
   requests_.attach(rig_);
   const struct Attached {

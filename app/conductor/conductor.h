@@ -57,7 +57,8 @@ struct SessionEnd {
 ///
 /// A fault of the device, an emergency stop included, stores the attempt and stops the session,
 /// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
-/// goes on with what was interrupted, or until it is stopped.
+/// goes on with what was interrupted, or until it is stopped. After a standstill it resumes by itself;
+/// the third since it was begun or resumed stops it.
 ///
 /// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
 /// from any.
@@ -111,7 +112,9 @@ class Conductor final {
   void check_device();
   Phrase device_problem(const Wait& waiting);
   /// False when the session is to end; it then has its reason.
-  bool wait_out_fault(const std::string& what);
+  bool wait_out_fault(std::string what);
+  std::optional<std::string> trouble_after_standstill();
+  void forget_surface();
 
   void publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy);
 
@@ -131,7 +134,10 @@ class Conductor final {
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;
 
-  Wait outside_{};  ///< waits where there is no trial under way
+  int standstills_ = 0;
+
+  Wait outside_{};    ///< waits where there is no trial under way
+  Wait unheeding_{};  ///< waits whatever is asked for meanwhile and whatever fault comes
 
   int block_ = 0;  ///< whose trials are asked, by ordinal; 0 between blocks
 

@@ -13,6 +13,8 @@ namespace asperity {
 namespace {
 
 constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
+// A machine that stops that often does so again.
+constexpr int kMostStandstills = 3;
 
 /// Where a session is again after a fault: an attempt that it ended is over.
 SessionPhase after_fault(SessionPhase before) {
@@ -79,8 +81,9 @@ void Conductor::hold(Next next) {
       stop(*reason);
       return;
     }
-    if (is_attended && rig_.loop().status().fault != Fault::none &&
-        !wait_out_fault(fault_sentence(interruption_by(rig_.loop().status().fault), {}))) {
+    const Fault fault = rig_.loop().status().fault;
+    if (fault != Fault::none && (is_attended || fault == Fault::standstill) &&
+        !wait_out_fault(fault_sentence(interruption_by(fault), {}))) {
       return;
     }
     if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
@@ -149,14 +152,52 @@ Phrase Conductor::device_problem(const Wait& waiting) {
 /// Whether what was interrupted outside an attempt can be begun again; waits for it.
 bool Conductor::outlives(const Interruption& interruption) {
   if (interruption.outcome != AttemptOutcome::device_fault ||
-      !settings_.links.experimenter_is_there) {
+      !(settings_.links.experimenter_is_there || interruption.fault == Fault::standstill)) {
     return false;
   }
   wait_out_fault(fault_sentence(interruption, {}));
   return true;
 }
 
-bool Conductor::wait_out_fault(const std::string& what) {
+/// A standstill is over when the loop sees it, and nobody has to do anything: the fault is lifted and the device checked.
+/// Nothing when that is done, and otherwise the sentence of what is wrong now.
+std::optional<std::string> Conductor::trouble_after_standstill() {
+  course_.event("fault", name_of(Fault::standstill));
+  rig_.clear_fault(Fault::standstill);
+  const Phrase problem = device_problem(unheeding_);
+  const Fault fault = rig_.loop().status().fault;
+  if (fault != Fault::none) return fault_sentence(interruption_by(fault), {});
+  if (!problem.empty()) {
+    return phrase_of(Reason::failed_between_trials)
+        .with(phrase_of(Reason::not_ready).with(problem))
+        .english();
+  }
+  forget_surface();
+  course_.event("fault_cleared", "");
+  publish_trouble(
+      phrase("Troubles",
+             "The servo loop stood still for more than 50 ms: the force was set to zero, "
+             "and what was interrupted is repeated. The third time, the session stops."),
+      SessionTrouble::Remedy::none);
+  return {};
+}
+
+/// What was felt when a fault came is not felt again.
+void Conductor::forget_surface() {
+  while (rig_.loop().collect().renderer != nullptr) {
+  }
+}
+
+bool Conductor::wait_out_fault(std::string what) {
+  if (rig_.loop().status().fault == Fault::standstill) {
+    if (++standstills_ == kMostStandstills) {
+      stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)).english());
+      return false;
+    }
+    std::optional<std::string> trouble = trouble_after_standstill();
+    if (!trouble) return true;
+    what = *std::move(trouble);
+  }
   if (!settings_.links.experimenter_is_there) {
     stop(what);
     return false;
@@ -192,12 +233,8 @@ bool Conductor::wait_out_fault(const std::string& what) {
       return false;
     }
     if (wish == Respondent::AfterFault::go_on) requests_.clear_fault();
-    if (!requests_.lift_fault()) continue;
-    const Phrase problem = device_problem([this](double duration_s) {
-      for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
-        course_.pass_slice();
-      }
-    });
+    if (!requests_.lift_fault(rig_.loop().status().fault)) continue;
+    const Phrase problem = device_problem(unheeding_);
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
     const Fault fault = rig_.loop().status().fault;
     tell(fault == Fault::emergency_stop
@@ -205,9 +242,7 @@ bool Conductor::wait_out_fault(const std::string& what) {
              : phrase("Troubles", "%1 The device is not fit yet: %2.")
                    .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
   }
-  while (rig_.loop().collect().renderer != nullptr) {
-    // What was felt when the fault came is not felt again.
-  }
+  forget_surface();
   course_.event("fault_cleared", "");
   course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
   course_.enter(before);

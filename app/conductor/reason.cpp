@@ -33,6 +33,11 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::failed_repeatedly, phrase("Reasons", "trial %1 failed %2 times in a row (%3)")},
       {Reason::criterion_not_met,
        phrase("Reasons", "the criterion of the block \"%1\" was not met")},
+      {Reason::stood_still,
+       phrase(
+           "Reasons",
+           "the servo loop stood still for more than 50 ms, %1 times: the computer was suspended, "
+           "the program was stopped, or other programs kept it from running")},
       {Reason::aborted, phrase("Reasons", "aborted")},
       {Reason::emergency_stop, phrase("Reasons", "the emergency stop was pressed")},
       {Reason::noise_stopped, phrase("Reasons", "the masking noise stopped")},
@@ -64,8 +69,7 @@ Phrase read_quantity(const std::string& name) {
 }
 
 std::optional<Fault> fault_named(const std::string& name) {
-  for (const Fault fault : {Fault::emergency_stop, Fault::device_lost, Fault::not_finite,
-                            Fault::workspace_left, Fault::repeated_misses}) {
+  for (const Fault fault : kFaults) {
     if (name == name_of(fault)) return fault;
   }
   return {};
@@ -128,6 +132,8 @@ Phrase phrase_of(Fault fault) {
       return phrase("Reasons", "the probe left the workspace");
     case Fault::repeated_misses:
       return phrase("Reasons", "too many missed deadlines");
+    case Fault::standstill:
+      return phrase("Reasons", "the servo loop stood still for more than 50 ms");
   }
   return {};
 }

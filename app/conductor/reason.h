@@ -27,6 +27,7 @@ enum class Reason {
   every_trial_stored,
   failed_repeatedly,  ///< a trial; which, how many times, why
   criterion_not_met,  ///< of which block
+  stood_still,        ///< the servo loop; how many times
   // of either
   aborted,
   emergency_stop,

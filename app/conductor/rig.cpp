@@ -62,9 +62,9 @@ void SteppedRig::prepare_attempt(const HandHabits& habits, const Random& random)
   owed_s_ = 0.0;
 }
 
-void SteppedRig::clear_fault() noexcept {
-  stop_wanted_.store(false);
-  assembly_->loop.clear_fault();
+void SteppedRig::clear_fault(Fault seen) noexcept {
+  if (seen == Fault::emergency_stop) stop_wanted_.store(false);
+  assembly_->loop.clear_fault(seen);
 }
 
 void SteppedRig::move_clock_to(std::int64_t now_ns) {

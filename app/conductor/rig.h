@@ -59,8 +59,8 @@ class Rig {
 
   /// Zero force at once, latched; from any thread.
   virtual void emergency_stop() noexcept = 0;
-  /// Lifts the fault that the loop shows.
-  virtual void clear_fault() noexcept { loop().clear_fault(); }
+  /// Lifts the fault that the loop showed to the caller; another one that has come since stays.
+  virtual void clear_fault(Fault seen) noexcept { loop().clear_fault(seen); }
 
  protected:
   Rig() = default;
@@ -83,7 +83,7 @@ class SteppedRig final : public Rig {
   void pass(double duration_s, Recorder& recorder) override;
   /// Reaches the loop with its next tick, whichever attempt that belongs to.
   void emergency_stop() noexcept override { stop_wanted_.store(true); }
-  void clear_fault() noexcept override;
+  void clear_fault(Fault seen) noexcept override;
 
   /// A resumed session goes on after what was stored.
   void move_clock_to(std::int64_t now_ns);

@@ -148,10 +148,10 @@ std::vector<SessionRequests::ButtonMove> SessionRequests::take_button_moves() {
   return std::exchange(button_moves_, {});
 }
 
-bool SessionRequests::lift_fault() {
+bool SessionRequests::lift_fault(Fault seen) {
   const std::lock_guard lock(mutex_);
   if (!std::exchange(clear_fault_, false)) return false;
-  if (rig_ != nullptr) rig_->clear_fault();
+  if (rig_ != nullptr) rig_->clear_fault(seen);
   return true;
 }
 

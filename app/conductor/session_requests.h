@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "renderers/servo_loop.h"
+
 namespace asperity {
 
 class Rig;
@@ -91,9 +93,9 @@ class SessionRequests final {
   std::optional<std::string> take_abort();
   bool take_clear_fault();
   bool take_confirmation();
-  /// Takes `clear_fault` and lifts the rig's fault, in one: an emergency stop comes before or after
+  /// Takes `clear_fault` and lifts the rig's fault (Rig::clear_fault), in one: an emergency stop comes before or after
   /// and is never lifted by what was asked for before it. False when nobody asked.
-  bool lift_fault();
+  bool lift_fault(Fault seen);
   std::vector<Remark> take_remarks();
   /// In the order of asking.
   std::vector<ButtonMove> take_button_moves();

@@ -36,6 +36,8 @@ struct RunInputs {
   std::string device = "simulated";
   DriverOptions driver_options{};       ///< what that device's driver is told
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
+  /// As ServoSettings; a test on a busy machine sets a longer time.
+  double standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
   /// The workspace and the strokes are mirrored left to right, for a left hand.
   bool mirrored = false;
   /// Somebody who is new and was already asked the protocol's questions (the label is

@@ -26,6 +26,7 @@
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/patience.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/scripted_person.h"
@@ -89,6 +90,7 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
   inputs.participant = "standin1";
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
   inputs.faults = {{.kind = GetParam().kind, .at_s = at_s}};
@@ -153,6 +155,7 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   inputs.participant = "standin1";
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   const ModelRegistry models = built_in_models();
   ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
@@ -194,6 +197,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   inputs.participant = "standin1";
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   inputs.device = "swinging:42";
   inputs.driver_options.firmware = "some.bin";
   std::string which;
@@ -225,6 +229,7 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
   inputs.participant = "standin1";
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   inputs.device = "swinging";
   int openings = 0;
   DriverRegistry drivers;
@@ -266,6 +271,7 @@ TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
     inputs.participant = "anna";
     inputs.seed = 5;
     inputs.pacing = RunPacing::real_time;
+    inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
     inputs.device = device;
     ScriptedPerson person(kQuick);
     SessionRequests requests{};

@@ -8,6 +8,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -29,6 +30,7 @@ TEST(RealTime, LosesNoRecordInAMinuteAtOneKilohertz) {
   inputs.seed = 1;
   inputs.is_virtual = true;
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   const SessionEnd end = run_session(inputs, built_in_models(), nullptr, {}, {});
   EXPECT_EQ(end.state, SessionState::completed);
 

@@ -48,8 +48,7 @@ TEST(Reasons, AreSeveralOfOneAttempt) {
 }
 
 TEST(Reasons, SayFaultsAndQuantitiesInWords) {
-  for (const Fault fault : {Fault::emergency_stop, Fault::device_lost, Fault::not_finite,
-                            Fault::workspace_left, Fault::repeated_misses}) {
+  for (const Fault fault : kFaults) {
     const Phrase words = phrase_of(fault);
     EXPECT_TRUE(words.can_be_translated());
     EXPECT_EQ(read_reason(name_of(fault)).english(), words.english());

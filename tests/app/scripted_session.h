@@ -46,7 +46,7 @@ class WatchedRig final : public Rig {
     if (at_pass) at_pass();
   }
   void emergency_stop() noexcept override { rig_.emergency_stop(); }
-  void clear_fault() noexcept override { rig_.clear_fault(); }
+  void clear_fault(Fault seen) noexcept override { rig_.clear_fault(seen); }
   void move_clock_to(std::int64_t now_ns) { rig_.move_clock_to(now_ns); }
 
  private:

@@ -13,6 +13,7 @@
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/scripted_sound.h"
 #include "tests/support/temporary_folder.h"
 
@@ -1377,6 +1378,7 @@ TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
   study.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
   StimulusBuilder builder(models, folder.path() / "study");
   RigSettings settings{};
+  settings.servo.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   RealTimeRig rig(settings, HandHabits{}, Random(1), Scheduling::normal, 0);
   SessionConditions conditions{};
   conditions.pacing = rig.pacing();

@@ -20,6 +20,7 @@
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/support/eventually.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/steady_push.h"
 
 namespace asperity {
@@ -67,11 +68,7 @@ class FalconRun final {
       : clock_(std::move(clock)),
         emulated_(bus, falcon),
         device_(FalconDevice::open(settings_with(clock_))),
-        // However late this busy machine makes a thread, that is not what is tested.
-        loop_(std::make_unique<ServoLoop>(
-            *device_, ring_,
-            ServoSettings{
-                .rate_Hz = rate_Hz, .heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000})) {
+        loop_(std::make_unique<ServoLoop>(*device_, ring_, patient_at(rate_Hz))) {
     emulated_.circle(0.015);
     loop_->present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   }
@@ -119,6 +116,11 @@ class FalconRun final {
   }
 
  private:
+  static ServoSettings patient_at(double rate_Hz) {
+    ServoSettings settings = patient_servo();
+    settings.rate_Hz = rate_Hz;
+    return settings;
+  }
   static FalconSettings settings_with(const std::function<std::int64_t()>& clock) {
     FalconSettings settings{};
     settings.line.place = "usb 1-2";
@@ -140,7 +142,8 @@ class FalconRun final {
   bool goes_on(const std::function<void()>& pass) {
     return reaches(
         [&] {
-          if (loop_->status().fault != Fault::none && watch_.answers()) loop_->clear_fault();
+          if (loop_->status().fault != Fault::none && watch_.answers())
+            loop_->clear_fault(loop_->status().fault);
           return watch_.is_felt();
         },
         pass);

@@ -58,7 +58,7 @@ TEST(ForceDimensionUnderTheServo, RampsAForceThatWasOffForOneTick) {
   bench.units[0].force_is_on = true;
   EXPECT_EQ(sent_N(20), 0.0);  // until a person clears the fault
   EXPECT_EQ(loop.status().fault, Fault::device_lost);
-  loop.clear_fault();
+  loop.clear_fault(loop.status().fault);
   const double each_tick_N = kForce_N * 1e-3 / kRamp_s;
   EXPECT_LE(sent_N(2), each_tick_N + 1e-12);
   EXPECT_LE(sent_N(25), 26.0 * each_tick_N + 1e-12);

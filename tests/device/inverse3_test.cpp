@@ -23,6 +23,7 @@
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"
 #include "tests/support/patience.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -503,7 +504,7 @@ TEST_F(Inverse3, IsLostWithItsWordsOnItAndWithoutForceAfterFiftyMillisecondsOfSi
   const auto device = inverse3_driver().open("", options);
   device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
   RecordRing ring(16384);
-  ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
+  ServoLoop loop(*device, ring, patient_servo());
   EXPECT_EQ(1e9 * loop.settings().silence_to_fault_s, 50e6);
   const ServoThread thread(loop, *device, Scheduling::normal);
   bench([](auto& it) { it.answers_to_drop = 1'000'000; });

@@ -21,6 +21,7 @@
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_hd.h"
 #include "tests/support/patience.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/refusal.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -372,7 +373,7 @@ TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
 TEST_F(OpenHaptics, IsLostWithItsWordsOnItAfterFiftyMillisecondsWithoutAFrame) {
   const auto device = open();
   RecordRing ring(16384);
-  ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
+  ServoLoop loop(*device, ring, patient_servo());
   EXPECT_EQ(1e9 * loop.settings().silence_to_fault_s, 50e6);
   const ServoThread thread(loop, *device, Scheduling::normal);
   while (loop.status().ticks < 2) std::this_thread::yield();

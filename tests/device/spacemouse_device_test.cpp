@@ -25,6 +25,7 @@
 #include "tests/device/emulated_spacemouse.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/refusal.h"
 #include "tests/support/steady_push.h"
 
@@ -587,7 +588,7 @@ TEST_F(SpaceMouse, IsFollowedByAServoThreadThroughAnUnplug) {
     }
   };
   {
-    ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
+    ServoLoop loop(*device, ring, patient_servo());
     loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
     const ServoThread thread(loop, *device, Scheduling::normal);
     const auto reached = [&](const std::function<bool()>& condition) {
@@ -600,7 +601,7 @@ TEST_F(SpaceMouse, IsFollowedByAServoThreadThroughAnUnplug) {
     const auto goes_on_until = [&](const std::function<bool()>& condition) {
       return reached([&] {
         if (loop.status().fault != Fault::none && !last.has(TickFlag::device_lost)) {
-          loop.clear_fault();
+          loop.clear_fault(loop.status().fault);
         }
         return condition();
       });
@@ -616,7 +617,7 @@ TEST_F(SpaceMouse, IsFollowedByAServoThreadThroughAnUnplug) {
     ASSERT_TRUE(reached([&] { return !last.has(TickFlag::device_lost); }));
     EXPECT_EQ(loop.status().fault, Fault::device_lost);  // until somebody has lifted it
     EXPECT_LT(glm::distance(last.probe.position_m, stopped_m), 0.1 * 0.050 + 1e-8);
-    loop.clear_fault();
+    loop.clear_fault(loop.status().fault);
     emulated.hold({report_of(1, {-kFull, 0, 0}), report_of(2, {0, 0, 0})});
     EXPECT_TRUE(goes_on_until([&] {
       return loop.status().fault == Fault::none && last.probe.position_m.x < stopped_m.x - 0.005;

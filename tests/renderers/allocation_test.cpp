@@ -112,17 +112,17 @@ TEST(Allocation, TheServoTickNeverTouchesTheHeap) {
     ticks(3000);  // the conductor falls silent
     loop.emergency_stop();
     ticks(2);
-    loop.clear_fault();
+    loop.clear_fault(loop.status().fault);
     ticks(20, 5'000'000);  // misses
-    loop.clear_fault();
+    loop.clear_fault(loop.status().fault);
     device.probe.position_m.x = std::numeric_limits<double>::quiet_NaN();
     ticks(2);
     device.probe.position_m.x = 0.0;
-    loop.clear_fault();
+    loop.clear_fault(loop.status().fault);
     device.answers = false;
     ticks(2);
     device.answers = true;
-    loop.clear_fault();
+    loop.clear_fault(loop.status().fault);
     loop.withdraw();
     ticks(60);
     EXPECT_NE(loop.collect().renderer, nullptr);

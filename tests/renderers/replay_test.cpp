@@ -39,7 +39,7 @@ std::vector<TickRecord> recorded(const ForceModel& model) {
     loop.heartbeat();
     if (i == 100) loop.present({.id = 1, .renderer = make_renderer(model, replayed_stimulus())});
     if (i == 1000) loop.emergency_stop();
-    if (i == 1100) loop.clear_fault();
+    if (i == 1100) loop.clear_fault(loop.status().fault);
     now_ns += 1'000'000 + (i * 7919) % 400'000;  // late by up to 0.4 ms
     const double t = 0.001 * i;
     device.probe.position_m = {0.03 * std::sin(3.0 * t), 0.001 * t,

@@ -135,7 +135,7 @@ TEST_F(ServoLoopTest, AsksTheRendererWithTheTimeBetweenItsSamples) {
   ticks(3);
   now_ns += 1'500'000;  // 2.5 periods
   tick();
-  now_ns += 99'000'000;  // a stall of 100 periods
+  now_ns += 49'000'000;  // a stall of 50 periods
   tick();
   ASSERT_EQ(log.dt_s.size(), 5U);
   EXPECT_DOUBLE_EQ(log.dt_s[0], 0.001);
@@ -261,7 +261,7 @@ TEST_F(ServoLoopTest, StartsOverAfterAFaultWasCleared) {
   feel();
   loop.emergency_stop();
   EXPECT_FALSE(tick().has(TickFlag::presenting));
-  loop.clear_fault();
+  loop.clear_fault(loop.status().fault);
   const TickRecord first = tick();
   EXPECT_EQ(loop.status().fault, Fault::none);
   EXPECT_TRUE(first.has(TickFlag::first_of_presentation));
@@ -351,6 +351,70 @@ TEST_F(ServoLoopTest, ForgivesMissesThatAreRare) {
   EXPECT_EQ(loop.status().missed_deadlines, 300U);
 }
 
+constexpr std::int64_t kStandstill_ns = 50'000'000;  // longer is a fault
+
+TEST_F(ServoLoopTest, LatchesAStandstillWhileASurfaceIsPresented) {
+  feel();
+  now_ns += kStandstill_ns - 1'000'000;
+  EXPECT_EQ(tick().sent.force_N.z, 1.0);  // just not
+  now_ns += kStandstill_ns - 999'999;
+  expect_latched(Fault::standstill, tick());
+  // The hand may be anywhere by now: it is felt as a new surface.
+  loop.clear_fault(loop.status().fault);
+  EXPECT_EQ(ticks(100).sent.force_N.z, 0.0);
+  EXPECT_EQ(log.resets, 2);
+  lift();
+  tick();
+  touch();
+  EXPECT_NEAR(tick().sent.force_N.z, 0.02, 1e-12);
+}
+
+TEST_F(ServoLoopTest, LatchesAStandstillThatTheDeviceFollowsAsAStandstill) {
+  feel();
+  now_ns += 4'000'000'000;
+  device.answers = false;
+  expect_latched(Fault::standstill, tick());
+}
+
+TEST_F(ServoLoopTest, LatchesAStandstillOfASurfaceThatHasJustBegunOrIsLeaving) {
+  present();
+  lift();
+  tick();
+  now_ns += kStandstill_ns;
+  expect_latched(Fault::standstill, tick());
+  loop.clear_fault(loop.status().fault);
+  ticks(60);
+  loop.withdraw();
+  tick();
+  now_ns += kStandstill_ns;
+  expect_latched(Fault::standstill, tick());
+}
+
+// Between reading the hand and pushing it, the clock tells.
+TEST_F(ServoLoopTest, LatchesAStandstillWithinATick) {
+  feel();
+  static std::int64_t at_end_ns = 0;
+  now_ns += 1'000'000;
+  at_end_ns = now_ns + kStandstill_ns + 1;
+  loop.heartbeat();
+  loop.tick(now_ns, now_ns, []() noexcept { return at_end_ns; });
+  TickRecord record;
+  ASSERT_TRUE(records.pop(record));
+  expect_latched(Fault::standstill, record);
+}
+
+TEST_F(ServoLoopTest, StandsStillWithoutFaultWhereNothingIsPresented) {
+  ticks(3);
+  now_ns += 4'000'000'000;
+  EXPECT_FALSE(tick().has(TickFlag::fault_latched));
+  // One that waited meanwhile has not pushed anybody.
+  now_ns += 4'000'000'000;
+  present();
+  EXPECT_EQ(tick().gain, 0.0);
+  EXPECT_EQ(loop.status().fault, Fault::none);
+  EXPECT_EQ(log.dt_s, std::vector<double>{0.001});
+}
+
 TEST_F(ServoLoopTest, SaysHowLongATickTookWhenItHasAClock) {
   loop.tick(now_ns, now_ns, []() noexcept -> std::int64_t { return 1'000'000'000 + 1'234; });
   TickRecord record;
@@ -389,6 +453,7 @@ TEST(ServoLoop, RefusesSettingsThatAreNotPositive) {
   EXPECT_THROW(ServoLoop(device, records, {.ramp_s = -1.0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.heartbeat_timeout_s = kNan}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.misses_to_fault = 0}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.standstill_to_fault_s = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

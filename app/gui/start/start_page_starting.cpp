@@ -133,6 +133,7 @@ SessionOrder StartPage::order() const {
   inputs.resumed_session = resumed_session();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
+  inputs.standstill_to_fault_s = study_.standstill_to_fault_s();
   inputs.mirrored = setup_->is_mirrored();
   inputs.device = setup_->device().device();
   inputs.driver_options = driver_options(inputs.device);

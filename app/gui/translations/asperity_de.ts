@@ -2911,6 +2911,14 @@
         <source>the masking noise could not begin</source>
         <translation>das Maskierrauschen konnte nicht beginnen</translation>
     </message>
+    <message>
+        <source>the servo loop stood still for more than 50 ms, %1 times: the computer was suspended, the program was stopped, or other programs kept it from running</source>
+        <translation>die Servoschleife stand %1-mal länger als 50 ms still: Der Rechner war im Ruhezustand, das Programm war angehalten, oder andere Programme ließen es nicht laufen</translation>
+    </message>
+    <message>
+        <source>the servo loop stood still for more than 50 ms</source>
+        <translation>die Servoschleife stand länger als 50 ms still</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -3742,6 +3750,10 @@
     <message>
         <source>The masking noise cannot begin: the sound card does not play. The session is paused. Mend the sound, then resume.</source>
         <translation>Das Maskierrauschen kann nicht beginnen: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Den Ton in Ordnung bringen, dann fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The servo loop stood still for more than 50 ms: the force was set to zero, and what was interrupted is repeated. The third time, the session stops.</source>
+        <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und das Unterbrochene wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,7 @@
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
+#include "tests/support/patient_servo.h"
 
 namespace asperity {
 
@@ -57,6 +58,7 @@ RunInputs inputs_of(const std::filesystem::path& study, const std::string& parti
   inputs.mode = SessionMode::simulate;
   inputs.is_virtual = true;
   inputs.pacing = RunPacing::real_time;
+  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   return inputs;
 }
 

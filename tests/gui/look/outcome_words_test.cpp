@@ -16,8 +16,6 @@ namespace {
 constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
                                AttemptOutcome::not_compliant, AttemptOutcome::aborted,
                                AttemptOutcome::device_fault,  AttemptOutcome::skipped};
-constexpr std::array kFaults{Fault::emergency_stop, Fault::device_lost, Fault::not_finite,
-                             Fault::workspace_left, Fault::repeated_misses};
 
 TEST(OutcomeWords, CallAnEmergencyStopByItsName) {
   EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "emergency_stop"), "emergency stop");

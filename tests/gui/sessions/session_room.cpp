@@ -19,6 +19,7 @@
 #include "stimuli/preview.h"
 #include "stimuli/synthetic_surface.h"
 #include "tests/app/punctual_trial.h"
+#include "tests/support/patient_servo.h"
 
 namespace asperity {
 
@@ -181,6 +182,7 @@ void SessionRoom::open() {
   make_windows();
   require(window->open_study(folder()), "the study does not open");
   window->study()->set_device_trial(punctual_trial);
+  window->study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
 }
 
 bool SessionRoom::is_in(SessionPhase phase) {

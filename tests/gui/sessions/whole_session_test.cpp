@@ -12,6 +12,7 @@
 #include "tests/app/punctual_trial.h"
 #include "tests/gui/sessions/session_room.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/patient_servo.h"
 
 namespace asperity {
 namespace {
@@ -66,6 +67,7 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
   QTest::keyClick(&name, Qt::Key_Return);
   wait_for("the study", [&] { return window->study() != nullptr; });
   window->study()->set_device_trial(punctual_trial);
+  window->study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
 
   click_row(*window, "protocols_table", "small");
   click(*window, "protocol_start");

@@ -14,6 +14,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/support/full_disk.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -97,6 +98,7 @@ TEST_F(RunningSession, TakesAVirtualParticipantThroughAndSaysSoAtTheEnd) {
 TEST_F(RunningSession, GoesThroughItInRealTime) {
   write_short_protocol(1);
   order.inputs.pacing = RunPacing::real_time;
+  order.inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   SessionRunner runner;
   Listener listener(runner);
   runner.start(order);
@@ -223,6 +225,7 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
   order.inputs.mode = SessionMode::run;
   order.inputs.is_virtual = false;
   order.inputs.pacing = RunPacing::real_time;
+  order.inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   order.inputs.has_consented = true;
   order.inputs.new_person = ParticipantRow{.label = "P001"};
   order.consent_seen_by = "MW";

@@ -30,6 +30,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -63,6 +64,7 @@ class TheStartPage : public testing::Test {
     write_protocol(protocol_with_questions());
     study = std::make_unique<OpenStudy>(folder);
     study->set_device_trial(punctual_trial);
+    study->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
     page = std::make_unique<StartPage>(*study);
     page->resize(1146, 768);
   }

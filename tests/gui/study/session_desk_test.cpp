@@ -19,6 +19,7 @@
 #include "tests/app/punctual_trial.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/full_disk.h"
+#include "tests/support/patient_servo.h"
 
 namespace asperity {
 namespace {
@@ -34,6 +35,7 @@ class TheSessionDesk : public QuietHome {
   void open_demo() {
     ASSERT_TRUE(window_.open_study(small_demo_study()));
     window_.study()->set_device_trial(punctual_trial);
+    window_.study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
     auto& table = child<StudyTable>(window_, "protocols_table");
     ASSERT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
     table.select(QString::fromStdString(
