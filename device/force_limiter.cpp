@@ -36,12 +36,33 @@ void add(LimitReason reason, LimitedWrench& limited) noexcept {
   limited.reasons = static_cast<std::uint8_t>(limited.reasons | static_cast<std::uint8_t>(reason));
 }
 
+// What one of the two vectors of a wrench may be, and why it is shortened where it is longer.
+struct VectorLimit {
+  double length;
+  double change;
+  LimitReason too_long;
+};
+
+// `wanted`, shortened to the limit, and to its change from `last`.
+glm::dvec3 within(const VectorLimit& limit, const glm::dvec3& wanted, const glm::dvec3& last,
+                  LimitedWrench& limited) noexcept {
+  const glm::dvec3 aim = no_longer_than(limit.length, wanted);
+  if (aim != wanted) add(limit.too_long, limited);
+  const glm::dvec3 wanted_change = aim - last;
+  const glm::dvec3 change = no_longer_than(limit.change, wanted_change);
+  if (change == wanted_change) return aim;
+  add(LimitReason::slew, limited);
+  // Both ends of the line lie inside the limit, so its points do; their rounded sum may not.
+  return no_longer_than(limit.length, last + change);
+}
+
 }  // namespace
 
 ForceLimiter::ForceLimiter(const ForceLimits& limits) : limits_(limits) {
   require_positive("force_N of the force limits", limits.force_N);
   require_positive("torque_N_m of the force limits", limits.torque_N_m);
   require_positive("slew_N_per_s of the force limits", limits.slew_N_per_s);
+  require_positive("slew_N_m_per_s of the force limits", limits.slew_N_m_per_s);
 }
 
 LimitedWrench ForceLimiter::limit(const Wrench& wanted, double dt_s) noexcept {
@@ -52,25 +73,14 @@ LimitedWrench ForceLimiter::limit(const Wrench& wanted, double dt_s) noexcept {
     return limited;
   }
 
-  glm::dvec3& force_N = limited.wrench.force_N;
-  force_N = no_longer_than(limits_.force_N, wanted.force_N);
-  if (force_N != wanted.force_N) {
-    add(LimitReason::force, limited);
-  }
-  limited.wrench.torque_N_m = no_longer_than(limits_.torque_N_m, wanted.torque_N_m);
-  if (limited.wrench.torque_N_m != wanted.torque_N_m) {
-    add(LimitReason::torque, limited);
-  }
-
   // Written so that a dt that is not a number allows no change.
-  const double largest_change_N = dt_s > 0.0 ? limits_.slew_N_per_s * dt_s : 0.0;
-  const glm::dvec3 wanted_change_N = force_N - last_.force_N;
-  const glm::dvec3 change_N = no_longer_than(largest_change_N, wanted_change_N);
-  if (change_N != wanted_change_N) {
-    // Both ends of the line lie inside the limit, so its points do; their rounded sum may not.
-    force_N = no_longer_than(limits_.force_N, last_.force_N + change_N);
-    add(LimitReason::slew, limited);
-  }
+  const double elapsed_s = dt_s > 0.0 ? dt_s : 0.0;
+  limited.wrench.force_N =
+      within({limits_.force_N, limits_.slew_N_per_s * elapsed_s, LimitReason::force},
+             wanted.force_N, last_.force_N, limited);
+  limited.wrench.torque_N_m =
+      within({limits_.torque_N_m, limits_.slew_N_m_per_s * elapsed_s, LimitReason::torque},
+             wanted.torque_N_m, last_.torque_N_m, limited);
   last_ = limited.wrench;
   return limited;
 }

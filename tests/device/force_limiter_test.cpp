@@ -2,7 +2,9 @@
 
 #include "device/force_limiter.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -18,7 +20,8 @@ namespace asperity {
 namespace {
 
 // A slew so fast that only the magnitude limits act.
-constexpr ForceLimits kMagnitudeOnly{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9};
+constexpr ForceLimits kMagnitudeOnly{
+    .force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9, .slew_N_m_per_s = 1e9};
 
 Wrench force(double x, double y, double z) { return {.force_N = glm::dvec3(x, y, z)}; }
 
@@ -80,7 +83,8 @@ TEST(ForceLimiter, IsNeverAboveTheLimitByOneUnitInTheLastPlace) {
   Random random(71);
   // 5 N, and limits that binary fractions cannot hold.
   for (const double limit_N : {5.0, 3.3, 0.1, 7.123456789}) {
-    ForceLimiter limiter({.force_N = limit_N, .torque_N_m = 0.013, .slew_N_per_s = 2000.0});
+    ForceLimiter limiter(
+        {.force_N = limit_N, .torque_N_m = 0.013, .slew_N_per_s = 2000.0, .slew_N_m_per_s = 20.0});
     int limited_count = 0;
     for (int i = 0; i < 50'000; ++i) {
       const Wrench wanted{.force_N = any_vector(random), .torque_N_m = any_vector(random)};
@@ -95,7 +99,7 @@ TEST(ForceLimiter, IsNeverAboveTheLimitByOneUnitInTheLastPlace) {
 
 TEST(ForceLimiter, KeepsTheDirectionOfAnyForceAndTorque) {
   Random random(72);
-  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ForceLimiter limiter(kMagnitudeOnly);
   for (int i = 0; i < 50'000; ++i) {
     const Wrench wanted{.force_N = any_vector(random), .torque_N_m = any_vector(random)};
     const LimitedWrench limited = limiter.limit(wanted, kDt_s);
@@ -121,11 +125,37 @@ TEST(ForceLimiter, ChangesTheForceByNoMoreThanTheSlewAllows) {
   EXPECT_EQ(limited.reasons, 0);
 }
 
+TEST(ForceLimiter, ChangesTheTorqueByNoMoreThanItsSlewAllowsAndLeavesTheForceAlone) {
+  // 40 N·m/s for 1 ms is 0.04 N·m per call: −0.1 → 0.1 N·m takes five.
+  ForceLimiter limiter(
+      {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9, .slew_N_m_per_s = 40.0});
+  const auto torque = [&](double x) {
+    return limiter.limit({.force_N = {5.0, 0.0, 0.0}, .torque_N_m = {x, 0.0, 0.0}}, kDt_s);
+  };
+  for (int i = 0; i < 3; ++i) torque(-0.1);
+  for (const double expected_N_m : {-0.06, -0.02, 0.02, 0.06}) {
+    const LimitedWrench limited = torque(0.1);
+    EXPECT_NEAR(limited.wrench.torque_N_m.x, expected_N_m, 1e-15);
+    EXPECT_TRUE(limited.has(LimitReason::slew));
+    EXPECT_EQ(limited.wrench.force_N.x, 5.0);
+  }
+  EXPECT_NEAR(torque(0.1).wrench.torque_N_m.x, 0.1, 1e-15);
+  EXPECT_EQ(torque(0.1).reasons, 0);
+  limiter.reset();
+  EXPECT_NEAR(torque(0.1).wrench.torque_N_m.x, 0.04, 1e-15);
+}
+
+TEST(ForceLimiter, ReachesTheLargestWrenchFromZeroWithinAMillisecondByDefault) {
+  ForceLimiter limiter(ForceLimits{});
+  const Wrench wanted{.force_N = {0.0, 3.0, 4.0}, .torque_N_m = {0.06, 0.0, 0.08}};
+  EXPECT_EQ(limiter.limit(wanted, kDt_s).reasons, 0);
+}
+
 TEST(ForceLimiter, StaysOnTheLineFromTheLastForceToTheNewOne) {
   Random random(73);
   const ForceLimits limits{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1500.0};
   ForceLimiter limiter(limits);
-  ForceLimiter unslewed({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ForceLimiter unslewed(kMagnitudeOnly);
   glm::dvec3 last_N{0.0};
   int slewed_count = 0;
   for (int i = 0; i < 50'000; ++i) {
@@ -173,6 +203,62 @@ TEST(ForceLimiter, IsNotRoundedAboveTheLimitByTheSlew) {
   EXPECT_GT(slewed_count, 1000);
 }
 
+TEST(ForceLimiter, IsNotRoundedAboveTheLimitOfTorqueByItsSlew) {
+  Random random(75);
+  constexpr double kLimit_N_m = 0.1;
+  int slewed_count = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const glm::dvec3 from_N_m = kLimit_N_m * glm::normalize(any_vector(random));
+    const glm::dvec3 to_N_m = kLimit_N_m * glm::normalize(from_N_m + 1e-16 * any_vector(random));
+    if (glm::length(from_N_m) > kLimit_N_m || glm::length(to_N_m) > kLimit_N_m ||
+        from_N_m == to_N_m) {
+      continue;
+    }
+    ForceLimiter limiter({.torque_N_m = kLimit_N_m, .slew_N_m_per_s = 1.0});
+    limiter.limit({.torque_N_m = from_N_m}, 10.0);
+    const LimitedWrench limited =
+        limiter.limit({.torque_N_m = to_N_m}, 0.5 * glm::distance(from_N_m, to_N_m));
+    ASSERT_LE(glm::length(limited.wrench.torque_N_m), kLimit_N_m);
+    slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
+  }
+  EXPECT_GT(slewed_count, 1000);
+}
+
+// Whatever the bits of a double say: infinities, denormals, numbers whose square overflows.
+TEST(ForceLimiter, HoldsEveryLimitForWrenchesOfRandomBits) {
+  Random random(76);
+  const ForceLimits limits{};
+  ForceLimiter limiter(limits);
+  const auto any = [&random] {
+    const auto bits = std::bit_cast<double>(random.bits());
+    // Half of them of a size that is felt, so that a change is more than from limit to limit.
+    return random.uniform() < 0.5 ? bits : 0.2 * random.normal();
+  };
+  const auto vector = [&any] {
+    const double x = any();
+    const double y = any();
+    return glm::dvec3(x, y, any());
+  };
+  Wrench last{};
+  int slewed_count = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const glm::dvec3 force_N = vector();
+    const double dt_s = kDt_s * (0.5 + 3.5 * random.uniform());
+    const LimitedWrench limited = limiter.limit({.force_N = force_N, .torque_N_m = vector()}, dt_s);
+    const Wrench& sent = limited.wrench;
+    ASSERT_LE(glm::length(sent.force_N), limits.force_N);
+    ASSERT_LE(glm::length(sent.torque_N_m), limits.torque_N_m);
+    if (!limited.has(LimitReason::not_finite)) {
+      ASSERT_LE(glm::distance(sent.force_N, last.force_N), limits.slew_N_per_s * dt_s + 1e-12);
+      ASSERT_LE(glm::distance(sent.torque_N_m, last.torque_N_m),
+                limits.slew_N_m_per_s * dt_s + 1e-14);
+    }
+    slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
+    last = sent;
+  }
+  EXPECT_GT(slewed_count, 1000);
+}
+
 TEST(ForceLimiter, SendsZeroForAnyComponentThatIsNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -210,10 +296,14 @@ TEST(ForceLimiter, CountsTheNextChangeFromZeroAfterAReset) {
 
 TEST(ForceLimiter, AllowsNoChangeInATimeThatIsNotPositive) {
   ForceLimiter limiter(kMagnitudeOnly);
-  limiter.limit(force(1.0, 0.0, 0.0), kDt_s);
+  const auto wrench = [](double size) {
+    return Wrench{.force_N = {size, 0.0, 0.0}, .torque_N_m = {0.0, 0.01 * size, 0.0}};
+  };
+  limiter.limit(wrench(1.0), kDt_s);
   for (const double dt_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    const LimitedWrench limited = limiter.limit(force(2.0, 0.0, 0.0), dt_s);
+    const LimitedWrench limited = limiter.limit(wrench(2.0), dt_s);
     EXPECT_EQ(limited.wrench.force_N, glm::dvec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(limited.wrench.torque_N_m, glm::dvec3(0.0, 0.01, 0.0));
     EXPECT_TRUE(limited.has(LimitReason::slew));
   }
 }
@@ -229,6 +319,8 @@ TEST(ForceLimiter, RefusesALimitThatIsNotPositiveAndFiniteByName) {
             "torque_N_m of the force limits is -1.5; it has to be positive and finite.");
   EXPECT_EQ(refusal({.slew_N_per_s = infinity}),
             "slew_N_per_s of the force limits is inf; it has to be positive and finite.");
+  EXPECT_EQ(refusal({.slew_N_m_per_s = 0.0}),
+            "slew_N_m_per_s of the force limits is 0; it has to be positive and finite.");
 }
 
 TEST(ForceLimiter, DoesNotTouchTheHeap) {
