@@ -36,11 +36,14 @@ class UnitPlate final : public ForceRenderer {
     RenderedTick tick;
     if (probe.position_m.z < 0.0) {
       tick.wrench.force_N.z = force_N;
-      tick.penetration_m = -probe.position_m.z;
+      tick.wrench.torque_N_m.x = torque_N_m;
+      tick.penetration_m = penetrations * -probe.position_m.z;
     }
     return tick;
   }
   double force_N = 1.0;
+  double torque_N_m = 0.01;
+  double penetrations = 1.0;
 
  private:
   Log& log_;
@@ -86,12 +89,19 @@ class ServoLoopTest : public testing::Test {
     EXPECT_EQ(loop.status().fault, fault) << name_of(loop.status().fault);
     EXPECT_TRUE(record.has(TickFlag::fault_latched));
     EXPECT_EQ(record.sent.force_N, glm::dvec3(0.0));
+    EXPECT_EQ(record.sent.torque_N_m, glm::dvec3(0.0));
     EXPECT_EQ(record.gain, 0.0);
     EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
+    EXPECT_EQ(device.last_sent.torque_N_m, glm::dvec3(0.0));
   }
 
   UnitPlate::Log log{};
-  ScriptedDevice device{};
+  ScriptedDevice device{
+      {.name = "scripted",
+       .actuated_degrees_of_freedom = 6,
+       .peak_force_N = 100.0,
+       .may_rest_exactly = true},
+      {.force_N = 100.0, .torque_N_m = 10.0, .slew_N_per_s = 1e9, .slew_N_m_per_s = 1e9}};
   RecordRing records{16};
   ServoLoop loop{device, records, {}};
   std::int64_t now_ns = 1'000'000'000;
@@ -115,7 +125,9 @@ TEST_F(ServoLoopTest, RaisesASurfaceOverFiftyMilliseconds) {
     const TickRecord record = tick();
     EXPECT_NEAR(record.gain, i / 50.0, 1e-12);
     EXPECT_NEAR(record.sent.force_N.z, i / 50.0, 1e-12);
+    EXPECT_NEAR(record.sent.torque_N_m.x, 0.01 * i / 50.0, 1e-14);
     EXPECT_EQ(record.rendered.force_N.z, 1.0);  // what was meant is kept
+    EXPECT_EQ(record.rendered.torque_N_m.x, 0.01);
   }
   EXPECT_NEAR(tick().gain, 1.0, 1e-12);
   EXPECT_EQ(tick().gain, 1.0);
@@ -158,7 +170,11 @@ TEST_F(ServoLoopTest, MarksTheFirstRecordOfAPresentation) {
 TEST_F(ServoLoopTest, FadesAWithdrawnSurfaceOutAndGivesItBack) {
   feel();
   loop.withdraw();
-  for (int i = 1; i < 50; ++i) EXPECT_NEAR(tick().sent.force_N.z, 1.0 - i / 50.0, 1e-12);
+  for (int i = 1; i < 50; ++i) {
+    const Wrench sent = tick().sent;
+    EXPECT_NEAR(sent.force_N.z, 1.0 - i / 50.0, 1e-12);
+    EXPECT_NEAR(sent.torque_N_m.x, 0.01 * (1.0 - i / 50.0), 1e-14);
+  }
   EXPECT_EQ(loop.collect().renderer, nullptr);
   ticks(3);
   EXPECT_EQ(loop.status().presentation, 0U);
@@ -195,6 +211,21 @@ TEST_F(ServoLoopTest, FadesOneSurfaceOutBeforeTheNextFadesIn) {
   ticks(60);
   touch();
   EXPECT_EQ(tick().gain, 1.0);
+}
+
+// Nobody has collected the one before: it is not lost, and neither is this one.
+TEST_F(ServoLoopTest, KeepsASurfaceUntilTheOneBeforeItHasBeenCollected) {
+  feel();
+  loop.withdraw();
+  ticks(60);
+  present(8);
+  ticks(2);
+  loop.withdraw();
+  EXPECT_EQ(ticks(100).presentation, 8U);
+  EXPECT_FALSE(log.destroyed);
+  EXPECT_EQ(loop.collect().id, 7U);
+  EXPECT_EQ(tick().presentation, 0U);
+  EXPECT_EQ(loop.collect().id, 8U);
 }
 
 TEST_F(ServoLoopTest, RefusesASecondWaitingPresentation) {
@@ -273,6 +304,18 @@ TEST_F(ServoLoopTest, StartsOverAfterAFaultWasCleared) {
   EXPECT_EQ(tick().sent.force_N.z, 1.0);
 }
 
+TEST_F(ServoLoopTest, ClearsNoOtherFaultThanTheOneThatWasSeen) {
+  feel();
+  loop.lose_device();
+  tick();
+  const Fault seen = loop.status().fault;
+  loop.emergency_stop();
+  loop.clear_fault(seen);
+  expect_latched(Fault::emergency_stop, tick());
+  loop.clear_fault(Fault::emergency_stop);
+  EXPECT_FALSE(tick().has(TickFlag::fault_latched));
+}
+
 TEST_F(ServoLoopTest, LatchesALostDevice) {
   feel();
   device.answers = false;
@@ -305,16 +348,23 @@ TEST_F(ServoLoopTest, LatchesAVelocityThatIsNotFinite) {
   expect_latched(Fault::not_finite, tick());
 }
 
-TEST_F(ServoLoopTest, LatchesAForceThatIsNotFinite) {
-  UnitPlate& plate = present();
-  lift();
-  ticks(60);
-  touch();
-  ASSERT_EQ(tick().sent.force_N.z, 1.0);
-  plate.force_N = kNan;
-  const TickRecord record = tick();
-  expect_latched(Fault::not_finite, record);
-  EXPECT_TRUE(record.has(TickFlag::limited_not_finite));
+TEST_F(ServoLoopTest, LatchesWhatARendererGivesThatIsNotFinite) {
+  for (double UnitPlate::*part :
+       {&UnitPlate::force_N, &UnitPlate::torque_N_m, &UnitPlate::penetrations}) {
+    UnitPlate& plate = present();
+    lift();
+    ticks(60);
+    touch();
+    ASSERT_EQ(tick().sent.force_N.z, 1.0);
+    plate.*part = kNan;
+    const TickRecord record = tick();
+    expect_latched(Fault::not_finite, record);
+    EXPECT_TRUE(record.has(TickFlag::limited_not_finite));
+    loop.withdraw();
+    loop.clear_fault(Fault::not_finite);
+    tick();
+    EXPECT_EQ(loop.collect().id, 7U);
+  }
 }
 
 TEST_F(ServoLoopTest, LatchesAProbeThatLeavesTheWorkspace) {
