@@ -221,7 +221,7 @@ struct Protocol {
 
   double rate_Hz = 1000.0;
   double force_limit_N = 5.0;
-  int maximum_missed_deadlines = 50;  ///< per attempt; more make the attempt invalid
+  int maximum_missed_deadlines = 50;  ///< in contact, per attempt; more make the attempt invalid
   int maximum_lost_records = 0;
   /// A session with a person needs a profile of its device that is not older; absent: none is needed.
   std::optional<double> profile_maximum_age_days{};

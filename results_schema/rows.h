@@ -140,6 +140,8 @@ struct ServoQualityRow {
   double execution_p99_s = 0.0;
   double execution_maximum_s = 0.0;
   std::int64_t missed_deadlines = 0;
+  /// Those while a surface was touched; missing in attempts of version 0.1, which did not count them apart.
+  std::optional<std::int64_t> missed_in_contact{};
   std::int64_t saturated_ticks = 0;
   std::int64_t slew_limited_ticks = 0;
   std::int64_t not_finite_ticks = 0;

@@ -34,9 +34,9 @@ simulate_and_analyze() {
     fi
   done
   echo "Completing $kParticipants virtual participants, ${#files[@]} sessions each" >&2
-  # Without the line for every finished trial. At Ctrl-C asperity finishes the trials under way and says so.
+  # Without the line for every stored attempt. At Ctrl-C asperity finishes the trials under way and says so.
   "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
-    --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk '!/^done / { print; fflush() }') >&2
+    --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk '!/^(done|stored) / { print; fflush() }') >&2
   echo >&2
   "$asperity" analyze "$study"
   echo >&2

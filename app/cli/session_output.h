@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// `done PARTICIPANT SESSION TRIAL ATTEMPT`, once the attempt is on disk. Threads: any.
+/// Once the attempt is on disk: `done PARTICIPANT SESSION TRIAL ATTEMPT` where it counts, and otherwise
+/// `stored PARTICIPANT SESSION TRIAL ATTEMPT OUTCOME`. Threads: any.
 void say_done(const AttemptDone& done);
 
 }  // namespace asperity

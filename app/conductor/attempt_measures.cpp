@@ -16,8 +16,12 @@ bool belongs(const TickRecord& record, std::uint64_t presentation) {
   return record.presentation == presentation && record.has(TickFlag::presenting);
 }
 
+bool touches(const TickRecord& record) {
+  return record.has(TickFlag::presenting) && record.penetration_m > 0.0;
+}
+
 bool touches(const TickRecord& record, std::uint64_t presentation) {
-  return belongs(record, presentation) && record.penetration_m > 0.0;
+  return record.presentation == presentation && touches(record);
 }
 
 std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
@@ -72,6 +76,7 @@ ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rat
   row.rate_Hz = rate_Hz;
   row.ticks = static_cast<std::int64_t>(records.size());
   row.lost_records = static_cast<std::int64_t>(lost_records);
+  std::int64_t missed_in_contact = 0;
   std::vector<double> periods{};
   std::vector<double> lateness{};
   std::vector<double> execution{};
@@ -82,13 +87,17 @@ ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rat
     }
     lateness.push_back(record.lateness_ns);
     execution.push_back(record.execution_ns);
-    if (record.has(TickFlag::missed_deadline)) ++row.missed_deadlines;
+    if (record.has(TickFlag::missed_deadline)) {
+      ++row.missed_deadlines;
+      if (touches(record) || (i > 0 && touches(records[i - 1]))) ++missed_in_contact;
+    }
     if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
       ++row.saturated_ticks;
     }
     if (record.has(TickFlag::limited_slew)) ++row.slew_limited_ticks;
     if (record.has(TickFlag::limited_not_finite)) ++row.not_finite_ticks;
   }
+  row.missed_in_contact = missed_in_contact;
   if (periods.empty()) return row;
   periods = sorted_seconds(std::move(periods));
   lateness = sorted_seconds(std::move(lateness));

@@ -14,7 +14,8 @@
 
 namespace asperity {
 
-/// How well the loop ran. `lost_records` are those the ring had no room for.
+/// How well the loop ran. `lost_records` are those the ring had no room for. A deadline is missed in contact when a
+/// surface is touched in the late tick or in the one before, whose force was held meanwhile.
 ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rate_Hz,
                                  std::uint64_t lost_records);
 

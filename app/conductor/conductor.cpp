@@ -426,6 +426,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
     snapshot.trial = order.trial.ordinal;
     snapshot.attempt = order.attempt;
   });
+  tell_of_repetition(trial);
   TrialAttempt attempt(course_, builder_, order);
   AttemptRow row = attempt.make();
   interruption = attempt.interruption();
@@ -436,9 +437,27 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
       waits_for_others(trial, row) ? TrialTally::Again::after_others : TrialTally::Again::at_once;
   progress_->add(row, step_, tally_->coming(step_, block_, trial.ordinal, again));
   if (settings_.done) {
-    settings_.done({session_.row.participant, session_.row.session, trial.ordinal, order.attempt});
+    settings_.done({.participant = session_.row.participant,
+                    .session = session_.row.session,
+                    .trial = trial.ordinal,
+                    .attempt = order.attempt,
+                    .counts = row.valid,
+                    .outcome = row.outcome});
   }
   return row;
+}
+
+/// Why a trial is asked once more, where nobody sees it in a window.
+void Conductor::tell_of_repetition(const Trial& trial) const {
+  if (!settings_.links.tell) return;
+  const std::vector<AttemptRow>& made = tally_->attempts();
+  const auto last = std::find_if(made.rbegin(), made.rend(), [&trial](const AttemptRow& attempt) {
+    return attempt.trial == trial.ordinal;
+  });
+  if (last == made.rend()) return;
+  settings_.links.tell(
+      "Trial " + std::to_string(trial.ordinal) + " is repeated: " +
+      read_reason(last->invalid_reason.value_or(text_of(last->outcome))).english() + '.');
 }
 
 bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {

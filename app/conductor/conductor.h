@@ -27,6 +27,8 @@ struct AttemptDone {
   int session = 0;
   int trial = 0;
   int attempt = 0;
+  bool counts = true;  ///< it does its trial; otherwise it is kept, and the trial may be repeated
+  AttemptOutcome outcome = AttemptOutcome::answered;
 };
 
 struct ConductorSettings {
@@ -95,6 +97,7 @@ class Conductor final {
   void run_trial(const Trial& trial);
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
+  void tell_of_repetition(const Trial& trial) const;
   /// Is asked again after all others of its block.
   bool is_put_off(const Trial& trial) const;
   bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;

@@ -20,7 +20,8 @@ struct SessionLinks {
   /// An experimenter is there: after a fault, or when the masking noise stops, the session waits for
   /// what they decide; otherwise it ends and can be gone on with.
   bool experimenter_is_there = false;
-  /// Told, in a line, what is wrong with the device and that it is well again; for who has no monitor.
+  /// Receives, as lines, what is wrong with the device, that it is well again, and why a trial is repeated; for who has
+  /// no monitor.
   std::function<void(const std::string& line)> tell{};
 };
 

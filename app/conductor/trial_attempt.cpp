@@ -371,10 +371,11 @@ void TrialAttempt::answer() {
 void TrialAttempt::judge() {
   const Protocol& protocol = course_.protocol();
   const ServoQualityRow& servo = *row_.servo;
-  if (servo.missed_deadlines > protocol.maximum_missed_deadlines) {
+  // Also of a slow answer, during which nothing is felt, many a tick may be late.
+  if (servo.missed_in_contact > protocol.maximum_missed_deadlines) {
     row_.valid = false;
-    row_.invalid_reason = phrase_of(Reason::missed_deadlines)
-                              .with(std::to_string(servo.missed_deadlines),
+    row_.invalid_reason = phrase_of(Reason::missed_in_contact)
+                              .with(std::to_string(*servo.missed_in_contact),
                                     std::to_string(protocol.maximum_missed_deadlines))
                               .english();
     return;

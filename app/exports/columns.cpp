@@ -27,6 +27,11 @@ Cell optional_cell(const std::optional<Value>& value) {
 
 Cell integer(std::int64_t value) { return value; }
 
+constexpr const char* kMissedInContact =
+    "ticks that came too late while a surface was touched: on these an attempt is judged";
+constexpr const char* kNotCountedApart =
+    "the attempt was made by version 0.1, which did not count them apart";
+
 /// On the clock of the session, whose zero is at started_utc.
 Cell seconds_in_session(const Place& at, std::int64_t time_ns) {
   return static_cast<double>(time_ns - at.session->clock_zero_ns) / 1e9;
@@ -563,6 +568,11 @@ Columns servo_columns() {
   number("execution_maximum_s", "s", "longest duration of a tick; 0 when simulated",
          &Row::execution_maximum_s);
   count("missed_deadlines", "ticks that came too late", &Row::missed_deadlines);
+  columns.push_back(missing(
+      kNotCountedApart, at_least(0, column("missed_in_contact", "integer", "1", kMissedInContact,
+                                           [](const Place& at) {
+                                             return optional_cell(at.servo->missed_in_contact);
+                                           }))));
   count("saturated_ticks", "ticks with a force shortened to the limit", &Row::saturated_ticks);
   count("slew_limited_ticks", "ticks with a change of force slowed down", &Row::slew_limited_ticks);
   count("not_finite_ticks", "ticks with a force that was no number", &Row::not_finite_ticks);
@@ -702,6 +712,13 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
                  }))));
   };
   servo("missed_deadlines", "ticks that came too late", &ServoQualityRow::missed_deadlines);
+  columns.push_back(missing(std::string("the attempt has no servo quality, or ") + kNotCountedApart,
+                            at_least(0, column("missed_in_contact", "integer", "1",
+                                               kMissedInContact, [](const Place& at) -> Cell {
+                                                 if (!at.attempt->servo) return {};
+                                                 return optional_cell(
+                                                     at.attempt->servo->missed_in_contact);
+                                               }))));
   servo("saturated_ticks", "ticks with a force shortened to the limit",
         &ServoQualityRow::saturated_ticks);
   servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);

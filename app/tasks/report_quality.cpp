@@ -154,6 +154,7 @@ ReportTable counts_table(const ReportFacts& facts) {
   table.title = "Forces that did not come as they were meant";
   table.columns = {{"what", false}, {"ticks in all", true}, {"in", true}, {"most in one", true}};
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
+                count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force shortened to the limit", servo.saturated, "attempts"),
                 count_row("change of force slowed", servo.slew_limited, "attempts"),

@@ -76,6 +76,27 @@ TEST_F(ConductorTest, ReportsATrialOnlyWhenItsRowIsStored) {
   conductor.run(session_);
 }
 
+TEST_F(ConductorTest, ReportsWhetherAnAttemptCountsAndWhyItsTrialIsRepeated) {
+  begin(small_protocol());
+  std::vector<std::string> lines{};
+  links_.tell = [&lines](const std::string& line) { lines.push_back(line); };
+  person_.at_question = [this](int question, const Trial&) -> Reply {
+    if (question == 2) conductor_->requests().skip("the sample broke");
+    if (question == 2) return {{}, 1};
+    if (question == 3) conductor_->requests().repeat_last("the door banged");
+    return {{0}, {}};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<std::string> reported{};
+  for (const AttemptDone& done : done_) {
+    reported.push_back(std::to_string(done.trial) + '/' + std::to_string(done.attempt) +
+                       (done.counts ? " counts" : std::string(" ") + text_of(done.outcome)));
+  }
+  EXPECT_THAT(reported,
+              testing::ElementsAre("1/1 counts", "2/1 skipped", "3/1 counts", "3/2 counts"));
+  EXPECT_THAT(lines, testing::ElementsAre("Trial 3 is repeated: set aside: the door banged."));
+}
+
 TEST_F(ConductorTest, RecordsEveryTickOfAnAttempt) {
   begin(small_protocol());
   run();

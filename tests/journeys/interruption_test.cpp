@@ -20,7 +20,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-/// "done PARTICIPANT SESSION TRIAL ATTEMPT" of every stored attempt, read from outside.
+/// "PARTICIPANT SESSION TRIAL ATTEMPT" of every stored attempt, read from outside.
 std::set<std::string> stored_attempts(const fs::path& study) {
   sqlite3* database = nullptr;
   EXPECT_EQ(
@@ -28,7 +28,7 @@ std::set<std::string> stored_attempts(const fs::path& study) {
       SQLITE_OK);
   sqlite3_stmt* statement = nullptr;
   EXPECT_EQ(sqlite3_prepare_v2(database,
-                               "SELECT 'done ' || p.label || ' ' || s.session || ' ' || a.trial || "
+                               "SELECT p.label || ' ' || s.session || ' ' || a.trial || "
                                "' ' || a.attempt FROM attempt a JOIN session s ON s.id = "
                                "a.session_id JOIN participant p ON p.id = s.participant_id",
                                -1, &statement, nullptr),
@@ -43,10 +43,10 @@ std::set<std::string> stored_attempts(const fs::path& study) {
   return stored;
 }
 
-void expect_all_stored(const fs::path& study, const std::vector<std::string>& done) {
-  if (done.empty()) return;
+void expect_all_stored(const fs::path& study, const std::vector<std::string>& reported) {
+  if (reported.empty()) return;
   const std::set<std::string> stored = stored_attempts(study);
-  for (const std::string& line : done) EXPECT_TRUE(stored.contains(line)) << line;
+  for (const std::string& attempt : reported) EXPECT_TRUE(stored.contains(attempt)) << attempt;
 }
 
 /// What does not hold afterwards is what a dead program had begun to record, and nothing else:
@@ -59,8 +59,8 @@ void expect_sound(const fs::path& study) {
   }
 }
 
-/// Kills the program `after` its n-th done line; before the first one for n = 0. Returns the lines
-/// that it had said.
+/// Kills the program `after` its n-th done line; before the first one for n = 0. Returns the attempts
+/// that it had reported stored.
 std::vector<std::string> killed(const std::vector<std::string>& arguments, std::size_t done_before,
                                 microseconds after) {
   Invocation invocation{};
@@ -71,7 +71,7 @@ std::vector<std::string> killed(const std::vector<std::string>& arguments, std::
   });
   program.read_for(after);
   program.send(SIGKILL);
-  return done_lines(program.finish().err);
+  return stored_attempts_in(program.finish().err);
 }
 
 TEST(Kill, LosesNoTrialOfASimulationThatWasReportedDone) {
@@ -173,7 +173,7 @@ TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
   const Outcome stopped = program.finish();
   EXPECT_EQ(stopped.status, 1);
   EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
-  const std::vector<std::string> done = done_lines(stopped.err);
+  const std::vector<std::string> done = stored_attempts_in(stopped.err);
   EXPECT_LT(done.size(), 160U);
   EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
 }

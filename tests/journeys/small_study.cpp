@@ -174,12 +174,30 @@ Tsv tsv(const std::string& text) {
   return table;
 }
 
-std::vector<std::string> done_lines(const std::string& err) {
+namespace {
+
+/// The last line may have been cut by a kill; without its end it was not written.
+std::vector<std::string> whole_lines(const std::string& text) {
   std::vector<std::string> found{};
-  std::istringstream lines(err);
-  for (std::string line{}; std::getline(lines, line);) {
-    // The last line may have been cut by a kill; without its end it was not said.
-    if (line.rfind("done ", 0) == 0 && !lines.eof()) found.push_back(line);
+  std::istringstream lines(text);
+  for (std::string line{}; std::getline(lines, line) && !lines.eof();) found.push_back(line);
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> done_lines(const std::string& err) {
+  std::vector<std::string> found = whole_lines(err);
+  std::erase_if(found, [](const std::string& line) { return !line.starts_with("done "); });
+  return found;
+}
+
+std::vector<std::string> stored_attempts_in(const std::string& err) {
+  std::vector<std::string> found{};
+  for (const std::string& line : whole_lines(err)) {
+    if (line.starts_with("done ")) found.push_back(line.substr(5));
+    // Its last word is the outcome.
+    if (line.starts_with("stored ")) found.push_back(line.substr(7, line.rfind(' ') - 7));
   }
   return found;
 }

@@ -62,7 +62,9 @@ struct Tsv {
 };
 Tsv tsv(const std::string& text);
 
-/// The lines that begin with "done ".
+/// The lines that begin with "done ": attempts that are stored and count.
 std::vector<std::string> done_lines(const std::string& err);
+/// "PARTICIPANT SESSION TRIAL ATTEMPT" of each attempt that was reported stored, whether or not it counts.
+std::vector<std::string> stored_attempts_in(const std::string& err);
 
 }  // namespace asperity::test

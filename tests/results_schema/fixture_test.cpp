@@ -59,6 +59,7 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(attempts[1].responses.at(0).answer, "B");
   EXPECT_TRUE(attempts[1].valid);
   EXPECT_EQ(attempts[2].servo->lost_records, 5);
+  EXPECT_EQ(attempts[2].servo->missed_in_contact.has_value(), GetParam() >= 4);
   EXPECT_EQ(attempts[2].presentations.at(0).matched_texture_force_N, 0.1);
   EXPECT_EQ(attempts[2].presentations.at(0).tool_sha256.has_value(), GetParam() >= 3);
   EXPECT_EQ(attempts[2].presentations.at(0).limits.size(), GetParam() >= 3 ? 2U : 0U);

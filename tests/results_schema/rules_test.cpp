@@ -99,7 +99,7 @@ struct Forbidden {
 };
 
 const std::string kServoValues =
-    ", 1000, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'none')";
+    ", 1000, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'none', 0)";
 
 std::string attempt(const std::string& values) { return "INSERT INTO attempt VALUES " + values; }
 std::string session(const std::string& participant, const std::string& ordinal,

@@ -273,7 +273,8 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_EQ(row.servo->lateness_maximum_s, 0.009);
   EXPECT_EQ(row.servo->execution_p99_s, 0.010);
   EXPECT_EQ(row.servo->execution_maximum_s, 0.011);
-  EXPECT_EQ(row.servo->missed_deadlines, 1);
+  EXPECT_EQ(row.servo->missed_deadlines, 9);
+  EXPECT_EQ(row.servo->missed_in_contact, 1);
   EXPECT_EQ(row.servo->saturated_ticks, 2);
   EXPECT_EQ(row.servo->slew_limited_ticks, 3);
   EXPECT_EQ(row.servo->not_finite_ticks, 4);

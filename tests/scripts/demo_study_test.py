@@ -27,7 +27,7 @@ class DemoStudy(unittest.TestCase):
 echo "$@" >> {self.asked}
 case $1 in
   new) mkdir -p "$2/protocols"; {new or ":"}; touch {files} ;;
-  simulate) echo "done virtual0001 1 1 1" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
+  simulate) echo "done virtual0001 1 1 1" >&2; echo "stored virtual0001 1 2 1 not_compliant" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
   analyze) echo "the result" ;;
 esac
 """)
@@ -78,10 +78,10 @@ esac
         self.assertIn("chapter_selection.json", answer.stderr)
         self.assertEqual([path.name for path in self.study.iterdir()], ["notes.txt"])
 
-    def test_shows_what_the_program_says_but_for_finished_trials(self):
+    def test_shows_what_the_program_says_but_for_stored_attempts(self):
         answer, _ = self.run_demo()
         self.assertIn("simulating: 50 %", answer.stderr)
-        self.assertNotIn("done virtual0001", answer.stderr)
+        self.assertNotIn("virtual0001", answer.stderr)
 
     def test_stops_when_the_simulation_was_interrupted(self):
         self.pretend(simulate="exit 1")

@@ -88,6 +88,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   const auto count = [](std::int64_t ticks) { return QString::number(ticks); };
   const auto none = [](std::int64_t ticks) { return ticks == 0 ? State::fine : State::look; };
   const auto lost = [](std::int64_t records) { return records == 0 ? State::fine : State::stop; };
+  const std::optional<std::int64_t>& in_contact = servo.missed_in_contact;
   return {
       {MeasureTables::tr("ticks, at %1 Hz").arg(text(fixed(servo.rate_Hz, 0))), count(servo.ticks)},
       {MeasureTables::tr("period: mean"), us(servo.period_mean_s)},
@@ -97,6 +98,9 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("lateness: greatest"), us(servo.lateness_maximum_s)},
       {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines),
        none(servo.missed_deadlines)},
+      {MeasureTables::tr("missed deadlines in contact"),
+       in_contact ? count(*in_contact) : MeasureTables::tr("not counted"),
+       in_contact ? none(*in_contact) : State::unknown},
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
       {MeasureTables::tr("ticks at the limit of force"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},

@@ -2919,6 +2919,10 @@
         <source>the servo loop stood still for more than 50 ms</source>
         <translation>die Servoschleife stand länger als 50 ms still</translation>
     </message>
+    <message>
+        <source>%1 missed deadlines in contact, at most %2 allowed</source>
+        <translation>%1 verpasste Fristen im Kontakt, höchstens %2 erlaubt</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>
@@ -5628,6 +5632,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>a contact was deeper or steeper than the bodies bear out, and was bounded</source>
         <translation>ein Kontakt war tiefer oder steiler, als die Körper es hergeben, und wurde begrenzt</translation>
+    </message>
+    <message>
+        <source>missed deadlines in contact</source>
+        <translation>verpasste Fristen im Kontakt</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
     </message>
 </context>
 <context>
