@@ -26,6 +26,10 @@ namespace {
 
 constexpr int kBetweenLooks_ms = 50;
 
+// What the destructor says.
+constexpr char kFarewell = 1;
+constexpr char kLastWord = 2;
+
 using StatusPath = std::array<char, 32>;
 
 void close_from_to(unsigned first, unsigned last) noexcept {
@@ -75,8 +79,12 @@ bool stands_still(const StatusPath& status) noexcept {
       if (stands_still(status)) act(WatchdogProcess::Cause::stopped, about);
       continue;
     }
-    char farewell = 0;
-    if (read(leash, &farewell, 1) != 1) act(WatchdogProcess::Cause::ended, about);
+    char said = 0;
+    if (read(leash, &said, 1) != 1) {
+      act(WatchdogProcess::Cause::ended, about);
+    } else if (said == kLastWord) {
+      act(WatchdogProcess::Cause::left, about);
+    }
     _exit(0);
   }
 }
@@ -131,11 +139,9 @@ bool WatchdogProcess::is_there() const noexcept {
 }
 
 WatchdogProcess::~WatchdogProcess() {
-  const char farewell = 1;
-  if (!is_left_to_act_) {
-    // It only fails when the other process is gone already.
-    [[maybe_unused]] const ssize_t written = send(leash_, &farewell, 1, MSG_NOSIGNAL);
-  }
+  const char word = is_left_to_act_ ? kLastWord : kFarewell;
+  // It only fails when the other process is gone already.
+  [[maybe_unused]] const ssize_t written = send(leash_, &word, 1, MSG_NOSIGNAL);
   close(leash_);
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }

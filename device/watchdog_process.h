@@ -7,6 +7,10 @@
 
 namespace asperity {
 
+/// Part of a device's sentences: what WatchdogProcess::is_there has denied.
+inline constexpr const char* kWatchdogIsGone =
+    "the process that sets its motors to zero should this program die is gone";
+
 /// Waits in a process of its own for this one to end, however badly, or to stand still.
 ///
 /// What the caller may rely on:
@@ -14,8 +18,8 @@ namespace asperity {
 ///   soon as the kernel closes this process's files.
 /// - Stopped (SIGSTOP, Ctrl-Z, a debugger) or writing a core dump: `act(stopped, …)` within 0.1 s, and
 ///   again every 50 ms until it goes on.
-/// - Destroyed in order: nothing is called, or after `leave_to_act` what is called when the process has ended; the
-///   destructor waits until the other process is gone.
+/// - Destroyed in order: nothing is called, or after `leave_to_act` `act(left, …)`; the destructor waits until the
+///   other process is gone.
 ///
 /// What it cannot see: a thread that hangs in a process that runs, a kernel that died, a plug that was
 /// pulled.
@@ -30,7 +34,11 @@ namespace asperity {
 /// Threads: construct and destroy from any; not in real time (a fork takes milliseconds).
 class WatchdogProcess final {
  public:
-  enum class Cause { ended, stopped };
+  enum class Cause {
+    ended,    ///< nobody waits for `act` any more
+    stopped,  ///< it is called again and again
+    left,     ///< the destructor waits for it
+  };
   using Act = void (*)(Cause cause, const void* about) noexcept;
 
   /// `about` is handed to `act` as it is now. `keep_open` is a file of this process that `act` needs, −1 for none.
@@ -38,8 +46,8 @@ class WatchdogProcess final {
   ~WatchdogProcess();
   /// False when the other process has ended, by whatever hand: nobody acts any more. A system call, without waiting.
   bool is_there() const noexcept;
-  /// Has the destructor take its leave as a death does: for who could not set the motors to zero itself. What `act`
-  /// needs has to be free before it is destroyed.
+  /// Has the destructor ask for `act(left, …)`: for who could not set the motors to zero itself. What `act` needs has
+  /// to be free before it is destroyed.
   void leave_to_act() noexcept { is_left_to_act_ = true; }
 
   WatchdogProcess(const WatchdogProcess&) = delete;

@@ -138,9 +138,8 @@ std::string FalconDevice::trouble() const {
     case State::well:
       return {};
     case State::unwatched:
-      return it +
-             " gets no force: the process that sets its motors to zero should this program die is "
-             "gone. Unplug the Falcon and plug it in again, or end the session and open it anew.";
+      return it + " gets no force: " + kWatchdogIsGone +
+             ". Unplug the Falcon and plug it in again, or end the session and open it anew.";
     case State::unplugged:
       return it + " is unplugged: plug it in again where it was, and see that it has power.";
     case State::silent:

@@ -17,7 +17,8 @@ namespace asperity::falcon {
 namespace {
 
 constexpr unsigned kPatience_ms = 20;
-constexpr std::int64_t kLongest_ns = 1'000'000'000;
+constexpr std::int64_t kLongestOfTheDead_ns = 60'000'000'000;
+constexpr std::int64_t kLongestWaitedFor_ns = 1'000'000'000;
 constexpr timespec kBetweenTries{0, 5'000'000};
 
 }  // namespace
@@ -39,18 +40,22 @@ void say_last_words(WatchdogProcess::Cause cause, const void* about) noexcept {
   }
   // Shared with the dead, and so is its claim: both go with the last who has it open.
   close(words.file);
-  const std::int64_t until_ns = monotonic_now_ns() + kLongest_ns;
-  while (monotonic_now_ns() < until_ns) {
+  const std::int64_t until_ns =
+      monotonic_now_ns() +
+      (cause == WatchdogProcess::Cause::ended ? kLongestOfTheDead_ns : kLongestWaitedFor_ns);
+  do {
     const int file = open(words.node.data(), O_RDWR | O_CLOEXEC);
-    if (file < 0) return;  // unplugged
-    unsigned interface = kInterface;
-    const bool is_claimed = ioctl(file, USBDEVFS_CLAIMINTERFACE, &interface) == 0;
-    const bool is_done = is_claimed && send_zero(file, words.zero);
-    if (is_claimed) ioctl(file, USBDEVFS_RELEASEINTERFACE, &interface);
-    close(file);
-    if (is_done) return;
+    if (file < 0 && (errno == ENOENT || errno == ENODEV || errno == ENXIO)) return;  // unplugged
+    if (file >= 0) {
+      unsigned interface = kInterface;
+      const bool is_claimed = ioctl(file, USBDEVFS_CLAIMINTERFACE, &interface) == 0;
+      const bool is_done = is_claimed && send_zero(file, words.zero);
+      if (is_claimed) ioctl(file, USBDEVFS_RELEASEINTERFACE, &interface);
+      close(file);
+      if (is_done) return;
+    }
     nanosleep(&kBetweenTries, nullptr);
-  }
+  } while (monotonic_now_ns() < until_ns);
 }
 
 }  // namespace asperity::falcon

@@ -21,8 +21,9 @@ struct LastWords {
 bool send_zero(int file, const Frame& zero) noexcept;
 
 /// What a WatchdogProcess does for a Falcon; `about` is a LastWords. While the program stands still it holds
-/// the device, and the frame goes over its own file; once it has ended the node is opened anew, for up to
-/// a second while the kernel still holds the claim of the dead or the device takes nothing.
+/// the device, and the frame goes over its own file. Once it has ended, or has left the last word to the watchdog, the
+/// node is opened anew and the frame sent until the device takes it: while the kernel still holds the claim of the dead,
+/// which takes as long as a busy machine makes it, for a minute; where the destructor waits, for a second.
 void say_last_words(WatchdogProcess::Cause cause, const void* about) noexcept;
 
 }  // namespace asperity::falcon

@@ -168,6 +168,11 @@ bool EmulatedFalcon::is_held() const {
   return held_;
 }
 
+int EmulatedFalcon::refused_claims() const {
+  const std::lock_guard lock(mutex_);
+  return refused_claims_;
+}
+
 std::int64_t EmulatedFalcon::frames() const {
   const std::lock_guard lock(mutex_);
   return frames_;
@@ -241,7 +246,10 @@ int EmulatedFalcon::serve(UMockdevIoctlClient* client) {
       return 0;
     }
     case USBDEVFS_CLAIMINTERFACE:
-      if (held_) return EBUSY;
+      if (held_) {
+        ++refused_claims_;
+        return EBUSY;
+      }
       held_ = true;
       holder_ = client;
       return 0;

@@ -76,6 +76,7 @@ class EmulatedFalcon final {
 
   bool runs_firmware() const;
   bool is_held() const;  ///< somebody has claimed it
+  int refused_claims() const;
   std::int64_t frames() const;
   int loads() const;
   falcon::Frame last_frame() const;
@@ -119,6 +120,7 @@ class EmulatedFalcon final {
   bool silent_ = false;
   bool takes_none_ = false;
   bool held_ = false;
+  int refused_claims_ = 0;
   const UMockdevIoctlClient* holder_ = nullptr;  // whoever has claimed it
   int failing_transfers_ = 0;
   int spoilt_loads_ = 0;

@@ -25,6 +25,7 @@
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
 #include "tests/device/ticks.h"
+#include "tests/device/watchdog_child.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"
 #include "tests/support/refusal.h"
@@ -442,15 +443,34 @@ TEST_F(Falcon, HasItsMotorsAtZeroWhenNobodyPushesAnyMoreAndAtTheEnd) {
   EXPECT_FALSE(emulated.is_held());
 }
 
+pid_t start_victim() {
+  const pid_t victim = fork();
+  if (victim == 0) {
+    execl(ASPERITY_FALCON_VICTIM, ASPERITY_FALCON_VICTIM, nullptr);
+    _exit(1);
+  }
+  return victim;
+}
+
+// On a busy machine, a process that is dead still holds what it has claimed.
+TEST_F(Falcon, HasItsMotorsAtZeroHoweverLongTheDeadHoldIt) {
+  constexpr int kOfMoreThanASecond = 250;  // one every 5 ms at most
+  EmulatedFalcon emulated(bus(), {});
+  const pid_t victim = start_victim();
+  EXPECT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
+  kill(victim, SIGKILL);
+  waitpid(victim, nullptr, 0);
+  const int before = emulated.refused_claims();
+  EXPECT_TRUE(eventually([&] { return emulated.refused_claims() >= before + kOfMoreThanASecond; }));
+  emulated.let_go();
+  EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; }));
+}
+
 TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
   for (const int signal : {SIGKILL, SIGSEGV, SIGABRT, SIGINT}) {
     EmulatedFalcon emulated(bus(), {});
     const auto dies_pushing = [&] {
-      const pid_t victim = fork();
-      if (victim == 0) {
-        execl(ASPERITY_FALCON_VICTIM, ASPERITY_FALCON_VICTIM, nullptr);
-        _exit(1);
-      }
+      const pid_t victim = start_victim();
       EXPECT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
       kill(victim, signal);
       waitpid(victim, nullptr, 0);
@@ -470,26 +490,13 @@ TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
   }
 }
 
-// The child of this process that is called so; −1 where there is none.
-pid_t watchdog_process() {
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    std::ifstream children(task.path() / "children");
-    for (pid_t child = 0; children >> child;) {
-      std::ifstream comm("/proc/" + std::to_string(child) + "/comm");
-      std::string name;
-      if (comm >> name && name == "watchdog") return child;
-    }
-  }
-  return -1;
-}
-
 TEST_F(Falcon, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
   const auto is_pushed = [&] { return emulated.motor_words() != kNoWords; };
   push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
-  pid_t watchdog = -1;  // it takes its name itself, once it gets to run
-  ASSERT_TRUE(eventually([&] { return (watchdog = watchdog_process()) > 0; }));
+  pid_t watchdog = -1;
+  ASSERT_TRUE(eventually([&] { return (watchdog = watchdog_child()) > 0; }));
   ASSERT_EQ(kill(watchdog, SIGKILL), 0);
   push_until(*device, {0.0, 0.0, 1.0}, [&] {
     return device->complaint().find("should this program die is gone") != std::string::npos;

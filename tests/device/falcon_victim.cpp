@@ -1,17 +1,13 @@
 // A program that drives a Falcon until it is killed, in the test bed that it was started in.
 
 #include <chrono>
-#include <csignal>
-#include <sys/resource.h>
 #include <thread>
 
 #include "device/falcon/falcon_device.h"
+#include "tests/device/victim.h"
 
 int main() {
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
-  // A sanitizer's handler takes so long to tell of the signal that the driver has time for its zero.
-  for (const int signal : {SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
+  asperity::die_at_once();
   asperity::FalconSettings settings{};
   settings.line.place = "usb 1-2";
   settings.line.wants_fifo = false;
