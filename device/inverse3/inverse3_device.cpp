@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/inverse3/inverse3_shutdown.h"
 #include "device/inverse3/web_socket.h"
 #include "device/small_turn.h"
 #include "device/units_in_use.h"
@@ -220,11 +221,16 @@ struct Inverse3Device::Line {
         in_use("inverse3", {.model = opened.capability.model,
                             .serial = opened.capability.serial,
                             .place = opened.place.text()}),
-        socket(std::move(opened.socket)) {}
+        socket(std::move(opened.socket)) {
+    begin_watch();
+  }
 
   std::mutex mutex{};  // for `socket` being another one, and for `changed`
   std::condition_variable changed{};
   std::unique_ptr<WebSocket> socket{};
+  // Of this connection, which does not end before it: it has the connection's file as well.
+  Inverse3Shutdown shutdown{};
+  std::unique_ptr<WatchdogProcess> watchdog{};
   bool stopping = false;
   std::thread thread{};
 
@@ -240,11 +246,19 @@ struct Inverse3Device::Line {
 
   std::atomic<bool> is_connected{true};
   std::atomic<bool> knows_device{true};
+  std::atomic<bool> is_watched{true};     ///< otherwise nobody would take its force away for us
   std::atomic<bool> is_elsewhere{false};  ///< with axes or an origin other than when it was opened
 
   bool must_stop() {
     const std::lock_guard lock(mutex);
     return stopping;
+  }
+
+  // Errors: std::runtime_error where no process can be started: then there is no force.
+  void begin_watch() {
+    shutdown = Inverse3Shutdown::over(socket->file(), command({}));
+    watchdog = std::make_unique<WatchdogProcess>(&shut_down_inverse3, &shutdown, shutdown.file);
+    is_watched.store(true);
   }
 
   std::string command(const glm::dvec3& force_N) const {
@@ -261,6 +275,10 @@ struct Inverse3Device::Line {
         reconnect();
         message = command({});
         continue;
+      }
+      if (!watchdog->is_there()) {
+        is_watched.store(false);
+        message = command({});
       }
       const steady_clock::time_point sent = steady_clock::now();
       if (!socket->send(message)) continue;  // the line is closed
@@ -291,6 +309,7 @@ struct Inverse3Device::Line {
     angular_velocity.reset();
     bool is_there = false;
     bool tells_otherwise = false;
+    watchdog.reset();
     try {
       auto fresh = std::make_unique<WebSocket>(place.host, place.port, patience.connection);
       {
@@ -305,6 +324,7 @@ struct Inverse3Device::Line {
         tells_otherwise = !is_there;
       }
       knows_device.store(is_there || tells_otherwise);
+      if (is_there) begin_watch();
     } catch (const std::runtime_error&) {
       is_there = false;  // `trouble` tells that there is no connection
     }
@@ -402,7 +422,7 @@ void Inverse3Device::stop_calls() noexcept {
 
 bool Inverse3Device::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   Line& line = *line_;
-  if (!line.state) return false;
+  if (!line.state || !line.is_watched.load(std::memory_order_relaxed)) return false;
   state.position_m = line.state->position_m - line.origin_m;
   state.velocity_m_per_s = line.velocity.add(now_ns, state.position_m);
   state.orientation = line.state->grip.value_or(line.last_grip);
@@ -414,8 +434,9 @@ bool Inverse3Device::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 }
 
 bool Inverse3Device::do_send(const Wrench& limited) noexcept {
-  line_->wanted = limited;  // goes out with the next message
-  return line_->state.has_value();
+  const bool is_watched = line_->is_watched.load(std::memory_order_relaxed);
+  line_->wanted = is_watched ? limited : Wrench{};  // goes out with the next message
+  return is_watched && line_->state.has_value();
 }
 
 std::string Inverse3Device::trouble() const {
@@ -432,6 +453,10 @@ std::string Inverse3Device::trouble() const {
   if (!line_->is_connected.load()) {
     return "The connection to the Inverse Service at " + line_->place.text() +
            " is gone: see that the service runs. This program tries to have it back.";
+  }
+  if (!line_->is_watched.load()) {
+    return "The Inverse3 " + capability().serial + " gets no force: " + kWatchdogIsGone +
+           ". End the session and open the device anew.";
   }
   if (has_fallen_silent()) {
     return "The Inverse Service at " + line_->place.text() + " told nothing of " + who +

@@ -37,8 +37,11 @@ struct Inverse3Patience {
 ///
 /// An update that does not come in time (50 ms) is asked for again, with no force. When the connection ends, the
 /// driver tries twice a second to have it back, and calls again when this device is there again, with the axes and
-/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss, after as long. A force is per message: a
-/// service that hears nothing lets go.
+/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss, after as long.
+///
+/// When the program dies or stands still another process asks the service for zero (WatchdogProcess), over the same
+/// connection; without that process there is no force: a device for which it cannot be started is refused, and when it
+/// ends the device is lost to the servo until it is opened anew.
 ///
 /// What the service does to the force on its way (its filters) stands in the capability's remarks, as it was when
 /// the device was opened. How it spells a force is found out then, with 0.02 N that nobody feels; where the service
@@ -49,8 +52,8 @@ struct Inverse3Patience {
 /// "arm_front" the origin is moved from the base to where the service's documents have the handle rest,
 /// (0, −0.12, 0.15) m; with "arm_front_centered" it is the service's.
 ///
-/// Errors: the constructor throws std::runtime_error with a sentence when the service or the device does not answer, and
-/// for another preset, basis or transform: its axes or its millimetres would not be ours; OpeningStopped at once when
+/// Errors: the constructor throws std::runtime_error with a sentence when the service or the device does not answer,
+/// where no process can be started, and for another preset, basis or transform: its axes or its millimetres would not be ours; OpeningStopped at once when
 /// `stop` is asked for.
 ///
 /// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` takes up to 1.5 s where the service has fallen

@@ -157,6 +157,10 @@ WebSocket::~WebSocket() = default;
 
 bool WebSocket::is_open() const noexcept { return connection_->is_open; }
 
+int WebSocket::file() const noexcept {
+  return connection_->is_open ? lws_get_socket_fd(connection_->line) : -1;
+}
+
 bool WebSocket::send(std::string_view text) {
   if (!connection_->is_open) return false;
   connection_->outgoing.assign(LWS_PRE + text.size(), 0);

@@ -31,6 +31,8 @@ class WebSocket final {
   bool send(std::string_view text);
   /// The next message; nothing when none comes within `patience`, the connection is gone or `wake` was called.
   std::optional<std::string> receive(std::chrono::milliseconds patience);
+  /// The connection's file; −1 when it is gone.
+  int file() const noexcept;
   /// Ends the `receive` that waits, or else the next one that would have to wait.
   void wake() noexcept;
 

@@ -3,9 +3,11 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <stdexcept>
 #include <stop_token>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -15,11 +17,13 @@
 #include <netinet/in.h>
 
 #include "device/inverse3/inverse3_device.h"
+#include "device/inverse3/inverse3_shutdown.h"
 #include "device/inverse3/web_socket.h"
 #include "renderers/servo_loop.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_inverse_service.h"
+#include "tests/device/watchdog_child.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"
 #include "tests/support/patience.h"
@@ -461,6 +465,93 @@ TEST_F(Inverse3, GetsNoForceWhereItComesBackWithOtherAxesOrFromAnotherOrigin) {
     servo.wait_for(3);
     EXPECT_EQ(device->trouble(), "");
   }
+}
+
+/// A program that pushes by 1 N until it is killed.
+class Inverse3Victim : public Inverse3 {
+ protected:
+  pid_t start_victim() {
+    const pid_t victim = fork();
+    if (victim == 0) {
+      execl(ASPERITY_INVERSE3_VICTIM, ASPERITY_INVERSE3_VICTIM, service.place().c_str(), nullptr);
+      _exit(1);
+    }
+    return victim;
+  }
+  bool is_pushed() {
+    return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 1.0}; });
+  }
+  bool is_at_zero() {
+    return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 0.0}; });
+  }
+};
+
+TEST_F(Inverse3Victim, HasZeroAskedForHoweverItDies) {
+  for (const int signal : {SIGKILL, SIGSEGV, SIGABRT, SIGINT}) {
+    const pid_t victim = start_victim();
+    EXPECT_TRUE(eventually([&] { return is_pushed(); }));
+    kill(victim, signal);
+    waitpid(victim, nullptr, 0);
+    EXPECT_TRUE(eventually([&] { return is_at_zero(); })) << signal;
+  }
+}
+
+// The service keeps the last force as long as the connection is open.
+TEST_F(Inverse3Victim, HasZeroAskedForWhileItStandsStillAndGoesOnAfterwards) {
+  const pid_t victim = start_victim();
+  EXPECT_TRUE(eventually([&] { return is_pushed(); }));
+  const int connections = bench([](auto& it) { return it.connections; });
+  kill(victim, SIGSTOP);
+  EXPECT_TRUE(eventually([&] { return is_at_zero(); }));
+  const int messages = bench([](auto& it) { return it.messages; });
+  EXPECT_TRUE(
+      eventually([&] { return bench([](auto& it) { return it.messages; }) > messages + 3; }));
+  EXPECT_TRUE(is_at_zero());
+  kill(victim, SIGCONT);
+  EXPECT_TRUE(eventually([&] { return is_pushed(); }));
+  EXPECT_EQ(bench([](auto& it) { return it.connections; }), connections);
+  kill(victim, SIGKILL);
+  waitpid(victim, nullptr, 0);
+}
+
+// In 7 bits, or in 16 where the message is longer than 125 bytes: the service takes no other spelling.
+TEST_F(Inverse3, IsShutDownByAFrameOfAnyLength) {
+  for (const std::size_t length : {100U, 125U, 126U, 300U}) {
+    WebSocket socket("127.0.0.1", std::stoi(service.place().substr(service.place().find(':') + 1)),
+                     kPatience);
+    ASSERT_TRUE(socket.receive(kPatience).has_value());
+    bench([](auto& it) { it.force_N = {9.0, 9.0, 9.0}; });
+    std::string message = force_command("049D", ForceSpelling::vector, {});
+    message.insert(message.size() - 1, std::string(length - std::min(length, message.size()), ' '));
+    const Inverse3Shutdown zero = Inverse3Shutdown::over(socket.file(), message);
+    shut_down_inverse3(WatchdogProcess::Cause::ended, &zero);
+    EXPECT_TRUE(eventually([&] {
+      return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 0.0}; });
+    })) << length;
+  }
+  EXPECT_THROW(Inverse3Shutdown::over(-1, std::string(600, ' ')), std::length_error);
+}
+
+TEST_F(Inverse3, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
+  const auto device = open();
+  ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
+  servo.start();
+  servo.wait_for(3);
+  pid_t watchdog = -1;
+  ASSERT_TRUE(eventually([&] { return (watchdog = watchdog_child()) > 0; }));
+  ASSERT_EQ(kill(watchdog, SIGKILL), 0);
+  EXPECT_TRUE(eventually([&] {
+    return device->trouble().find("should this program die is gone") != std::string::npos;
+  }));
+  EXPECT_TRUE(eventually([&] {
+    return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 0.0}; });
+  }));
+  // What gives it a new connection gives it a new watchdog.
+  service.disconnect();
+  EXPECT_TRUE(eventually([&] { return device->trouble().empty(); }));
+  EXPECT_TRUE(eventually([&] {
+    return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 1.0}; });
+  }));
 }
 
 // The other end takes nothing off the line, until no more goes into it.
