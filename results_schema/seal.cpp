@@ -138,10 +138,11 @@ SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database)
   const std::filesystem::path seal = beside_database(study, ".sha256");
   const std::optional<std::string> text = seal_text_in(seal);
   if (text && log_is_empty(study) && text != seal_text_of(database)) return;
-  // One that cannot be taken away must not keep a participant waiting: it will not hold, and what
-  // says so says how that can be.
+  // One that cannot be taken away must not keep a participant waiting. It is replaced at the end; if the program
+  // dies before, it does not hold, and what says so says how that can be.
   std::error_code error;
   if (std::filesystem::remove(seal, error)) sync_folder(study);
+  is_in_the_way_ = static_cast<bool>(error);
 }
 
 SealBreaker::~SealBreaker() {
@@ -159,11 +160,12 @@ void SealBreaker::seal_again(Database& database) noexcept {
   if (::fcntl(lock_, F_OFD_SETLK, &alone) != 0) return;  // the next to close will
   try {
     const std::filesystem::path seal = beside_database(study_, ".sha256");
-    if (std::filesystem::exists(seal)) return;
+    if (std::filesystem::exists(seal) && !is_in_the_way_) return;
     sqlite3_busy_timeout(database.handle(), 0);
     database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
     if (!log_is_empty(study_)) return;
-    write_file(seal, *seal_text_of(database), Overwrite::refuse);
+    write_file(seal, *seal_text_of(database),
+               is_in_the_way_ ? Overwrite::allow : Overwrite::refuse);
     give_mode_of_database(study_, seal);
   } catch (const std::exception&) {
   }

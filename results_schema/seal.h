@@ -66,6 +66,7 @@ class SealBreaker final {
  private:
   std::filesystem::path study_{};
   int lock_ = -1;
+  bool is_in_the_way_ = false;  ///< a checksum that held and could not be taken away
 };
 
 }  // namespace asperity

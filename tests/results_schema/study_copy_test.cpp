@@ -590,6 +590,24 @@ TEST(StudyVerify, LetsNoChecksumThatIsInTheWayKeepAnybodyFromWriting) {
   EXPECT_EQ(Study::open(path, Access::read_only).participants().size(), 2U);
 }
 
+TEST(StudyVerify, FindsAChecksumRenewedThatCouldNotBeTakenAway) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  const std::filesystem::path seal = study / "study.sqlite.sha256";
+  // What cannot be removed when the writer comes can be when it goes, as after an error of the disk.
+  std::filesystem::rename(seal, folder / "aside");
+  std::filesystem::create_directories(seal / "in the way");
+  {
+    Study writer = Study::open(study, Access::read_write);
+    std::filesystem::remove_all(seal);
+    std::filesystem::rename(folder / "aside", seal);
+    writer.add_participant(some_participant("P02"));
+  }
+  const Study after = Study::open(study, Access::read_only);
+  EXPECT_THAT(after.verify({}), IsEmpty());
+  EXPECT_THAT(after.leftovers(), IsEmpty());
+}
+
 TEST(StudyVerify, TakesAwayAChecksumOfAWriterThatNobodyKnewOf) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "s";
