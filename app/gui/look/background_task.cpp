@@ -3,6 +3,7 @@
 #include <exception>
 
 #include <QtCore/QMetaObject>
+#include <QtCore/QPointer>
 
 #include "app/gui/look/words.h"
 
@@ -56,8 +57,10 @@ void BackgroundTask::begin(std::function<void(const std::stop_token&, const Prog
           workers_.erase(number);  // it has nothing left to do
           if (number != number_) return;
           running_ = false;
+          // What it is delivered to may be the owner of this task, and end both.
+          const QPointer<BackgroundTask> alive(this);
           deliver();
-          emit finished();
+          if (alive) emit finished();
         },
         Qt::QueuedConnection);
   });

@@ -18,7 +18,7 @@ namespace asperity {
 /// One piece of work. Belongs to the GUI thread; `work` runs on a thread of its own.
 ///
 /// When the task is destroyed, `work` is asked to stop and waited for, and nothing is delivered any
-/// more.
+/// more. `done` and `failed` may destroy the task; `finished` is not emitted then.
 class BackgroundTask final : public QObject {
   Q_OBJECT
  public:

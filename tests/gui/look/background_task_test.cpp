@@ -1,6 +1,7 @@
 #include "app/gui/look/background_task.h"
 
 #include <atomic>
+#include <optional>
 #include <stdexcept>
 
 #include <QtCore/QThread>
@@ -82,6 +83,30 @@ TEST(BackgroundTask, StopsItsWorkWhenItIsDestroyed) {
   }
   EXPECT_TRUE(stopped);
   QTest::qWait(1);  // nothing is delivered to the dead task
+}
+
+// As by a window that closes itself when its work is done. What takes the place of the task in memory would hear
+// what is emitted by one that is there no more.
+TEST(BackgroundTask, MayBeDestroyedByWhatItDelivers) {
+  for (const bool fails : {false, true}) {
+    std::optional<BackgroundTask> task{};
+    int finished = 0;
+    bool is_replaced = false;
+    const auto replace = [&] {
+      task.reset();
+      task.emplace();
+      QObject::connect(&*task, &BackgroundTask::finished, &*task, [&finished] { ++finished; });
+      is_replaced = true;
+    };
+    task.emplace();
+    task->run<int>(
+        [fails](const std::stop_token&, const BackgroundTask::Progress&) {
+          return fails ? throw std::runtime_error("no such photograph") : 7;
+        },
+        [&replace](int) { replace(); }, [&replace](const QString&) { replace(); });
+    ASSERT_TRUE(eventually([&is_replaced] { return is_replaced; }));
+    EXPECT_EQ(finished, 0) << fails;
+  }
 }
 
 }  // namespace
