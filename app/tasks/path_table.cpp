@@ -9,6 +9,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "device/small_turn.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -77,13 +78,8 @@ void derive_velocities(std::vector<ProbeState>& path) {
     const std::size_t after = std::min(i + 1, path.size() - 1);
     const double dt_s = static_cast<double>(path[after].time_ns - path[before].time_ns) * 1e-9;
     path[i].velocity_m_per_s = (path[after].position_m - path[before].position_m) / dt_s;
-    const glm::dquat turn = path[after].orientation * glm::inverse(path[before].orientation);
-    const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    if (sine > 0.0) {
-      const double angle_rad = 2.0 * std::atan2(sine, turn.w);
-      path[i].angular_velocity_rad_per_s =
-          glm::dvec3{turn.x, turn.y, turn.z} / sine * (angle_rad / dt_s);
-    }
+    path[i].angular_velocity_rad_per_s =
+        small_turn_rad(path[before].orientation, path[after].orientation) / dt_s;
   }
 }
 
