@@ -10,8 +10,11 @@
 namespace asperity {
 
 std::string utc_text(std::int64_t since_1970_ns) {
-  const std::int64_t milliseconds = since_1970_ns / 1'000'000;
-  const std::time_t seconds = static_cast<std::time_t>(milliseconds / 1000);
+  // Rounded down, also before 1970.
+  const auto time = std::chrono::floor<std::chrono::milliseconds>(
+      std::chrono::sys_time<std::chrono::nanoseconds>(std::chrono::nanoseconds(since_1970_ns)));
+  const auto whole = std::chrono::floor<std::chrono::seconds>(time);
+  const auto seconds = static_cast<std::time_t>(whole.time_since_epoch().count());
   std::tm parts{};
   gmtime_r(&seconds, &parts);
   const auto padded = [](std::int64_t number, std::size_t width) {
@@ -21,7 +24,7 @@ std::string utc_text(std::int64_t since_1970_ns) {
   };
   return padded(parts.tm_year + 1900, 4) + '-' + padded(parts.tm_mon + 1, 2) + '-' +
          padded(parts.tm_mday, 2) + 'T' + padded(parts.tm_hour, 2) + ':' + padded(parts.tm_min, 2) +
-         ':' + padded(parts.tm_sec, 2) + '.' + padded(milliseconds % 1000, 3) + 'Z';
+         ':' + padded(parts.tm_sec, 2) + '.' + padded((time - whole).count(), 3) + 'Z';
 }
 
 SystemClock::SystemClock(std::int64_t not_before_ns)
