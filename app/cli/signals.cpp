@@ -1,7 +1,8 @@
-// Ctrl-C, as a request that the work can hear.
+// Ctrl-C and its like, as a request that the work can hear.
 
 #include "app/cli/signals.h"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -15,6 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{20};
+constexpr std::array kInterrupts{SIGINT, SIGTERM, SIGQUIT};
 
 // The only things that a signal handler may touch: it runs on whichever thread, while the watcher reads.
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -37,8 +39,7 @@ extern "C" void note_interrupt(int number) {
 InterruptWatch::InterruptWatch(std::string saying, std::function<void()> at_once)
     : saying_(std::move(saying)), at_once_(std::move(at_once)) {
   interrupts = 0;
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  for (const int number : kInterrupts) std::signal(number, note_interrupt);
   // A terminal that is closed shows as the end of its input, and the session ends in order.
   std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGTSTP, SIG_IGN);
@@ -92,8 +93,7 @@ void InterruptWatch::watch(const std::stop_token& ended) {
 
 InterruptWatch::~InterruptWatch() {
   watcher_.request_stop();
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int number : kInterrupts) std::signal(number, SIG_DFL);
   std::signal(SIGHUP, SIG_DFL);
   std::signal(SIGTSTP, SIG_DFL);
 }

@@ -11,10 +11,10 @@
 
 namespace asperity {
 
-/// While it lives, the first interrupt (or termination) asks `token()` to stop. The second one ends the
-/// program: `at_once` is called, which asks a device for zero force and returns; after `kForZero` the
-/// program is gone, whatever it was doing. A third one does not wait even for that. While there is a `Hold`, both wait
-/// for its end.
+/// While it lives, the first interrupt (SIGINT, SIGTERM or SIGQUIT: Ctrl-C, kill, Ctrl-\) asks `token()`
+/// to stop. The second one ends the program: `at_once` is called, which asks a device for zero force and
+/// returns; after `kForZero` the program is gone, whatever it was doing. A third one does not wait even
+/// for that. While there is a `Hold`, both wait for its end.
 ///
 /// Ctrl-Z does nothing meanwhile: motors keep their last force while a program stands still.
 ///

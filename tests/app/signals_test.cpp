@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <fcntl.h>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -41,6 +42,8 @@ Ended program(const Act& act) {
   const auto begun = std::chrono::steady_clock::now();
   const pid_t process = fork();
   if (process == 0) {
+    const rlimit no_core{};  // of SIGQUIT
+    setrlimit(RLIMIT_CORE, &no_core);
     dup2(errors[1], STDERR_FILENO);
     act([to_test = ends[1]](char letter) {
       [[maybe_unused]] const ssize_t written = write(to_test, &letter, 1);
@@ -73,7 +76,7 @@ TEST(InterruptWatch, AsksTheWorkToStopAtTheFirst) {
 }
 
 TEST(InterruptWatch, AsksForZeroForceBeforeTheSecondEndsTheProgram) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) {
     const Ended ended = program([signal](const auto& tell) {
       const InterruptWatch watch("stopping", [&] { tell('z'); });
       raise(signal);
