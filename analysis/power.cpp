@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -57,14 +60,116 @@ double binomial_probability(std::size_t trials, double p, std::size_t hits) {
 
 // Of the sum of n independent counts, each with these probabilities of 0, 1, 2, …, from 0 on.
 std::vector<double> sum_distribution(const std::vector<double>& one, std::size_t n) {
-  IntegerDistribution sum;
-  for (std::size_t i = 0; i < n; ++i) {
-    sum = sum_of(sum, {.probability = one});
-  }
+  const IntegerDistribution sum = repeated_sum({.lowest = 0, .probability = one}, n);
   std::vector<double> all((one.size() - 1) * n + 1, 0.0);
   std::copy(sum.probability.begin(), sum.probability.end(),
             all.begin() + static_cast<std::ptrdiff_t>(sum.lowest));
   return all;
+}
+
+// The least number of hits whose upper tail under chance is at most the error; one more than there are trials where
+// even that of all hits is not.
+std::size_t least_rejected(std::size_t trials, double chance, double error) {
+  std::size_t begin = 0;
+  std::size_t end = trials + 1;
+  while (begin < end) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    const bool rejects = binomial_upper_tail({.hits = middle, .trials = trials}, chance) <= error;
+    (rejects ? end : begin) = rejects ? middle : middle + 1;
+  }
+  return begin;
+}
+
+// Consecutive weights around their largest, which is 1: those that are not below `least`.
+struct Weights {
+  std::int64_t lowest = 0;
+  std::vector<double> of{1.0};
+
+  std::int64_t highest() const { return lowest + static_cast<std::int64_t>(of.size()) - 1; }
+  double at(std::int64_t value) const {
+    return value < lowest || value > highest() ? 0.0 : of[static_cast<std::size_t>(value - lowest)];
+  }
+};
+
+// `next(x)` is the weight of x + 1 over that of x; `mode` the most probable of low … high.
+template <typename Ratio>
+Weights weights_around(std::int64_t mode, std::int64_t low, std::int64_t high, double least,
+                       const Ratio& next) {
+  std::vector<double> below;
+  double weight = 1.0;
+  for (std::int64_t x = mode; x > low && weight >= least; --x) {
+    weight /= next(x - 1);
+    if (weight >= least) below.push_back(weight);
+  }
+  Weights weights{.lowest = mode - static_cast<std::int64_t>(below.size()),
+                  .of = {below.rbegin(), below.rend()}};
+  weights.of.push_back(1.0);
+  weight = 1.0;
+  for (std::int64_t x = mode; x < high; ++x) {
+    weight *= next(x);
+    if (weight < least) break;
+    weights.of.push_back(weight);
+  }
+  return weights;
+}
+
+// The probabilities of a binomial, but for those at the ends, which are below 10⁻⁶⁰ of the largest.
+Weights binomial_probabilities(std::size_t trials, double p) {
+  const auto n = static_cast<std::int64_t>(trials);
+  const auto mode = std::min(n, static_cast<std::int64_t>(static_cast<double>(n + 1) * p));
+  Weights weights = weights_around(mode, 0, n, 1e-60, [n, p](std::int64_t x) {
+    return static_cast<double>(n - x) / static_cast<double>(x + 1) * (p / (1.0 - p));
+  });
+  const double sum = std::accumulate(weights.of.begin(), weights.of.end(), 0.0);
+  for (double& one : weights.of) one /= sum;
+  return weights;
+}
+
+// What Fisher's two-sided test does not reject of all tables with the same sum of hits: the hits of the first group
+// from `first` to `last`.
+struct NotRejected {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+NotRejected not_rejected(const TwoGroupPlan& plan, std::int64_t hits) {
+  constexpr double kNever = 1e-300;
+  constexpr double kAsProbable = 1.0 + 1e-7;  // as in `fisher_two_sided`
+  constexpr double kRounding = 1.0 + 1e-12;   // a p that is the error rejects
+  const auto n = static_cast<std::int64_t>(plan.first_trials);
+  const auto m = static_cast<std::int64_t>(plan.second_trials);
+  const std::int64_t low = std::max<std::int64_t>(0, hits - m);
+  const std::int64_t high = std::min(n, hits);
+  const auto mode = std::clamp(
+      static_cast<std::int64_t>(static_cast<double>(n + 1) * static_cast<double>(hits + 1) /
+                                static_cast<double>(n + m + 2)),
+      low, high);
+  const Weights weights = weights_around(mode, low, high, kNever, [=](std::int64_t x) {
+    return static_cast<double>(n - x) / static_cast<double>(x + 1) *
+           (static_cast<double>(hits - x) / static_cast<double>(m - hits + x + 1));
+  });
+  const double error =
+      plan.error * kRounding * std::accumulate(weights.of.begin(), weights.of.end(), 0.0);
+  // From both ends, the less probable first.
+  std::int64_t first = weights.lowest;
+  std::int64_t last = weights.highest();
+  double rejected = 0.0;
+  while (first <= last) {
+    const bool is_first = weights.at(first) <= weights.at(last);
+    const double weight = weights.at(is_first ? first : last);
+    double as_extreme = rejected;
+    std::int64_t from = first;
+    for (; from <= last && weights.at(from) <= weight * kAsProbable; ++from) {
+      as_extreme += weights.at(from);
+    }
+    for (std::int64_t to = last; to >= from && weights.at(to) <= weight * kAsProbable; --to) {
+      as_extreme += weights.at(to);
+    }
+    if (as_extreme > error) break;
+    rejected += weight;
+    (is_first ? first : last) += is_first ? 1 : -1;
+  }
+  return {.first = first, .last = last};
 }
 
 // A one-sided test that rejects the counts whose upper tail under the null is at most the error.
@@ -136,16 +241,12 @@ ExactPower binomial_power(const BinomialPlan& plan) {
   refuse_unless_probability(plan.chance, "chance");
   refuse_unless_probability(plan.truth, "truth");
   refuse_error(plan.error);
-  ExactPower answer;
-  for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
-    if (binomial_upper_tail({.hits = hits, .trials = plan.trials}, plan.chance) <= plan.error) {
-      const HitCount from{.hits = hits, .trials = plan.trials};
-      return {.critical = hits,
-              .actual_error = binomial_upper_tail(from, plan.chance),
-              .power = binomial_upper_tail(from, plan.truth)};
-    }
-  }
-  return answer;
+  const std::size_t critical = least_rejected(plan.trials, plan.chance, plan.error);
+  if (critical > plan.trials) return {};
+  const HitCount from{.hits = critical, .trials = plan.trials};
+  return {.critical = critical,
+          .actual_error = binomial_upper_tail(from, plan.chance),
+          .power = binomial_upper_tail(from, plan.truth)};
 }
 
 ExactPower binomial_two_sided_power(const BinomialPlan& plan) {
@@ -283,19 +384,24 @@ ExactPower fisher_power(const TwoGroupPlan& plan) {
   refuse_unless_probability(plan.first_truth, "first_truth");
   refuse_unless_probability(plan.second_truth, "second_truth");
   refuse_error(plan.error);
+  const Weights first = binomial_probabilities(plan.first_trials, plan.first_truth);
+  const Weights second = binomial_probabilities(plan.second_trials, plan.second_truth);
+  const Weights second_by_chance = binomial_probabilities(plan.second_trials, plan.first_truth);
+  const std::int64_t second_low = std::min(second.lowest, second_by_chance.lowest);
+  const std::int64_t second_high = std::max(second.highest(), second_by_chance.highest());
   ExactPower answer;
-  for (std::size_t x = 0; x <= plan.first_trials; ++x) {
-    const double first = binomial_probability(plan.first_trials, plan.first_truth, x);
-    for (std::size_t y = 0; y <= plan.second_trials; ++y) {
-      const TwoByTwo table{.first = {.hits = x, .trials = plan.first_trials},
-                           .second = {.hits = y, .trials = plan.second_trials}};
-      if (fisher_two_sided(table) <= plan.error) {
-        answer.power += first * binomial_probability(plan.second_trials, plan.second_truth, y);
-        answer.actual_error +=
-            first * binomial_probability(plan.second_trials, plan.first_truth, y);
-      }
+  for (std::int64_t hits = first.lowest + second_low; hits <= first.highest() + second_high;
+       ++hits) {
+    const NotRejected kept = not_rejected(plan, hits);
+    const std::int64_t end = std::min(first.highest(), hits - second_low);
+    for (std::int64_t x = std::max(first.lowest, hits - second_high); x <= end; ++x) {
+      if (x >= kept.first && x <= kept.last) continue;
+      answer.power += first.at(x) * second.at(hits - x);
+      answer.actual_error += first.at(x) * second_by_chance.at(hits - x);
     }
   }
+  answer.power = std::min(1.0, answer.power);  // sums of many terms, each rounded
+  answer.actual_error = std::min(1.0, answer.actual_error);
   return answer;
 }
 
@@ -315,21 +421,32 @@ PooledRejection pooled_rejection(const PooledPlan& plan) {
   const auto log_beta = [](double a, double b) {
     return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
   };
-  std::vector<double> one;
   const auto m = static_cast<double>(plan.trials_each);
+  const auto n = static_cast<double>(plan.participants);
+  PooledRejection answer{.design_effect = 1.0 + (m - 1.0) * plan.correlation};
+  // Sums are counted out to where they are improbable, some 14 standard deviations either way.
+  constexpr double kFurthest = 14.0;
+  constexpr double kMostPairs = 2e10;  // some seconds
+  const double deviation =
+      std::sqrt(n * m * plan.truth * (1.0 - plan.truth) * answer.design_effect);
+  const double width = std::min(n * m, 2.0 * kFurthest * deviation);
+  if (plan.participants > 1 && 0.5 * width * width > kMostPairs) {
+    throw std::invalid_argument(
+        std::to_string(plan.participants) + " participants with " +
+        std::to_string(plan.trials_each) +
+        " trials each: more outcomes than can be counted in seconds; plan fewer trials each");
+  }
+  std::vector<double> one;
   for (std::size_t hits = 0; hits <= plan.trials_each; ++hits) {
     const auto k = static_cast<double>(hits);
     one.push_back(
         std::exp(log_choose(m, k) + log_beta(k + alpha, m - k + beta) - log_beta(alpha, beta)));
   }
-  const std::vector<double> pooled = sum_distribution(one, plan.participants);
+  const IntegerDistribution pooled =
+      repeated_sum({.lowest = 0, .probability = std::move(one)}, plan.participants);
   const std::size_t trials = plan.participants * plan.trials_each;
-  PooledRejection answer{.design_effect = 1.0 + (m - 1.0) * plan.correlation};
-  for (std::size_t hits = 0; hits <= trials; ++hits) {
-    if (binomial_upper_tail({.hits = hits, .trials = trials}, plan.chance) <= plan.error) {
-      answer.rate += pooled[hits];
-    }
-  }
+  const std::size_t critical = least_rejected(trials, plan.chance, plan.error);
+  if (critical <= trials) answer.rate = pooled.upper_tail(static_cast<std::int64_t>(critical));
   return answer;
 }
 

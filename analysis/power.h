@@ -84,7 +84,7 @@ struct WithinPower {
 WithinPower within_power(const WithinPlan& plan);
 
 /// Fisher's two-sided exact test of two groups. The error is that with both groups at the first
-/// probability.
+/// probability. Tables that are less probable than 10⁻⁶⁰ of the most probable one are left out.
 struct TwoGroupPlan {
   std::size_t first_trials = 1;
   std::size_t second_trials = 1;
@@ -96,7 +96,7 @@ ExactPower fisher_power(const TwoGroupPlan& plan);
 
 /// How often the pooled one-sided binomial test rejects when each participant has a probability of
 /// their own, beta-distributed around `truth`, so that two trials of one participant correlate by
-/// `correlation`: with truth = chance its true error.
+/// `correlation`: with truth = chance its true error. Refused where counting takes more than some seconds.
 struct PooledPlan {
   std::size_t participants = 1;
   std::size_t trials_each = 1;
