@@ -394,7 +394,7 @@ KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& 
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     try {
-      const std::string text = read_file(entry.path());
+      const std::string text = read_file(entry.path(), kProfileFile);
       // First: a later version's profile of another device is nothing to complain about here.
       const WhichDevice found = device_in(text);
       if (differs(device.name, found.name) || differs(device.model, found.model) ||

@@ -26,7 +26,7 @@ struct FilesRead {
 };
 
 FilesRead read_files(const std::filesystem::path& png) {
-  const std::string content = read_file(png);
+  const std::string content = read_file(png, kPictureFile);
   const std::filesystem::path beside = sidecar_of(png);
   if (!std::filesystem::exists(beside)) {
     throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
@@ -35,7 +35,7 @@ FilesRead read_files(const std::filesystem::path& png) {
                            "field of a photograph",
                        png);
   }
-  const std::string sidecar = read_file(beside);
+  const std::string sidecar = read_file(beside, kSidecarFile);
   StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
   if (sha256_of(content) != stored.sha256) {
     throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
@@ -88,7 +88,7 @@ void save_picture(const std::filesystem::path& png, const GreyImage& picture, Ov
 }
 
 LoadedPhotograph load_photograph(const std::filesystem::path& file) {
-  const std::string content = read_file(file);
+  const std::string content = read_file(file, kPictureFile);
   return {decode_photograph(bytes_of(content), file.string()), sha256_of(content)};
 }
 

@@ -10,7 +10,7 @@
 namespace asperity {
 
 LoadedTexturedMesh load_textured_mesh(const std::filesystem::path& file) {
-  const std::string content = read_file(file);
+  const std::string content = read_file(file, kMeshFile);
   return {std::make_shared<const StoredTexturedMesh>(decode_textured_mesh(
               std::as_bytes(std::span(content.data(), content.size())), file.string())),
           sha256_of(content)};

@@ -51,6 +51,8 @@ struct Architecture {
 };
 
 std::optional<Architecture> architecture_of(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
   std::array<char, EI_NIDENT + 4> head{};
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(head.data(), head.size()) || std::memcmp(head.data(), ELFMAG, SELFMAG) != 0) {
@@ -113,6 +115,12 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
   const UntranslatedMessages untranslated;
   std::string tried;
   for (const std::filesystem::path& name : names) {
+    // A pipe would be waited for.
+    std::error_code error;
+    if (name.has_parent_path() && std::filesystem::exists(name, error) &&
+        !std::filesystem::is_regular_file(name, error)) {
+      throw std::runtime_error(refusal_of(product_, name, "") + ".");
+    }
     // All of its own needs at once: later, in a tick, would be too late to tell.
     if (void* loaded = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
       library_ = loaded;

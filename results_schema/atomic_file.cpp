@@ -4,7 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
+#include <new>
 #include <unistd.h>
 #include <vector>
 
@@ -63,23 +63,45 @@ void write_file(const std::filesystem::path& path, std::string_view content, Ove
   write_file(path, std::as_bytes(std::span(content.data(), content.size())), overwrite);
 }
 
-std::string read_file(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) fail_on_file(path, "read", EISDIR);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail_on_file(path, "read", errno != 0 ? errno : EIO);
-  std::string content;
-  // Files of hundreds of megabytes are read too; what is no file of a known size grows as it comes.
-  std::error_code unknown;
-  const std::uintmax_t expected = std::filesystem::file_size(path, unknown);
-  if (!unknown) content.reserve(static_cast<std::size_t>(expected));
-  std::vector<char> piece(std::size_t{1} << 16);
-  do {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    content.append(piece.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file);
-  if (file.bad()) fail_on_file(path, "read", EIO);
-  return content;
+namespace {
+
+/// "4 MiB"; in bytes what is no whole number of them.
+std::string size_text(std::uint64_t bytes) {
+  constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
+  if (bytes % (kMiB << 10) == 0) return std::to_string(bytes / (kMiB << 10)) + " GiB";
+  if (bytes % kMiB == 0) return std::to_string(bytes / kMiB) + " MiB";
+  return std::to_string(bytes) + " bytes";
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path, const FileKind& kind) {
+  InputFile file(path);
+  const auto refuse_above_limit = [&](std::uint64_t bytes) {
+    if (bytes <= kind.most_bytes) return;
+    throw ResultsError("the file " + path.string() + " cannot be read: it is larger than " +
+                           size_text(kind.most_bytes) + ", the most that " + kind.name +
+                           " may have",
+                       path, EFBIG);
+  };
+  refuse_above_limit(file.bytes());
+  try {
+    std::string content;
+    content.reserve(static_cast<std::size_t>(file.bytes()));
+    // Files of the kernel have no size, and any file may grow meanwhile.
+    std::vector<char> piece(std::size_t{1} << 16);
+    while (const std::size_t got = file.read(piece.data(), piece.size())) {
+      content.append(piece.data(), got);
+      refuse_above_limit(content.size());
+    }
+    return content;
+  } catch (const std::bad_alloc&) {
+    throw ResultsError("the file " + path.string() + " cannot be read: its " +
+                           std::to_string(file.bytes()) +
+                           " bytes are more than the memory that is free; close other programs, or "
+                           "take a smaller file",
+                       path, ENOMEM);
+  }
 }
 
 }  // namespace asperity

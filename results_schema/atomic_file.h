@@ -1,10 +1,12 @@
-// The only way in which the program writes a file.
+// The only way in which the program writes a file, and reads one that is named by a user.
 
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace asperity {
@@ -20,7 +22,27 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> co
                 Overwrite overwrite);
 void write_file(const std::filesystem::path& path, std::string_view content, Overwrite overwrite);
 
-/// The whole file. Errors: ResultsError naming the path.
-std::string read_file(const std::filesystem::path& path);
+/// A kind of file, by the words that an error uses, and how large one may be.
+struct FileKind {
+  const char* name;
+  std::uint64_t most_bytes;
+};
+inline constexpr FileKind kAnyFile{"a file", std::uint64_t{2} << 30};
+inline constexpr FileKind kProtocolFile{"a protocol", std::uint64_t{4} << 20};
+inline constexpr FileKind kOptionsFile{"a file of options", std::uint64_t{4} << 20};
+inline constexpr FileKind kProfileFile{"a device profile", std::uint64_t{64} << 20};
+/// 16384 pixels a side in 16-bit colour, and room for a header.
+inline constexpr FileKind kPictureFile{"a picture", std::uint64_t{2} << 30};
+inline constexpr FileKind kSidecarFile{"the sidecar of a height field", std::uint64_t{4} << 20};
+inline constexpr FileKind kMeshFile{"a mesh", std::uint64_t{2} << 30};
+inline constexpr FileKind kSpeechFile{"recorded speech", std::uint64_t{256} << 20};
+inline constexpr FileKind kTableFile{"a table", std::uint64_t{4} << 30};
+inline constexpr FileKind kRecordingFile{"a recording", std::uint64_t{16} << 30};
+
+/// The whole of a regular file.
+///
+/// Errors: ResultsError naming the path, at once: it is missing, or not readable; it is a folder, a pipe, a device
+/// or a socket; it is larger than its kind may be, or than the memory that is free.
+std::string read_file(const std::filesystem::path& path, const FileKind& kind = kAnyFile);
 
 }  // namespace asperity

@@ -68,6 +68,46 @@ void OutputFile::sync_and_close() {
   if (::close(descriptor) != 0) fail_on_file(path_, "written", errno);
 }
 
+namespace {
+
+void refuse_irregular(const std::filesystem::path& path, mode_t mode) {
+  if (S_ISREG(mode)) return;
+  if (S_ISDIR(mode)) fail_on_file(path, "read", EISDIR);
+  const char* what = S_ISFIFO(mode) ? "a pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
+  throw ResultsError("the file " + path.string() + " cannot be read: it is " + what +
+                         ", and only regular files are read; save its content to a file first",
+                     path, EINVAL);
+}
+
+}  // namespace
+
+InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) != 0) fail_on_file(path_, "read", errno);
+  refuse_irregular(path_, status.st_mode);
+  // Another file may have the name by now: opening a pipe would wait for a writer.
+  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor_ < 0) fail_on_file(path_, "read", errno);
+  try {
+    if (::fstat(descriptor_, &status) != 0) fail_on_file(path_, "read", errno);
+    refuse_irregular(path_, status.st_mode);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+  bytes_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+InputFile::~InputFile() { ::close(descriptor_); }
+
+std::size_t InputFile::read(void* bytes, std::size_t count) {
+  for (;;) {
+    const ssize_t got = ::read(descriptor_, bytes, count);
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) fail_on_file(path_, "read", errno);
+  }
+}
+
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) fail_on_file(folder, "opened", errno);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <fcntl.h>
 #include <filesystem>
 #include <string>
@@ -27,6 +28,25 @@ class OutputFile final {
  private:
   std::filesystem::path path_;
   int descriptor_ = -1;
+};
+
+/// A regular file that is being read. What may never end or never begin (a pipe, a device, a socket) is refused
+/// before it is opened. Errors: ResultsError naming the path.
+class InputFile final {
+ public:
+  explicit InputFile(std::filesystem::path path);
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+  ~InputFile();
+
+  std::uint64_t bytes() const noexcept { return bytes_; }  ///< when it was opened
+  /// As many as there are, up to `count`; 0 at the end.
+  std::size_t read(void* bytes, std::size_t count);
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t bytes_ = 0;
 };
 
 /// Makes the names in a folder survive a power loss.

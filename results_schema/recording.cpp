@@ -247,7 +247,8 @@ namespace {
 /// A recording in memory, taken from front to back.
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& path) : path_(path), content_(read_file(path)) {}
+  explicit Reader(const std::filesystem::path& path)
+      : path_(path), content_(read_file(path, kRecordingFile)) {}
 
   [[noreturn]] void fail(const std::string& what) const {
     throw ResultsError("the recording " + path_.string() + " " + what, path_);

@@ -2,16 +2,13 @@
 
 #include "results_schema/sha256.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <vector>
 
 #include <openssl/evp.h>
 
+#include "results_schema/file_system.h"
 #include "results_schema/sha256_stream.h"
-#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -52,20 +49,11 @@ std::string sha256_of(std::string_view content) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-  constexpr std::size_t kPiece_bytes = 1 << 18;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw ResultsError("the file " + path.string() + " cannot be read: " + std::strerror(errno),
-                       path, errno);
-  }
+  InputFile file(path);
   Sha256Stream stream;
-  std::vector<char> piece(kPiece_bytes);
-  do {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    stream.add(piece.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file);
-  if (file.bad()) {
-    throw ResultsError("the file " + path.string() + " cannot be read to its end", path, EIO);
+  std::vector<char> piece(std::size_t{1} << 18);
+  while (const std::size_t got = file.read(piece.data(), piece.size())) {
+    stream.add(piece.data(), got);
   }
   return stream.hexadecimal();
 }

@@ -80,7 +80,8 @@ int analyze_tables(const AnalyzeOptions& options) {
   const TidyFamily& family = tidy_family(options.kind);
   TidyInput input{};
   if (!options.options_file.empty()) {
-    input.options = FamilyOptions::of_json(read_file(options.options_file), options.options_file);
+    input.options =
+        FamilyOptions::of_json(read_file(options.options_file, kOptionsFile), options.options_file);
   }
   for (const std::string& assignment : options.options) {
     const std::size_t equals = assignment.find('=');
@@ -91,7 +92,7 @@ int analyze_tables(const AnalyzeOptions& options) {
   }
   refuse_unknown_options(family, input.options);
   for (const std::string& file : options.tables) {
-    const TidyTable& table = input.tables.emplace_back(read_file(file), file);
+    const TidyTable& table = input.tables.emplace_back(read_file(file, kTableFile), file);
     if (table.rows() > 0) continue;
     throw std::runtime_error(file +
                              ": below the line of column names there is no row: there is nothing "

@@ -153,7 +153,7 @@ void add_render(CLI::App& program, Job& job) {
         }
       }
       const std::vector<ProbeState> path =
-          path_in(read_file(options->path), options->path.string());
+          path_in(read_file(options->path, kTableFile), options->path.string());
       const auto renderer = make_renderer(model, inputs);
       const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
       write_file(options->out, forces_tsv(path, forces), overwrite);

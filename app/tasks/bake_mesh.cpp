@@ -18,8 +18,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile_bytes = std::uintmax_t{1} << 31;
-
 struct Original {
   TriangleMesh mesh{};
   TexturedMeshProvenance provenance{};
@@ -28,16 +26,10 @@ struct Original {
 
 Original read_original(const BakeOrder& order) {
   const std::string name = order.mesh.string();
-  std::error_code error{};
-  if (const std::uintmax_t size = std::filesystem::file_size(order.mesh, error);
-      !error && size > kLargestFile_bytes) {
-    throw std::invalid_argument(name + " has " + std::to_string(size) +
-                                " bytes; mesh files of up to 2 GiB are read.");
-  }
   Original original{};
   ReadMesh read{};
   {
-    const std::string content = read_file(order.mesh);
+    const std::string content = read_file(order.mesh, kMeshFile);
     original.provenance.source_sha256 = sha256_of(content);
     read =
         decode_mesh(std::as_bytes(std::span(content.data(), content.size())), order.reading, name);

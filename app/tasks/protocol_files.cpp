@@ -87,12 +87,12 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
         builder.require_body({.mesh = named.path});
         break;
       case NamedFile::Kind::picture: {
-        const std::string content = read_file(study / named.path);
+        const std::string content = read_file(study / named.path, kPictureFile);
         inspect_picture(std::as_bytes(std::span(content)), (study / named.path).string());
         break;
       }
       case NamedFile::Kind::speech:
-        if (!is_wav(read_file(study / named.path))) {
+        if (!is_wav(read_file(study / named.path, kSpeechFile))) {
           return "the file " + named.path + " is no WAV file, as recorded speech has to be";
         }
         break;
@@ -294,7 +294,7 @@ std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study) {
   const std::filesystem::path found = found_file(file, study);
-  return read_protocol(read_file(found), found.string(), declarations_of(models));
+  return read_protocol(read_file(found, kProtocolFile), found.string(), declarations_of(models));
 }
 
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
@@ -387,7 +387,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   const std::string found = found_file(file, study).string();
   std::string text{};
   try {
-    text = read_file(found);
+    text = read_file(found, kProtocolFile);
   } catch (const std::exception& error) {
     ProtocolCheck check{};
     check.file = found;

@@ -156,6 +156,7 @@ std::string lower_ending(const std::filesystem::path& file) {
 /// By its name, or by how it begins.
 bool is_textured_mesh(const std::filesystem::path& file) {
   if (lower_ending(file) == ".mesh") return true;
+  if (!std::filesystem::is_regular_file(file)) return false;  // to read a pipe would wait
   std::array<char, 64> begin{};
   std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
   return std::string_view(begin.data(), begin.size()).find("asperity.textured_mesh/") !=
@@ -185,15 +186,15 @@ void look_at(StimulusOverview& stimulus, const TexturedMesh& body) {
 void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
                std::size_t relief_rows) {
   if (stimulus.kind == StimulusOverview::Kind::picture) {
-    const std::string bytes = read_file(file);
+    const std::string bytes = read_file(file, kPictureFile);
     const PictureFacts facts = inspect_picture(std::as_bytes(std::span(bytes)), stimulus.path);
     stimulus.rows = facts.rows;
     stimulus.columns = facts.columns;
     return;
   }
-  const std::string png = read_file(file);
-  const StoredHeightField stored = decode_height_field(std::as_bytes(std::span(png)),
-                                                       read_file(sidecar_of(file)), stimulus.path);
+  const std::string png = read_file(file, kPictureFile);
+  const StoredHeightField stored = decode_height_field(
+      std::as_bytes(std::span(png)), read_file(sidecar_of(file), kSidecarFile), stimulus.path);
   if (sha256_of(png) != stored.sha256) {
     throw std::runtime_error(stimulus.path +
                              " is not the picture that its sidecar was written for: the SHA-256 "
@@ -229,7 +230,7 @@ std::map<std::string, std::filesystem::path> protocol_files_by_text(
   for (const std::filesystem::path& file : files_in(study / "protocols")) {
     if (file.extension() != ".json") continue;
     try {
-      files.emplace(read_file(file), file);
+      files.emplace(read_file(file, kProtocolFile), file);
     } catch (const std::exception&) {
       // What is wrong with it is said where protocols are listed.
     }

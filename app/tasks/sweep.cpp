@@ -433,9 +433,9 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
   const std::filesystem::path beside = declaration_beside(file.out);
   if (std::filesystem::exists(file.out) || std::filesystem::exists(beside)) {
     const bool is_same =
-        std::filesystem::exists(beside) && read_file(beside) == declaration_of(order);
+        std::filesystem::exists(beside) && read_file(beside, kOptionsFile) == declaration_of(order);
     if (is_same && std::filesystem::exists(file.out)) {
-      known = sweep_in(read_file(file.out), order, file.out.string());
+      known = sweep_in(read_file(file.out, kTableFile), order, file.out.string());
     } else if (!is_same && file.overwrite == Overwrite::refuse) {
       throw std::runtime_error(
           file.out.string() +

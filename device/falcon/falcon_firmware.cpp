@@ -100,16 +100,20 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
 }  // namespace
 
 Firmware read_firmware(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
+  std::error_code error;
+  const bool is_file = std::filesystem::is_regular_file(file, error);  // a pipe would be waited for
+  std::ifstream stream;
+  if (is_file) stream.open(file, std::ios::binary);
+  if (!is_file || !stream) {
     throw std::runtime_error("the Falcon's firmware " + file.string() +
                              " cannot be read: give the file that came with the device's software");
   }
-  Firmware firmware{std::istreambuf_iterator<char>(stream), {}};
-  if (firmware.empty() || firmware.size() > kLargest_bytes) {
-    throw std::runtime_error(file.string() + " has " + std::to_string(firmware.size()) +
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (error || bytes == 0 || bytes > kLargest_bytes) {
+    throw std::runtime_error(file.string() + " has " + std::to_string(error ? 0 : bytes) +
                              " bytes and is no firmware of a Falcon, which has about 8000");
   }
+  const Firmware firmware{std::istreambuf_iterator<char>(stream), {}};
   const auto is_of_text = [](std::uint8_t byte) {
     return (byte >= 0x20 && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t';
   };

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sched.h>
 #include <stop_token>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <thread>
@@ -20,6 +21,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "device/falcon/falcon_firmware.h"
 #include "device/monotonic_clock.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
@@ -29,6 +31,7 @@
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"
 #include "tests/support/refusal.h"
+#include "tests/support/temporary_folder.h"
 
 // libusb as it is where it has no files to wait for: this definition comes before the library's own.
 struct libusb_context;
@@ -817,6 +820,14 @@ TEST_F(Falcon, ReadsAndPushesWithoutTouchingTheHeap) {
   }
   device->zero_force();
   EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(FalconFirmware, IsNotReadFromAPipe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "firmware").c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of<std::runtime_error>([&] { falcon::read_firmware(folder / "firmware"); }),
+              testing::AllOf(testing::HasSubstr((folder / "firmware").string()),
+                             testing::HasSubstr("cannot be read")));
 }
 
 }  // namespace

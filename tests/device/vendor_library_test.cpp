@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <sys/stat.h>
 
 #include <dlfcn.h>
 #include <elf.h>
@@ -15,6 +16,7 @@
 #include <libintl.h>
 
 #include "tests/support/refusal.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -137,6 +139,14 @@ TEST(VendorLibrary, SaysThatAFileIsNoLibrary) {
   std::ofstream(file) << "INPUT(libc.so.6)";
   EXPECT_THAT(library_refusal({file}),
               AllOf(HasSubstr(file.string()), HasSubstr("no shared library")));
+}
+
+// The loader would wait for a writer without end.
+TEST(VendorLibrary, RefusesAPipeAtOnce) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.so").c_str(), 0600), 0);
+  EXPECT_THAT(library_refusal({folder / "pipe.so"}),
+              AllOf(HasSubstr((folder / "pipe.so").string()), HasSubstr("no shared library")));
 }
 
 }  // namespace

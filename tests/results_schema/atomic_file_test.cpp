@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <iterator>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
+
+using testing::HasSubstr;
 
 std::ptrdiff_t files_in(const TemporaryFolder& folder) {
   return std::distance(std::filesystem::directory_iterator(folder.path()), {});
@@ -82,6 +86,41 @@ TEST(AtomicFile, NamesAnAbsentFile) {
     EXPECT_EQ(error.path(), folder / "absent");
     EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos);
   }
+}
+
+// A pipe that nobody writes to would be waited for without end, and a device may have no end.
+TEST(AtomicFile, RefusesToReadAtOnceWhatIsNoRegularFile) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const auto& read : {+[](const std::filesystem::path& path) { read_file(path); },
+                           +[](const std::filesystem::path& path) { sha256_of_file(path); }}) {
+    EXPECT_THAT(refusal_of<ResultsError>([&] { read(folder / "pipe"); }),
+                testing::AllOf(HasSubstr((folder / "pipe").string()), HasSubstr("it is a pipe"),
+                               HasSubstr("save its content to a file")));
+    EXPECT_THAT(refusal_of<ResultsError>([&] { read("/dev/zero"); }),
+                testing::AllOf(HasSubstr("/dev/zero"), HasSubstr("it is a device")));
+    EXPECT_THAT(refusal_of<ResultsError>([&] { read(folder.path()); }), HasSubstr("directory"));
+  }
+}
+
+TEST(AtomicFile, RefusesToReadMoreThanItsKindMayHave) {
+  const TemporaryFolder folder;
+  write_file(folder / "file", "", Overwrite::refuse);
+  std::filesystem::resize_file(folder / "file", kProtocolFile.most_bytes);
+  EXPECT_EQ(read_file(folder / "file", kProtocolFile).size(), kProtocolFile.most_bytes);
+  std::filesystem::resize_file(folder / "file", kProtocolFile.most_bytes + 1);
+  EXPECT_THAT(refusal_of<ResultsError>([&] { read_file(folder / "file", kProtocolFile); }),
+              testing::AllOf(HasSubstr((folder / "file").string()),
+                             HasSubstr("larger than 4 MiB, the most that a protocol may have")));
+  EXPECT_EQ(read_file(folder / "file").size(), kProtocolFile.most_bytes + 1);
+}
+
+TEST(AtomicFile, ReadsAFileOfTheKernelWhoseSizeIsUnknown) {
+  EXPECT_THAT(read_file("/proc/self/status"), HasSubstr("Pid:"));
+  EXPECT_THAT(refusal_of<ResultsError>([] {
+                read_file("/proc/self/status", {"a crumb", 10});
+              }),
+              HasSubstr("larger than 10 bytes"));
 }
 
 }  // namespace

@@ -20,8 +20,6 @@ namespace asperity {
 
 namespace {
 
-// What the reader of protocols accepts.
-constexpr std::uintmax_t kLargestProtocol_bytes = 4U << 20U;
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
@@ -49,7 +47,7 @@ QString how_many_problems(std::size_t count) {
 
 std::optional<std::string> content_on_disk(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return {};
-  return read_file(file);
+  return read_file(file, kProtocolFile);
 }
 
 }  // namespace
@@ -210,11 +208,7 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   if (!may_leave([this, protocol] { open(protocol); })) return;
   std::string bytes{};
   try {
-    if (std::filesystem::file_size(protocol) > kLargestProtocol_bytes) {
-      throw ResultsError(
-          protocol.string() + " is larger than 4 MiB; a protocol is a small text file", protocol);
-    }
-    bytes = read_file(protocol);
+    bytes = read_file(protocol, kProtocolFile);
   } catch (const std::exception& error) {
     banner().show_news(
         State::stop, tr("The protocol could not be read: %1").arg(QString::fromUtf8(error.what())));
@@ -505,9 +499,9 @@ void ProtocolEditorPage::look_at_disk() {
   try {
     now = content_on_disk(file_);
   } catch (const std::exception&) {
-    return;  // being written: there will be more news; and saving looks again
+    return;  // being written, or no protocol: there will be more news; and saving looks again
   }
-  if (!now || now->size() > kLargestProtocol_bytes || *now == on_disk_) return;
+  if (!now || *now == on_disk_) return;
   watch_file();
   if (*now == content()) {
     on_disk_ = *now;

@@ -5,9 +5,12 @@
 #include <stdexcept>
 #include <string>
 
-#include <QtCore/QFile>
+#include <QtCore/QBuffer>
+#include <QtCore/QByteArray>
 #include <QtMultimedia/QAudioFormat>
 #include <QtMultimedia/QWaveDecoder>
+
+#include "results_schema/atomic_file.h"
 
 namespace asperity {
 
@@ -22,10 +25,9 @@ std::runtime_error error_about(const std::filesystem::path& file, const std::str
 }  // namespace
 
 CueRecording read_speech(const std::filesystem::path& file) {
-  QFile bytes(QString::fromStdString(file.string()));
-  if (!bytes.open(QIODevice::ReadOnly)) {
-    throw error_about(file, "cannot be read: " + bytes.errorString().toStdString());
-  }
+  QByteArray content = QByteArray::fromStdString(read_file(file, kSpeechFile));
+  QBuffer bytes(&content);
+  bytes.open(QIODevice::ReadOnly);
   QWaveDecoder wave(&bytes);
   const bool opened = wave.open(QIODevice::ReadOnly);
   const QAudioFormat format = wave.audioFormat();

@@ -9,6 +9,7 @@
 #include <QtGui/QImageReader>
 
 #include "app/gui/look/words.h"
+#include "results_schema/atomic_file.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -16,8 +17,6 @@ namespace asperity {
 namespace {
 
 constexpr int kThumbnailSide = 1024;  // of the photograph in colour
-// The largest picture that is read, 16384 pixels a side in 16-bit colour, and room for its header.
-constexpr std::uintmax_t kLargestPicture_bytes = std::uintmax_t{2} << 30U;
 
 struct OpeningWords {
   Q_DECLARE_TR_FUNCTIONS(OpeningWords)
@@ -43,7 +42,7 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 is no file that holds a picture.").arg(name));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (!error && bytes > kLargestPicture_bytes) {
+  if (!error && bytes > kPictureFile.most_bytes) {
     refuse(OpeningWords::tr("%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut "
                             "a piece out.")
                .arg(name)
