@@ -6,7 +6,6 @@
 
 #include "analysis/compliance.h"
 #include "analysis/summary.h"
-#include "app/conductor/contact_reader.h"
 
 namespace asperity {
 
@@ -133,8 +132,8 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
-                                         const Exploration& exploration) {
-  ContactReader reader(exploration.direction_rad);
+                                         const Exploration& exploration, JudgedForce force) {
+  ContactReader reader(exploration.direction_rad, force);
   HandStrokes hand_strokes{};
   std::vector<double> force_N{};
   std::int64_t contact_ticks = 0;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "app/conductor/contact_reader.h"
 #include "device/virtual_hand.h"
 #include "protocols/protocol.h"
 #include "renderers/tick_record.h"
@@ -28,7 +29,8 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 /// (ContactReader), speed that of every stroke (HandStrokes).
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
-                                         const Exploration& exploration);
+                                         const Exploration& exploration,
+                                         JudgedForce force = JudgedForce::sent);
 
 /// A hand that aims at what an exploration asks for.
 HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch);

@@ -22,8 +22,16 @@ QuantitySoFar quantity_of(const std::vector<double>& samples, const AskedBand& b
 
 }  // namespace
 
-ContactReader::ContactReader(double direction_rad) noexcept
-    : along_x_(std::cos(direction_rad)), along_y_(std::sin(direction_rad)) {}
+JudgedForce judged_force_of(const DeviceCapability& device) noexcept {
+  return device.actuated_degrees_of_freedom > 0 ? JudgedForce::sent : JudgedForce::rendered;
+}
+
+const char* text_of(JudgedForce force) noexcept {
+  return force == JudgedForce::sent ? "sent" : "rendered";
+}
+
+ContactReader::ContactReader(double direction_rad, JudgedForce force) noexcept
+    : along_x_(std::cos(direction_rad)), along_y_(std::sin(direction_rad)), force_(force) {}
 
 std::optional<HandSample> ContactReader::take(const TickRecord& record) noexcept {
   const std::int64_t time_ns = record.probe.time_ns;
@@ -46,7 +54,8 @@ std::optional<HandSample> ContactReader::take(const TickRecord& record) noexcept
   } else {
     pressing_.lift();
   }
-  sample.pressing_N = pressing_.take(record.sent.force_N.z, goes_on ? step_s : kUsualStep_s);
+  const Wrench& judged = force_ == JudgedForce::sent ? record.sent : record.rendered;
+  sample.pressing_N = pressing_.take(judged.force_N.z, goes_on ? step_s : kUsualStep_s);
   sample.along_m = along_x_ * record.probe.position_m.x + along_y_ * record.probe.position_m.y;
   presentation_ = record.presentation;
   touched_ns_ = time_ns;
@@ -54,7 +63,8 @@ std::optional<HandSample> ContactReader::take(const TickRecord& record) noexcept
   return sample;
 }
 
-HandWatch::HandWatch(const HandBands& bands) : bands_(bands), reader_(bands.direction_rad) {}
+HandWatch::HandWatch(const HandBands& bands)
+    : bands_(bands), reader_(bands.direction_rad, bands.force) {}
 
 void HandWatch::Tally::add(double sample, const AskedBand& band) noexcept {
   ++samples;

@@ -9,15 +9,23 @@
 #include "analysis/compliance.h"
 #include "app/conductor/session_monitor.h"
 #include "app/conductor/sound.h"
+#include "device/device_capability.h"
 #include "renderers/tick_record.h"
 
 namespace asperity {
+
+/// Which force of a tick says how hard the hand presses: the one sent, which the hand balances; of a device
+/// without motors, which is sent none, the one that the renderer computed.
+enum class JudgedForce { sent, rendered };
+JudgedForce judged_force_of(const DeviceCapability& device) noexcept;
+/// "sent", "rendered": as stored with the session.
+const char* text_of(JudgedForce force) noexcept;
 
 /// The hand in one tick in which it touches a surface that is wholly there.
 struct HandSample {
   std::uint64_t presentation = 0;
   bool begins_contact = false;  ///< the hand had lifted before
-  /// The mean of the normal force sent in this contact so far, of which the last 0.2 s count most
+  /// The mean of the judged normal force in this contact so far, of which the last 0.2 s count most
   /// (PressingForce): how hard the hand presses, with little left of a texture's ripple.
   double pressing_N = 0.0;
   double along_m = 0.0;  ///< the probe's place along the direction of the strokes
@@ -35,7 +43,8 @@ class ContactReader final {
   static constexpr double kSkip_s = 0.1;
 
   /// `direction_rad` of the strokes, from +x towards +y.
-  explicit ContactReader(double direction_rad = 0.0) noexcept;
+  explicit ContactReader(double direction_rad = 0.0,
+                         JudgedForce force = JudgedForce::sent) noexcept;
 
   /// Nothing in a tick without contact.
   std::optional<HandSample> take(const TickRecord& record) noexcept;
@@ -45,6 +54,7 @@ class ContactReader final {
  private:
   double along_x_ = 1.0;
   double along_y_ = 0.0;
+  JudgedForce force_ = JudgedForce::sent;
   PressingForce pressing_{};
   std::uint64_t presentation_ = 0;
   bool in_contact_ = false;
@@ -58,6 +68,7 @@ struct HandBands {
   AskedBand speed_m_per_s{};
   double direction_rad = 0.0;
   double usual_stroke_m = 0.0;  ///< see HandStrokes
+  JudgedForce force = JudgedForce::sent;
 };
 
 /// Follows the hand through an attempt: counts how it meets its bands, with the samples that the attempt

@@ -135,7 +135,8 @@ void TrialAttempt::prepare() {
   course_.watch_hand({.normal_force_N = asked(exploration_.normal_force_N),
                       .speed_m_per_s = asked(exploration_.speed_m_per_s),
                       .direction_rad = exploration_.direction_rad,
-                      .usual_stroke_m = habits_for(exploration_, patch_).stroke_length_m});
+                      .usual_stroke_m = habits_for(exploration_, patch_).stroke_length_m,
+                      .force = judged_force_of(course_.rig().capability())});
 }
 
 void TrialAttempt::carry_out() {
@@ -331,7 +332,8 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
       }
     }
     if (presentation.onset_ns) {
-      for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_)) {
+      for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_,
+                                                     judged_force_of(course_.rig().capability()))) {
         compliance.position = planned.position;
         row_.compliance.push_back(std::move(compliance));
       }

@@ -104,8 +104,14 @@ RecordingCurves curves_of(std::span<const TickRecord> records, double rate_Hz,
     SurfaceCurves& surface = surfaces[run.presentation];
     if (stretch_of(run).duration_s() <= surface.longest_contact.duration_s()) continue;
     surface.longest_contact = stretch_of(run);
-    surface.spectrum =
-        spectrum_of(std::span(curves.sent_N).subspan(run.first, run.last - run.first + 1), rate_Hz);
+    const auto contact_of = [&run](const std::vector<double>& force_N) {
+      return std::span(force_N).subspan(run.first, run.last - run.first + 1);
+    };
+    const std::span<const double> sent_N = contact_of(curves.sent_N);
+    surface.is_spectrum_of_rendered =
+        std::all_of(sent_N.begin(), sent_N.end(), [](double force_N) { return force_N == 0.0; });
+    surface.spectrum = spectrum_of(
+        surface.is_spectrum_of_rendered ? contact_of(curves.rendered_N) : sent_N, rate_Hz);
   }
   for (auto& [position, surface] : surfaces) {
     surface.position = static_cast<int>(position);

@@ -33,8 +33,10 @@ struct SurfaceCurves {
   /// contact begins or ends between them.
   std::vector<PathPoint> path{};
   /// Of the normal force that the device got in the longest contact; absent when that is shorter
-  /// than a window of 256 ticks or holds a force that is no number.
+  /// than a window of 256 ticks or holds a force that is no number. Where the device was sent no force
+  /// in all of it (a device without motors), of the force that the renderer computed.
   std::optional<PowerSpectrum> spectrum{};
+  bool is_spectrum_of_rendered = false;
   TimeStretch longest_contact{};
 };
 

@@ -242,7 +242,7 @@ TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAg
 
 // Ten strokes of 50 mm by a hand that is told 1 N and 100 mm/s; it slows down where it turns, as a
 // sinusoid does, on a texture that shakes it. Bands are 20 % to either side.
-std::vector<ComplianceRow> stroked_at(double times_target) {
+std::vector<ComplianceRow> stroked_at(double times_target, JudgedForce force = JudgedForce::sent) {
   constexpr double kPi = 3.14159265358979;
   std::vector<TickRecord> records{};
   for (int i = 0; i <= std::lround(5000.0 / times_target); ++i) {
@@ -253,7 +253,8 @@ std::vector<ComplianceRow> stroked_at(double times_target) {
     record.penetration_m = 1e-4;
     record.gain = 1.0;
     const double ripple = std::sin(2.0 * kPi * 50.0 * 1e-3 * i);
-    record.sent.force_N = {0.2, 0.0, times_target * (1.0 + 0.3 * ripple)};
+    Wrench& given = force == JudgedForce::sent ? record.sent : record.rendered;
+    given.force_N = {0.2, 0.0, times_target * (1.0 + 0.3 * ripple)};
     record.probe.position_m.x = -0.025 * std::cos(kPi * 2e-3 * times_target * i) + 2e-5 * ripple;
     records.push_back(record);
   }
@@ -261,7 +262,7 @@ std::vector<ComplianceRow> stroked_at(double times_target) {
   asked.normal_force_N = {.minimum = 0.8, .target = 1.0, .maximum = 1.2};
   asked.speed_m_per_s = {.minimum = 0.08, .target = 0.1, .maximum = 0.12};
   asked.required_fraction_in_band = 0.7;
-  return compliance_of(records, 1, 1000.0, asked);
+  return compliance_of(records, 1, 1000.0, asked, force);
 }
 
 TEST(AttemptMeasures, PassAHandAtNineTenthsOfTheTargetAndFailOneAtOneAndAHalf) {
@@ -278,6 +279,15 @@ TEST(AttemptMeasures, PassAHandAtNineTenthsOfTheTargetAndFailOneAtOneAndAHalf) {
     EXPECT_EQ(speed.fraction_in_band, is_inside ? 1.0 : 0.0);
     EXPECT_EQ(speed.passed, is_inside);
   }
+}
+
+// A device without motors is sent no force.
+TEST(AttemptMeasures, JudgeAHandThatIsPushedByNothingByTheRenderedForce) {
+  const ComplianceRow force = stroked_at(0.9, JudgedForce::rendered).at(0);
+  EXPECT_NEAR(force.mean, 0.9, 0.01);
+  EXPECT_EQ(force.passed, true);
+  EXPECT_EQ(judged_force_of({.actuated_degrees_of_freedom = 0}), JudgedForce::rendered);
+  EXPECT_EQ(judged_force_of({.actuated_degrees_of_freedom = 3}), JudgedForce::sent);
 }
 
 // What the windows show of a hand while it feels, its row in the store, and what anybody computes of the

@@ -86,8 +86,16 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
   highest_ = 0.0;
   QString path =
       QString("<b>%1</b>&nbsp;&nbsp; %2").arg(tr("PATH from above, y mm"), tr("surface"));
-  QString spectrum = QString("<b>%1</b>&nbsp;&nbsp; %2")
-                         .arg(tr("SPECTRUM of the sent force, N/√Hz"), tr("surface"));
+  const bool is_rendered = std::any_of(
+      curves.surfaces.begin(), curves.surfaces.end(), [&position](const SurfaceCurves& surface) {
+        return (!position || surface.position == *position) && surface.is_spectrum_of_rendered;
+      });
+  QString spectrum =
+      QString("<b>%1</b>&nbsp;&nbsp; %2")
+          .arg(is_rendered ? tr("SPECTRUM of the rendered force (no force was sent), "
+                                "N/√Hz")
+                           : tr("SPECTRUM of the sent force, N/√Hz"),
+               tr("surface"));
   double longest_s = 0.0;
   for (const SurfaceCurves& surface : curves.surfaces) {
     if (position && surface.position != *position) continue;

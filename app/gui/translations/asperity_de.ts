@@ -6133,6 +6133,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>, each in its longest contact</source>
         <translation>, jeweils im längsten Kontakt</translation>
     </message>
+    <message>
+        <source>SPECTRUM of the rendered force (no force was sent), N/√Hz</source>
+        <translation>SPEKTRUM der berechneten Kraft (es wurde keine gesendet), N/√Hz</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanModel</name>

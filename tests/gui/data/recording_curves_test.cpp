@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +101,22 @@ TEST(RecordingCurves, CutContactsWhereTheHandLiftsAndNotAtACrest) {
   EXPECT_NEAR(curves.surfaces[0].longest_contact.begin_s, 1.2, 1e-9);
   const PowerSpectrum& spectrum = *curves.surfaces[0].spectrum;
   const auto highest = std::max_element(spectrum.density.begin(), spectrum.density.end());
+  EXPECT_NEAR(spectrum.spacing_Hz * static_cast<double>(highest - spectrum.density.begin()), 100.0,
+              spectrum.spacing_Hz);
+}
+
+// Of a mouse, which has no motors.
+TEST(RecordingCurves, HaveTheSpectrumOfTheRenderedForceWhereNoneWasSent) {
+  std::vector<TickRecord> records{};
+  for (int tick = 0; tick < 2000; ++tick) {
+    TickRecord& record = records.emplace_back(tick_at(tick, 1, 1e-3));
+    std::swap(record.rendered, record.sent);
+  }
+  const RecordingCurves curves = curves_of(records, 1000.0, 5'000'000'000);
+  EXPECT_TRUE(curves.surfaces[0].is_spectrum_of_rendered);
+  const PowerSpectrum& spectrum = curves.surfaces[0].spectrum.value();
+  const auto highest = std::max_element(spectrum.density.begin(), spectrum.density.end());
+  EXPECT_GT(*highest, 0.0);
   EXPECT_NEAR(spectrum.spacing_Hz * static_cast<double>(highest - spectrum.density.begin()), 100.0,
               spectrum.spacing_Hz);
 }

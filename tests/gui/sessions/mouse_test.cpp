@@ -76,6 +76,10 @@ TEST_F(ByMouse, FeelsAndAnswersAWholeSession) {
     for (const PresentationRow& surface : attempt.presentations) {
       EXPECT_GT(surface.contact_s, 0.3) << "it was felt by the mouse";
     }
+    for (const ComplianceRow& row : attempt.compliance) {
+      if (row.quantity != "normal_force_N") continue;
+      EXPECT_GT(row.mean, 0.0) << "it is judged by the force that was computed";
+    }
   }
   for (const EventRow& event : stored_events("input")) {
     EXPECT_NE(event.text, "click") << "a touch is no answer";
