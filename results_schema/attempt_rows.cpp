@@ -14,7 +14,13 @@ namespace {
 
 constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
                                AttemptOutcome::not_compliant, AttemptOutcome::aborted,
-                               AttemptOutcome::device_fault,  AttemptOutcome::skipped};
+                               AttemptOutcome::device_fault,  AttemptOutcome::emergency_stop,
+                               AttemptOutcome::skipped};
+
+// The schema counts an emergency stop among the faults; the servo's row tells which one it was.
+constexpr const char* kOutcomeAsRead =
+    "CASE WHEN outcome = 'device_fault' AND (SELECT fault FROM servo_quality WHERE attempt_id = "
+    "attempt.id) = 'emergency_stop' THEN 'emergency_stop' ELSE outcome END";
 
 /// What was decided about attempts, or about their session, in the order of deciding.
 void apply_decisions(Database& database, const std::string& which, std::int64_t key,
@@ -76,8 +82,9 @@ std::vector<AttemptRow> Attempts::in_order() && {
 Attempts read_bare_attempts(Database& database, const std::string& which, std::int64_t key) {
   Attempts attempts;
   Statement statement(database,
-                      "SELECT id, trial, attempt, segment, outcome, valid, invalid_reason, "
-                      "flagged, flag_reason, onset_ns, offset_ns FROM attempt WHERE " +
+                      std::string("SELECT id, trial, attempt, segment, ") + kOutcomeAsRead +
+                          ", valid, invalid_reason, flagged, flag_reason, onset_ns, offset_ns "
+                          "FROM attempt WHERE " +
                           which + " ORDER BY id");
   statement.bind(key);
   while (statement.step()) {

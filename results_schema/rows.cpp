@@ -42,6 +42,8 @@ const char* text_of(AttemptOutcome outcome) noexcept {
       return "aborted";
     case AttemptOutcome::device_fault:
       return "device_fault";
+    case AttemptOutcome::emergency_stop:
+      return "emergency_stop";
     case AttemptOutcome::skipped:
       return "skipped";
   }

@@ -180,7 +180,21 @@ struct EventRow {
   std::string data_json = "null";
 };
 
-enum class AttemptOutcome { answered, timed_out, not_compliant, aborted, device_fault, skipped };
+enum class AttemptOutcome {
+  answered,
+  timed_out,
+  not_compliant,
+  aborted,
+  device_fault,
+  /// Somebody pressed it, and nothing failed. In the database `device_fault` with this fault in
+  /// servo_quality.
+  emergency_stop,
+  skipped,
+};
+/// The force was latched at zero: by a fault of the device or by the emergency stop.
+constexpr bool is_fault(AttemptOutcome outcome) noexcept {
+  return outcome == AttemptOutcome::device_fault || outcome == AttemptOutcome::emergency_stop;
+}
 
 /// One go at a trial, with all that hangs on it: written in one transaction or not at all.
 struct AttemptRow {

@@ -219,7 +219,9 @@ std::int64_t Study::add_attempt(std::int64_t session_id, const AttemptRow& attem
             "INSERT INTO attempt (session_id, trial, attempt, segment, outcome, valid, "
             "invalid_reason, flagged, flag_reason, onset_ns, offset_ns) "
             "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(session_id, attempt.trial, attempt.attempt, attempt.segment, text_of(attempt.outcome),
+      .bind(session_id, attempt.trial, attempt.attempt, attempt.segment,
+            text_of(attempt.outcome == AttemptOutcome::emergency_stop ? AttemptOutcome::device_fault
+                                                                      : attempt.outcome),
             attempt.valid, attempt.invalid_reason, attempt.flagged, attempt.flag_reason,
             attempt.onset_ns, attempt.offset_ns)
       .run();

@@ -52,7 +52,7 @@ SessionEnd Conductor::run(OpenSession session) {
     begin();
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
-    stop(interruption.outcome == AttemptOutcome::device_fault
+    stop(is_fault(interruption.outcome)
              ? fault_sentence(interruption, {}) + "; " +
                    phrase_of(Reason::every_trial_stored).english()
              : interruption.reason);
@@ -387,7 +387,7 @@ void Conductor::run_trial(const Trial& trial) {
     const AttemptRow attempt = make_attempt(trial, interruption);
     tell(trial, attempt);
     if (stopped_) return;
-    if (attempt.outcome == AttemptOutcome::device_fault) {
+    if (is_fault(attempt.outcome)) {
       if (!wait_out_fault(fault_sentence(interruption.value(), trial.ordinal))) return;
       continue;
     }

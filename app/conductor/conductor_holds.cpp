@@ -151,7 +151,7 @@ Phrase Conductor::device_problem(const Wait& waiting) {
 
 /// Whether what was interrupted outside an attempt can be begun again; waits for it.
 bool Conductor::outlives(const Interruption& interruption) {
-  if (interruption.outcome != AttemptOutcome::device_fault ||
+  if (!is_fault(interruption.outcome) ||
       !(settings_.links.experimenter_is_there || interruption.fault == Fault::standstill)) {
     return false;
   }

@@ -17,10 +17,12 @@ constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 }  // namespace
 
 Interruption interruption_by(Fault fault) {
-  return {.outcome = AttemptOutcome::device_fault,
-          .reason = fault == Fault::emergency_stop ? phrase_of(Reason::emergency_stop).english()
-                                                   : name_of(fault),
-          .fault = fault};
+  if (fault == Fault::emergency_stop) {
+    return {.outcome = AttemptOutcome::emergency_stop,
+            .reason = phrase_of(Reason::emergency_stop).english(),
+            .fault = fault};
+  }
+  return {.outcome = AttemptOutcome::device_fault, .reason = name_of(fault), .fault = fault};
 }
 
 std::string fault_sentence(const Interruption& interruption, std::optional<int> trial) {

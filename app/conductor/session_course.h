@@ -31,8 +31,7 @@ struct Interruption {
   Fault fault = Fault::none;  ///< that the loop showed, if it was one
 };
 
-/// By a fault of the loop. The outcome is `device_fault` for all of them; the reason of an emergency
-/// stop says that it was one, because nothing failed.
+/// By a fault of the loop, or by the emergency stop.
 Interruption interruption_by(Fault fault);
 /// "the device failed in trial 3: device_lost"; without a trial "the emergency stop was pressed between
 /// trials".

@@ -318,7 +318,8 @@ Columns attempt_columns() {
   add(with_levels(
       column("outcome", "text", "", "how the attempt ended",
              [](const Place& at) { return text_of(at.attempt->outcome); }),
-      {"answered", "timed_out", "not_compliant", "aborted", "device_fault", "skipped"}));
+      {"answered", "timed_out", "not_compliant", "aborted", "device_fault", "emergency_stop",
+       "skipped"}));
   add(column("valid", "boolean", "", "1: the attempt counts; at most one per trial",
              [](const Place& at) { return boolean(at.attempt->valid); }));
   add(dropped(

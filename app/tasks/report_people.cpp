@@ -90,6 +90,7 @@ std::string fate_text(const std::string& fate) {
       {"aborted", "broken off"},
       {"answered but invalid", "answered, but not valid"},
       {"device_fault", "stopped by a fault"},
+      {"emergency_stop", "ended by the emergency stop"},
       {"excluded", "excluded"},
       {"not_compliant", "not explored as asked"},
       {"skipped", "skipped"},

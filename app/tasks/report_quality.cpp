@@ -7,6 +7,7 @@
 #include "analysis/summary.h"
 #include "app/analyses/reading_number.h"
 #include "app/tasks/report_sections.h"
+#include "renderers/servo_loop.h"
 
 namespace asperity {
 
@@ -125,6 +126,11 @@ ReportText losses_text(const ReportFacts& facts) {
   text +=
       limited.empty() ? "The force limiter never had to act." : capitalised(listed(limited)) + '.';
   for (const auto& [fault, count] : servo.faults) {
+    if (fault == name_of(Fault::emergency_stop)) {
+      text += " The emergency stop was pressed in " + count_in_words(count) +
+              (count == 1 ? " attempt." : " attempts.");
+      continue;
+    }
     std::string words = fault;
     std::replace(words.begin(), words.end(), '_', ' ');
     text += " In " + count_in_words(count) + (count == 1 ? " attempt" : " attempts") +

@@ -465,7 +465,7 @@ TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
   EXPECT_EQ(end.reason, "the emergency stop was pressed in trial 1");
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::emergency_stop);
   EXPECT_EQ(rows[0].invalid_reason, "the emergency stop was pressed");
   EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
   const Recording recording = read_recording(folder_.path() / "study" / rows[0].recording->path);

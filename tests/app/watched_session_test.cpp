@@ -580,7 +580,7 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_EQ(run().state, SessionState::completed);
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::emergency_stop);
   EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
   EXPECT_EQ(rows[1].trial, 1);
   EXPECT_TRUE(rows[1].valid);
@@ -611,7 +611,7 @@ TEST_F(WatchedSession, GoesOnAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
                           "stop is cleared."));
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::emergency_stop);
   EXPECT_TRUE(rows[1].valid);
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
 }
@@ -1430,7 +1430,7 @@ TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
   int faults = 0;
   for (const AttemptRow& attempt : study.attempts(id)) {
     if (attempt.valid) ++valid;
-    if (attempt.outcome == AttemptOutcome::device_fault) ++faults;
+    if (attempt.outcome == AttemptOutcome::emergency_stop) ++faults;
   }
   EXPECT_EQ(valid, 2);
   EXPECT_GE(faults, 1);

@@ -59,7 +59,7 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     ? QString("%1 %2").arg(response.item).arg(text(response.answer))
                     : text(response.answer));
   }
-  const QString outcome = OutcomeWords::of(attempt.outcome, attempt.invalid_reason.value_or(""));
+  const QString outcome = OutcomeWords::of(attempt.outcome);
   QStringList parts{tr("Session %1").arg(detail.session.session),
                     tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-QString OutcomeWords::of(AttemptOutcome outcome, const std::string& reason) {
+QString OutcomeWords::of(AttemptOutcome outcome) {
   switch (outcome) {
     case AttemptOutcome::answered:
       return tr("answered");
@@ -16,10 +16,9 @@ QString OutcomeWords::of(AttemptOutcome outcome, const std::string& reason) {
     case AttemptOutcome::aborted:
       return tr("aborted");
     case AttemptOutcome::device_fault:
-      return reason == phrase_of(Reason::emergency_stop).english() ||
-                     reason == name_of(Fault::emergency_stop)  // as an earlier version stored it
-                 ? of_fault(Fault::emergency_stop)
-                 : tr("device fault");
+      return tr("device fault");
+    case AttemptOutcome::emergency_stop:
+      return of_fault(Fault::emergency_stop);
     case AttemptOutcome::skipped:
       break;
   }

@@ -15,9 +15,8 @@ namespace asperity {
 class OutcomeWords final {
   Q_DECLARE_TR_FUNCTIONS(OutcomeWords)
  public:
-  /// "no answer in time". `reason`: why the attempt does not count, as stored; it tells an emergency
-  /// stop, which is stored as a fault of the device, from what the device did itself.
-  static QString of(AttemptOutcome outcome, const std::string& reason);
+  /// "no answer in time".
+  static QString of(AttemptOutcome outcome);
   /// Why something does not count, is flagged or ended, as stored: the program's own reasons in the
   /// language of the windows, what somebody typed as it is.
   static QString of_reason(const std::string& reason);

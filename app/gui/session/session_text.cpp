@@ -130,7 +130,7 @@ QString SessionText::of_answers(const AttemptSummary& attempt) {
 }
 
 QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right) {
-  const QString outcome = OutcomeWords::of(attempt.outcome, attempt.reason);
+  const QString outcome = OutcomeWords::of(attempt.outcome);
   if (attempt.outcome != AttemptOutcome::answered) return outcome;
   const QString answers = of_answers(attempt);
   QString text = answers.isEmpty() ? outcome : tr("%1 %2").arg(outcome, answers);

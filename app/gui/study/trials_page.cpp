@@ -47,7 +47,7 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
 
 QString text_of_outcome(const TrialOverview& trial) {
   if (!trial.attempt) return TrialsPage::tr("to come");
-  return OutcomeWords::of(trial.attempt->outcome, trial.attempt->invalid_reason.value_or(""));
+  return OutcomeWords::of(trial.attempt->outcome);
 }
 
 /// What is to be said of the attempt beside its outcome.

@@ -811,6 +811,10 @@
         <source>F(%1, %2) = %3, ε = %4, partial η² = %5, %6</source>
         <translation>F(%1, %2) = %3, ε = %4, partielles η² = %5, %6</translation>
     </message>
+    <message>
+        <source>%1 ended by the emergency stop</source>
+        <translation>%1 durch NOT-HALT beendet</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>

@@ -389,9 +389,9 @@ TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {
   AttemptSummary attempt{};
   attempt.trial = 5;
   attempt.attempt = 1;
-  attempt.outcome = AttemptOutcome::device_fault;
+  attempt.outcome = AttemptOutcome::emergency_stop;
   attempt.valid = false;
-  attempt.reason = "emergency_stop";
+  attempt.reason = "the emergency stop was pressed";
   session.monitor.add_attempt(attempt);
   const auto window = session.window();
   const auto& model = window->findChild<PlanTable*>()->model();

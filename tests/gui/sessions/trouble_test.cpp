@@ -71,7 +71,7 @@ TEST_F(SessionInTrouble, TheEmergencyKeyZeroesTheForceAndTheSameTrialIsAskedAgai
   take_part(chooses_a());
 
   EXPECT_EQ(stored_outcomes(),
-            (Outcomes{"1/1 device_fault, not valid", "1/2 answered", "2/1 answered"}));
+            (Outcomes{"1/1 emergency_stop, not valid", "1/2 answered", "2/1 answered"}));
   EXPECT_EQ(stored_session().state, SessionState::completed);
   const std::vector<AttemptRow> attempts = stored_attempts();
   ASSERT_EQ(attempts.size(), 3U);
@@ -200,7 +200,7 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   click(panel, "fault_clear");
   take_part(chooses_a());
   EXPECT_EQ(stored_outcomes(),
-            (Outcomes{"1/1 device_fault, not valid", "1/2 answered", "2/1 answered"}));
+            (Outcomes{"1/1 emergency_stop, not valid", "1/2 answered", "2/1 answered"}));
   EXPECT_EQ(stored_events("screen_lost").size(), 1U);
   EXPECT_EQ(stored_session().state, SessionState::completed);
 }
