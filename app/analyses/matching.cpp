@@ -433,11 +433,13 @@ void ask_confused_pairs(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
       times == 0 ? phrase("Analysis", "None was ever taken for another.")
       : as_often > 1
-          ? phrase("Analysis",
-                   "No pair stands out: of %1 pairs each was confused %2 times in both directions, "
-                   "and none more often.")
+          ? phrase(
+                "Analysis",
+                "No pair stands out: the number of confusions, counted in both directions, is %2 "
+                "for %1 pairs, and higher for none.")
                 .with(std::to_string(as_often), std::to_string(times))
-          : phrase("Analysis", "Most often %1 and %2: %3 times in both directions.")
+          : phrase("Analysis",
+                   "Most often %1 and %2; number of confusions, counted in both directions: %3.")
                 .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
                       std::to_string(times)),
       phrase("Analysis", "Counts of all answers; an interval needs a model of confusions."),

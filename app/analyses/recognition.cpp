@@ -407,10 +407,9 @@ Phrase with_larger_confusion(const Phrase& answer, const std::vector<ConfusedPai
                pair.key == largest.called + '|' + largest.felt;
       });
   if (largest.times == 0 || is_told || largest.share() <= pairs.front().share()) return answer;
-  return phrase(
-             "Analysis",
-             "%1 Counted in one direction only, %2 was called %3 more often still: %4 times in %5 "
-             "answers.")
+  return phrase("Analysis",
+                "%1 Counted in one direction only, %2 was called %3 more often still: in %4 of %5 "
+                "answers.")
       .with(answer, largest.felt, largest.called, std::to_string(largest.times),
             std::to_string(largest.answers));
 }
@@ -434,7 +433,7 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
     answer = phrase("Analysis", "No felt texture was ever taken for another felt one.");
   } else if (most.size() == 1) {
     answer =
-        phrase("Analysis", "Most alike are %1: one was taken for the other %2 times in %3 answers.")
+        phrase("Analysis", "Most alike are %1: one was taken for the other in %2 of %3 answers.")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() <= kMostNamed) {
     Phrase names = first.names;

@@ -700,7 +700,7 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   EXPECT_EQ(std::get<std::string>(tree.rows[0][1]), "metal");
   EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Most alike are metal / stone: one was taken for the other 3 times in 8 answers.");
+            "Most alike are metal / stone: one was taken for the other in 3 of 8 answers.");
   EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("too few"));
   EXPECT_NO_THROW(question_of(outcome, "right"));
   EXPECT_EQ(finding_of(outcome, "sexes", "pooled.k", "M").value, 5.0);
@@ -758,8 +758,8 @@ TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) 
                                                    {"brick", "gravel"},
                                                    {"brick", "brick"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Most alike are metal / stone: one was taken for the other 1 times in 4 answers. "
-            "Counted in one direction only, brick was called gravel more often still: 2 times in 3 "
+            "Most alike are metal / stone: one was taken for the other in 1 of 4 answers. "
+            "Counted in one direction only, brick was called gravel more often still: in 2 of 3 "
             "answers.");
 }
 
@@ -786,11 +786,11 @@ TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
     return question_of(analyze_study(made.study()).front(), "confusions").answer.english();
   };
   EXPECT_EQ(answer_after({{"metal", "stone", "brick", "wood"}}),
-            "Most often brick and wood: 2 times in both directions.");
+            "Most often brick and wood; number of confusions, counted in both directions: 2.");
   EXPECT_EQ(
       answer_after({{"metal", "stone", "brick", "wood"}, {"stone", "metal", "wood", "brick"}}),
-      "No pair stands out: of 2 pairs each was confused 2 times in both directions, and none "
-      "more often.");
+      "No pair stands out: the number of confusions, counted in both directions, is 2 for 2 pairs, "
+      "and higher for none.");
 }
 
 /// Thirteen women match all, thirteen men exchange two.

@@ -220,10 +220,6 @@
         <translation>Keine wurde je für eine andere gehalten.</translation>
     </message>
     <message>
-        <source>Most often %1 and %2: %3 times in both directions.</source>
-        <translation>Am häufigsten %1 und %2: %3-mal in beiden Richtungen.</translation>
-    </message>
-    <message>
         <source>Counts of all answers; an interval needs a model of confusions.</source>
         <translation>Anzahlen aus allen Antworten; ein Intervall braucht ein Modell der Verwechslungen.</translation>
     </message>
@@ -440,10 +436,6 @@
         <translation>Keine gefühlte Textur wurde je für eine andere gefühlte gehalten.</translation>
     </message>
     <message>
-        <source>Most alike are %1: one was taken for the other %2 times in %3 answers.</source>
-        <translation>Am ähnlichsten sind %1: Die eine wurde %2-mal in %3 Antworten für die andere gehalten.</translation>
-    </message>
-    <message>
         <source>Equally alike are %1: one was taken for the other in %2 of the answers to each.</source>
         <translation>Gleich ähnlich sind %1: In jeweils %2 der Antworten wurde die eine für die andere gehalten.</translation>
     </message>
@@ -602,10 +594,6 @@
     <message>
         <source>The protocol declares no family of tests. The family that this kind of protocol has by itself is a single test (%1), whose p Holm&apos;s method leaves as it is. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
         <translation>Das Protokoll legt keine Familie von Tests fest. Die Familie, die diese Art von Protokoll von sich aus hat, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Die anderen Tests sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
-    </message>
-    <message>
-        <source>No pair stands out: of %1 pairs each was confused %2 times in both directions, and none more often.</source>
-        <translation>Kein Paar fällt auf: Von %1 Paaren wurde jedes %2-mal in beiden Richtungen verwechselt, keines öfter.</translation>
     </message>
     <message>
         <source>Answers that are no number above 0, or whose spacing the protocol does not say, which are left out: %1.</source>
@@ -800,10 +788,6 @@
         <translation>Die Zellen der Versuchspersonen haben %1 bis %2 Schätzungen; jede wird zuerst gemittelt, sodass alle gleich viel wiegen.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, %2 was called %3 more often still: %4 times in %5 answers.</source>
-        <translation>%1 Nur in einer Richtung gezählt, wurde %2 noch öfter %3 genannt: %4-mal in %5 Antworten.</translation>
-    </message>
-    <message>
         <source>%1 was rougher than %2 by a factor of %3 (%4 interval %5 to %6)</source>
         <translation>%1 war um den Faktor %3 rauer als %2 (%4-Intervall %5 bis %6)</translation>
     </message>
@@ -814,6 +798,22 @@
     <message>
         <source>%1 ended by the emergency stop</source>
         <translation>%1 durch NOT-HALT beendet</translation>
+    </message>
+    <message>
+        <source>No pair stands out: the number of confusions, counted in both directions, is %2 for %1 pairs, and higher for none.</source>
+        <translation>Kein Paar fällt auf: Die Zahl der Verwechslungen, in beiden Richtungen gezählt, ist bei %1 Paaren %2 und bei keinem höher.</translation>
+    </message>
+    <message>
+        <source>Most often %1 and %2; number of confusions, counted in both directions: %3.</source>
+        <translation>Am häufigsten %1 und %2; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
+    </message>
+    <message>
+        <source>%1 Counted in one direction only, %2 was called %3 more often still: in %4 of %5 answers.</source>
+        <translation>%1 Nur in einer Richtung gezählt, wurde %2 noch öfter %3 genannt: in %4 von %5 Antworten.</translation>
+    </message>
+    <message>
+        <source>Most alike are %1: one was taken for the other in %2 of %3 answers.</source>
+        <translation>Am ähnlichsten sind %1: Die eine wurde in %2 von %3 Antworten für die andere gehalten.</translation>
     </message>
 </context>
 <context>
