@@ -29,6 +29,19 @@ std::uint64_t seed_of_this_machine() {
   return (std::uint64_t{source()} << 32U) | source();
 }
 
+/// Before anybody is asked anything.
+void tell_what_a_terminal_lacks(const Protocol& protocol) {
+  if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
+    say("asperity: warning: the protocol asks for noise that masks the device; a terminal plays "
+        "none, which is stored with the session and stated in its report (the program's windows "
+        "play it)");
+  }
+  if (guides_participants(protocol)) {
+    say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
+        "terminal has none of them, and the report will say so (the program's windows have)");
+  }
+}
+
 }  // namespace
 
 void add_run(CLI::App& program, Job& job) {
@@ -98,10 +111,12 @@ void add_run(CLI::App& program, Job& job) {
           say("asperity: warning: " + warning.text.english());
         }
       };
+      inputs.resumed_elsewhere = [](const std::string& before, const std::string& now) {
+        say("asperity: warning: the session last ran on " + before + " and is resumed on " + now +
+            "; this is stored with the session and stated in its report");
+      };
       inputs.ready = [&inputs](const Protocol& protocol) {
-        if (inputs.is_virtual || !guides_participants(protocol)) return;
-        say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
-            "terminal has none of them, and the report will say so (the program's windows have)");
+        if (!inputs.is_virtual) tell_what_a_terminal_lacks(protocol);
       };
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done,

@@ -17,6 +17,8 @@ namespace {
 
 // A device or machine that fails a trial three times will not do better the fourth time.
 constexpr int kTechnicalRepeats = 3;
+// Of a person's session in which nothing can sound (a terminal), as Sound::description_json has it.
+constexpr const char* kNoNoise = R"({"kind":"none","heard":false})";
 
 }  // namespace
 
@@ -94,6 +96,8 @@ void Conductor::begin() {
   // May wait for the card to open, which the windows are told before.
   if (settings_.links.sound != nullptr) {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
+  } else if (session_.row.mode != SessionMode::simulate) {
+    course_.event("masking_noise", "", kNoNoise);
   }
   note_guidance();
   course_.enter(SessionPhase::ready);

@@ -14,26 +14,6 @@ namespace asperity {
 
 namespace {
 
-std::string capability_json(const DeviceCapability& device) {
-  const auto corner = [](const glm::dvec3& p) {
-    return nlohmann::ordered_json::array({p.x, p.y, p.z});
-  };
-  nlohmann::ordered_json json{{"name", device.name},
-                              {"model", device.model},
-                              {"serial", device.serial},
-                              {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
-                              {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
-                              {"workspace_minimum_m", corner(device.workspace_minimum_m)},
-                              {"workspace_maximum_m", corner(device.workspace_maximum_m)},
-                              {"peak_force_N", device.peak_force_N},
-                              {"continuous_force_N", device.continuous_force_N},
-                              {"position_resolution_m", device.position_resolution_m},
-                              {"maximum_rate_Hz", device.maximum_rate_Hz},
-                              {"buttons", device.buttons}};
-  if (!device.remarks.empty()) json["remarks"] = device.remarks;
-  return json.dump();
-}
-
 ProtocolRow protocol_row(const Protocol& protocol) {
   ProtocolRow row{};
   row.name = protocol.name;
@@ -63,6 +43,30 @@ std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
 }
 
 }  // namespace
+
+std::string device_text(const DeviceCapability& device) {
+  return device.model.empty() ? device.name : device.name + ' ' + device.model;
+}
+
+std::string capability_json(const DeviceCapability& device) {
+  const auto corner = [](const glm::dvec3& p) {
+    return nlohmann::ordered_json::array({p.x, p.y, p.z});
+  };
+  nlohmann::ordered_json json{{"name", device.name},
+                              {"model", device.model},
+                              {"serial", device.serial},
+                              {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
+                              {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
+                              {"workspace_minimum_m", corner(device.workspace_minimum_m)},
+                              {"workspace_maximum_m", corner(device.workspace_maximum_m)},
+                              {"peak_force_N", device.peak_force_N},
+                              {"continuous_force_N", device.continuous_force_N},
+                              {"position_resolution_m", device.position_resolution_m},
+                              {"maximum_rate_Hz", device.maximum_rate_Hz},
+                              {"buttons", device.buttons}};
+  if (!device.remarks.empty()) json["remarks"] = device.remarks;
+  return json.dump();
+}
 
 bool guides_participants(const Protocol& protocol) {
   return std::any_of(
@@ -112,9 +116,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.program_sha256 = program.sha256;
   row.instruction_set = program.instruction_set;
   row.os = program.os;
-  row.device = conditions.device.model.empty()
-                   ? conditions.device.name
-                   : conditions.device.name + ' ' + conditions.device.model;
+  row.device = device_text(conditions.device);
   row.device_json = capability_json(conditions.device);
   row.pacing = conditions.pacing;
   row.scheduling = conditions.scheduling;

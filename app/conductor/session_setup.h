@@ -39,6 +39,10 @@ struct OpenSession {
   bool resumed = false;
 };
 
+/// As SessionRow::device and `device_json` have it.
+std::string device_text(const DeviceCapability& device);
+std::string capability_json(const DeviceCapability& device);
+
 /// Somebody beside the experimenter is to be told how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
 

@@ -1,12 +1,12 @@
-// What was asked, with what, in which order, as the protocol's file says it.
+// Task, trials and order, as the protocol specifies them and the plans have them.
 
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "app/analyses/reading_number.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/report_sections.h"
+#include "protocols/plan.h"
 
 namespace asperity {
 
@@ -14,77 +14,35 @@ namespace {
 
 std::string quoted(const std::string& text) { return "“" + text + "”"; }
 
+/// What the protocol specifies, whatever became of it.
 std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
     case ProtocolKind::selection: {
-      std::string text =
-          "In each trial participants felt several renderings of one texture and chose the most "
-          "realistic one";
+      const std::string text =
+          "Task: each trial presents several renderings of one texture, and the most realistic one "
+          "is to be chosen";
       if (!protocol.realism_standard) return text + '.';
       switch (*protocol.realism_standard) {
         case RealismStandard::photograph:
-          return text + ", measured against the texture’s picture, which was shown.";
+          return text + "; the standard is the texture’s picture.";
         case RealismStandard::physical_sample:
-          return text + ", measured against a physical sample that lay before them.";
+          return text + "; the standard is a physical sample.";
         case RealismStandard::memory:
-          return text + ", measured against their own idea of the material.";
+          return text + "; the standard is the participant’s own idea of the material.";
       }
       return text + '.';
     }
     case ProtocolKind::matching:
-      return "In each trial participants felt several textures and gave each one of as many "
+      return "Task: each trial presents several textures, and each is to be given one of as many "
              "pictures.";
     case ProtocolKind::recognition:
-      return "In each trial participants felt one texture and chose, among pictures, the one that "
-             "it was.";
+      return "Task: each trial presents one texture, and its picture is to be chosen among "
+             "several.";
     case ProtocolKind::magnitude:
-      return "In each trial participants felt one surface and gave it a number for how rough it "
-             "felt "
+      return "Task: each trial presents one surface, and its roughness is to be given a number "
              "(absolute magnitude estimation with free modulus).";
   }
   return {};
-}
-
-/// What people are asked to wear and to hear; nothing else of it could be done to virtual ones.
-std::string senses_asked_of_people(const Protocol& protocol) {
-  std::vector<std::string> asked{};
-  if (protocol.vision == Vision::hand_occluded)
-    asked.emplace_back("that their hand is out of sight");
-  if (protocol.vision == Vision::blindfold) asked.emplace_back("an eye mask");
-  if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
-    asked.emplace_back("noise that masks the sound of the device");
-  }
-  const std::string asks =
-      asked.empty() ? "" : "Of people the protocol asks " + listed(asked) + "; v";
-  return (asks.empty() ? "V" : asks) + "irtual participants neither see nor hear.";
-}
-
-std::string senses_text(const Protocol& protocol) {
-  std::string text{};
-  switch (protocol.vision) {
-    case Vision::free:
-      text = "They saw the screen, the device and their hand";
-      break;
-    case Vision::hand_occluded:
-      text = "They saw the screen, but not their hand";
-      break;
-    case Vision::blindfold:
-      text = "They wore an eye mask while they felt";
-      break;
-  }
-  const Protocol::Noise& noise = protocol.masking_noise;
-  switch (noise.kind) {
-    case Protocol::Noise::Kind::none:
-      return text + "; no noise masked the sound of the device.";
-    case Protocol::Noise::Kind::white:
-      text += "; white noise";
-      break;
-    case Protocol::Noise::Kind::pink:
-      text += "; pink noise";
-      break;
-  }
-  if (noise.level_dBA) text += " of " + reading_number(*noise.level_dBA) + " dBA at the ear";
-  return text + " masked the sound of the device.";
 }
 
 std::string factors_text(const Protocol& protocol) {
@@ -143,8 +101,8 @@ ReportList blocks_list(const Protocol& protocol) {
     if (!run->for_each.empty()) text += ", once for each level of " + run->for_each;
     if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
     text += ". Question: " + quoted(block.question.prompt);
-    if (block.question.allow_cannot_tell) text += " “Cannot tell” was an answer, too.";
-    if (!block.question.allow_revisit) text += " Surfaces could not be felt again.";
+    if (block.question.allow_cannot_tell) text += " “Cannot tell” is an answer as well.";
+    if (!block.question.allow_revisit) text += " Surfaces cannot be presented again.";
     list.items.push_back(text);
   }
   return list;
@@ -162,38 +120,48 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
 }
 
 std::string guidance_text(const Exploration& exploration, const ReportFacts& facts) {
-  if (exploration.guidance == Exploration::Guidance::experimenter) return {};
-  const auto unguided = static_cast<std::uint64_t>(
-      std::count_if(facts.sessions.begin(), facts.sessions.end(),
-                    [](const ReportedSession& session) { return session.is_unguided; }));
-  const std::string nobody =
-      " (a virtual participant, a person at a terminal, or no sound output).";
-  if (unguided > 0 && unguided == facts.sessions.size()) {
-    return " The protocol guides the hand by what participants see or hear of force and speed, but "
-           "nobody saw or heard it" +
-           nobody;
-  }
-  std::string text{};
+  std::string requested{};
+  std::string given{};
   switch (exploration.guidance) {
     case Exploration::Guidance::experimenter:
-      break;
+      return {};
     case Exploration::Guidance::bars:
-      text = " Participants saw force and speed as bars with their bands.";
+      requested = "bars that show force and speed with their bands";
+      given = "Participants were shown the bars";
       break;
     case Exploration::Guidance::moving_target:
-      text = " Participants followed a mark that moved to and fro at the speed aimed at" +
-             std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
-                             ? ", and saw the force as a bar with its band."
-                             : ".");
+      requested =
+          "a mark that moves to and fro at the target speed" +
+          std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
+                          ? ", and a bar that shows the force with its band"
+                          : "");
+      given = "Participants were shown the mark";
       break;
     case Exploration::Guidance::tones:
-      text = " Tones told participants when force or speed left their bands.";
+      requested = "tones while force or speed are outside their bands";
+      given = "The tones were played";
       break;
   }
-  if (unguided == 0) return text;
-  return text + " Not so in " + reading_count(unguided) + " of " +
-         reading_count(facts.sessions.size()) + " sessions, in which nobody saw or heard it" +
-         nobody;
+  const auto unguided = static_cast<std::size_t>(
+      std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                    [](const ReportedSession& session) { return session.is_unguided; }));
+  const std::size_t all = facts.sessions.size();
+  std::string text = " The protocol guides the hand by " + requested + '.';
+  if (unguided < all) {
+    text += ' ' + given + ' ' + SessionShare{.whole = all - unguided, .all = all}.text() + '.';
+  }
+  if (unguided > 0) {
+    text += " There was no such guidance " +
+            SessionShare{.whole = unguided, .all = all}.text_after_not() +
+            " (a virtual participant, a person at a terminal, or no sound output).";
+  }
+  return text;
+}
+
+/// "at most two times", "once at most"
+std::string repeats_text(int maximum) {
+  return maximum == 1 ? "once at most"
+                      : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
 }
 
 std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
@@ -202,59 +170,56 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
   add_band("speed", exploration.speed_m_per_s, "m/s", bands);
   add_band("length of a stroke", exploration.stroke_length_m, "m", bands);
   add_band("strokes", exploration.strokes, "", bands);
-  std::string text = "Each surface was to be felt for " +
+  std::string text = "The protocol requests that each surface be explored for " +
                      reading_quantity(exploration.minimum_contact_s, "s") + " to " +
                      reading_quantity(exploration.maximum_contact_s, "s");
   if (!bands.empty()) text += ", with " + listed(bands);
   text += '.';
   if (exploration.required_fraction_in_band > 0.0) {
-    const std::string share = reading_percent(exploration.required_fraction_in_band);
+    const std::string fraction = reading_percent(exploration.required_fraction_in_band);
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (bounded(exploration.normal_force_N)) {
-      text += " The force had to lie in its band for " + share + " of the contact time.";
+      text += " The force has to lie in its band for " + fraction + " of the contact time.";
     }
     if (bounded(exploration.speed_m_per_s)) {
-      text += " The speed of " + share +
-              " of the strokes (length divided by time, from turn to turn) had to lie in its band.";
+      text += " The speed of " + fraction +
+              " of the strokes (length divided by time, from turn to turn) has to lie in its band.";
     }
   }
   text += guidance_text(exploration, facts);
-  switch (exploration.on_failure) {
+  const bool repeats = exploration.maximum_repeats > 0;
+  switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
     case Exploration::OnFailure::flag:
-      return text + " Attempts that were not explored so are flagged and count.";
+      return text + " By the protocol, attempts outside these limits are flagged and included.";
     case Exploration::OnFailure::repeat_now:
-      return text + " Attempts that were not explored so were repeated at once, up to " +
-             count_in_words(static_cast<std::uint64_t>(exploration.maximum_repeats)) + " times.";
+      return text + " By the protocol, attempts outside these limits are repeated at once, " +
+             repeats_text(exploration.maximum_repeats) + '.';
     case Exploration::OnFailure::requeue_at_end_of_block:
       return text +
-             " Attempts that were not explored so were asked again at the end of the block, up "
-             "to " +
-             count_in_words(static_cast<std::uint64_t>(exploration.maximum_repeats)) + " times.";
+             " By the protocol, attempts outside these limits are repeated at the end of the "
+             "block, " +
+             repeats_text(exploration.maximum_repeats) + '.';
   }
   return text;
 }
 
+/// Of the presentations stored, and the limits that the protocol sets.
 std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   std::string text{};
   if (!facts.models.empty()) {
-    text = "The surfaces were rendered with " + listed({facts.models.begin(), facts.models.end()}) +
-           " (force model and its version)";
-    std::vector<std::string> textures{};
-    for (const auto& [name, texture] : protocol.textures) {
-      if (texture.height_field) textures.push_back(name);
+    text = "Force models of the surfaces presented, with their versions: " +
+           listed({facts.models.begin(), facts.models.end()});
+    if (!facts.height_fields.empty()) {
+      text +=
+          "; height fields: " + listed({facts.height_fields.begin(), facts.height_fields.end()});
     }
-    if (!textures.empty()) text += ", from height fields of " + listed(textures);
     text += ". ";
   }
-  text += "Their stiffness is " + reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
-          ", and no force is stronger than " + reading_quantity(protocol.force_limit_N, "N") + '.';
-  const bool equal =
-      std::any_of(protocol.stimuli.begin(), protocol.stimuli.end(),
-                  [](const auto& named) { return named.second.equal_force.has_value(); });
-  if (equal) {
-    text +=
-        " The models were made equal in the RMS of their texture force along a prescribed "
-        "path.";
+  text += "The protocol sets a stiffness of " +
+          reading_quantity(protocol.material.stiffness_N_per_m, "N/m") + " and limits forces to " +
+          reading_quantity(protocol.force_limit_N, "N") + '.';
+  if (facts.has_equal_force) {
+    text += " The models were matched in the RMS of their texture force along a prescribed path.";
   }
   return text;
 }
@@ -272,10 +237,10 @@ std::string trials_text(const ReportFacts& facts) {
                : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
   };
   if (planned.empty()) return {};
-  std::string text = "A session has " + range(main_trials) +
-                     (main_trials == std::set<int>{1} ? " trial" : " trials") + " that count";
+  std::string text = "A session is planned with " + range(main_trials) + " experimental " +
+                     (main_trials == std::set<int>{1} ? "trial" : "trials");
   if (planned != main_trials) {
-    text += ", of " + range(planned) + " with " +
+    text += ", and with " + range(planned) + " in total including " +
             (facts.has_anchors() ? "familiarisation, practice and anchors"
                                  : "familiarisation and practice");
   }
@@ -285,21 +250,28 @@ std::string trials_text(const ReportFacts& facts) {
     for (const std::size_t count : facts.surfaces) counts.push_back(count_in_words(count));
     text += ' ' + capitalised(listed(counts)) +
             (facts.surfaces == std::set<std::size_t>{1} ? " surface was" : " surfaces were") +
-            " felt in each.";
+            " presented in each answered trial.";
   }
   return text;
 }
 
-std::string counterbalance_text(const Protocol& protocol) {
+std::string counterbalance_text(const Protocol& protocol, const ReportFacts& facts) {
+  std::string square{};
   switch (protocol.counterbalance) {
     case Protocol::Counterbalance::none:
       return {};
     case Protocol::Counterbalance::latin:
-      return " The order of the levels was counterbalanced over participants by a Latin square.";
+      square = "Latin";
+      break;
     case Protocol::Counterbalance::williams:
-      return " The order of the levels was counterbalanced over participants by a Williams square.";
+      square = "Williams";
+      break;
   }
-  return {};
+  std::set<int> rows{};
+  for (const ReportedSession& session : facts.sessions) rows.insert(session.row.counterbalance_row);
+  return " The protocol counterbalances the order of the levels over sessions by a " + square +
+         " square; the sessions use " + reading_count(rows.size()) + " of its " +
+         std::to_string(counterbalance_rows(protocol)) + " rows.";
 }
 
 }  // namespace
@@ -307,8 +279,7 @@ std::string counterbalance_text(const Protocol& protocol) {
 ReportSection design_section(const ReportFacts& facts) {
   ReportSection section{"Design", {}};
   const ProtocolRow& row = facts.protocol;
-  const ProtocolCheck check =
-      check_protocol_text(row.source, row.name, built_in_models(), std::nullopt, std::nullopt);
+  const ProtocolCheck& check = facts.file;
   if (facts.sources.size() > 1) {
     section.parts.emplace_back(
         ReportText{count_in_words(facts.sources.size()) +
@@ -330,15 +301,12 @@ ReportSection design_section(const ReportFacts& facts) {
     section.parts.emplace_back(ReportText{protocol.title, ReportText::Tone::lead});
   }
   if (!protocol.description.empty()) section.parts.emplace_back(ReportText{protocol.description});
-  section.parts.emplace_back(
-      ReportText{task_text(protocol) + ' ' + trials_text(facts) + counterbalance_text(protocol)});
+  section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + trials_text(facts) +
+                                        counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
   section.parts.emplace_back(blocks_list(protocol));
-  section.parts.emplace_back(ReportText{rendering_text(protocol, facts) + ' ' +
-                                        (facts.group == AnswerGroup::virtual_participants
-                                             ? senses_asked_of_people(protocol)
-                                             : senses_text(protocol))});
+  section.parts.emplace_back(ReportText{rendering_text(protocol, facts)});
   for (const auto& [name, exploration] : protocol.explorations) {
     const std::string which =
         protocol.explorations.size() == 1 ? "" : "Exploration " + quoted(name) + ": ";

@@ -64,6 +64,8 @@ void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) 
   for (const ComplianceRow& row : attempt.compliance) count_compliance(row, facts);
   for (const PresentationRow& surface : attempt.presentations) {
     facts.models.insert(surface.model + ' ' + surface.model_version);
+    if (surface.height_field_sha256) facts.height_fields.insert(surface.texture);
+    facts.has_equal_force = facts.has_equal_force || surface.matched_texture_force_N;
     for (const ModelLimitRow& limit : surface.limits) {
       if (limit.kind == kAllContact) continue;
       const std::string& felt = surface.texture.empty() ? surface.stimulus : surface.texture;
@@ -86,7 +88,8 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   session.planned_trials = overview.planned_trials;
   session.done_trials = overview.done_trials;
   session.decisions = study.decisions(row.id);
-  for (const EventRow& event : study.events(row.id)) {
+  const std::vector<EventRow> events = study.events(row.id);
+  for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
   }
   std::set<int> main_trials{};
@@ -95,9 +98,11 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     if (trial.phase == text_of(Phase::main) && !is_anchor) main_trials.insert(trial.trial);
   }
   session.main_trials = static_cast<int>(main_trials.size());
-  for (const AttemptRow& attempt : study.attempts(row.id)) {
+  const std::vector<AttemptRow> attempts = study.attempts(row.id);
+  for (const AttemptRow& attempt : attempts) {
     count_attempt(attempt, main_trials.contains(attempt.trial), facts);
   }
+  session.stretches = recorded_stretches(row, events, attempts);
 }
 
 }  // namespace
@@ -135,7 +140,11 @@ std::vector<ReportFacts> report_facts(const Study& study,
     const ParticipantRow& person = people.at(sessions[i].row.participant);
     const AnswerGroup group = group_of(person, sessions[i].row);
     ReportFacts& facts = groups[{of.name, of.version, group}];
-    if (facts.sources.empty()) facts.protocol = of;
+    if (facts.sources.empty()) {
+      facts.protocol = of;
+      facts.file =
+          check_protocol_text(of.source, of.name, built_in_models(), std::nullopt, std::nullopt);
+    }
     facts.group = group;
     facts.sources.insert(of.source_sha256);
     if (facts.participants.empty() || facts.participants.back().label != person.label) {

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "app/analyses/gathered_answers.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/session_conditions.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -24,6 +26,7 @@ struct ReportedSession {
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
   bool is_unguided = false;  ///< nobody saw or heard what the protocol guides the hand by
+  std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
 };
 
@@ -67,6 +70,7 @@ using ReasonCounts = std::map<std::string, std::size_t>;
 
 struct ReportFacts {
   ProtocolRow protocol{};           ///< the first of its files
+  ProtocolCheck file{};             ///< the same as a value, or why it cannot be read
   std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
   AnswerGroup group = AnswerGroup::people;
   std::vector<ParticipantRow> participants{};  ///< by label
@@ -85,7 +89,9 @@ struct ReportFacts {
   std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
       bands{};
   std::set<std::string> models{};          ///< with their versions: "height_map 1"
-  std::set<std::size_t> surfaces{};        ///< how many were felt in an answered attempt
+  std::set<std::string> height_fields{};   ///< textures that were rendered from one
+  bool has_equal_force = false;            ///< a presentation's texture force was solved for
+  std::set<std::size_t> surfaces{};        ///< how many were presented in an answered attempt
   std::set<std::string> answer_sources{};  ///< "keyboard"
 
   bool is_running() const;

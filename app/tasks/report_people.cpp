@@ -79,15 +79,23 @@ std::string state_text(const ReportedSession& session) {
     case SessionState::stopped:
       return "was stopped" + done;
     case SessionState::crashed:
-      return "broke off" + done;
+      return "was interrupted" + done;
   }
   return {};
+}
+
+/// Where participants did not move a device, that they did not.
+std::string hands_text(const ReportFacts& facts) {
+  const SessionShare held = share_of_sessions(facts, is_moved_by_program);
+  if (!held.is_any()) return {};
+  return " " + capitalised(held.text()) +
+         " the program moved the device, and the participants only answered.";
 }
 
 /// What became of attempts that do not count, in words of their own.
 std::string fate_text(const std::string& fate) {
   static const std::map<std::string, std::string> kWords{
-      {"aborted", "broken off"},
+      {"aborted", "interrupted"},
       {"answered but invalid", "answered, but not valid"},
       {"device_fault", "stopped by a fault"},
       {"emergency_stop", "ended by the emergency stop"},
@@ -126,43 +134,50 @@ std::size_t sum_of(const ReasonCounts& reasons) {
   return sum;
 }
 
+/// ", none of which was completed"; of one session ", which was not completed".
+std::string completed_text(std::size_t completed, std::size_t sessions) {
+  if (sessions == 1) return completed == 1 ? ", which was completed" : ", which was not completed";
+  if (completed == sessions) return ", all of which were completed";
+  if (completed == 0) return ", none of which was completed";
+  return ", " + count_in_words(completed) + " of which " +
+         (completed == 1 ? "was completed" : "were completed");
+}
+
 ReportText sessions_text(const ReportFacts& facts) {
   const auto completed = static_cast<std::size_t>(std::count_if(
       facts.sessions.begin(), facts.sessions.end(),
       [](const ReportedSession& each) { return each.row.state == SessionState::completed; }));
-  std::string text = capitalised(persons_text(facts.group, facts.participants.size())) + " began " +
-                     count_in_words(facts.sessions.size()) +
-                     (facts.sessions.size() == 1 ? " session" : " sessions");
-  if (completed == facts.sessions.size()) {
-    text +=
-        facts.sessions.size() == 1 ? ", which was completed." : ", all of which were completed.";
-  } else {
-    text += ", of which " + count_in_words(completed) +
-            (completed == 1 ? " was completed." : " were completed.");
-  }
-  return {text};
+  return {capitalised(participants_text(facts.group, facts.participants.size())) + " began " +
+          count_in_words(facts.sessions.size()) +
+          (facts.sessions.size() == 1 ? " session" : " sessions") +
+          completed_text(completed, facts.sessions.size()) + '.'};
+}
+
+/// ", of which 2 count"; of one attempt ", which counts".
+std::string counted_text(std::size_t counted, std::size_t attempts) {
+  if (attempts == 1) return counted == 1 ? ", which counts" : ", which does not count";
+  if (counted == attempts) return ", all of which count";
+  if (counted == 0) return ", none of which counts";
+  return ", of which " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
 ReportText attempts_text(const ReportFacts& facts) {
   if (facts.attempts == 0) return {"No attempt at a trial of the main phase is stored."};
-  std::string text =
-      reading_count(facts.attempts) +
-      (facts.attempts == 1 ? " attempt at a trial" : " attempts at trials") +
-      " of the main phase " + (facts.attempts == 1 ? "is" : "are") + " stored; " +
-      (facts.counted == facts.attempts
-           ? std::string(facts.attempts == 1 ? "it counts" : "all of them count")
-           : reading_count(facts.counted) + (facts.counted == 1 ? " counts" : " count"));
+  std::string text = reading_count(facts.attempts) +
+                     (facts.attempts == 1 ? " attempt at a trial of the main phase is stored"
+                                          : " attempts at trials of the main phase are stored") +
+                     counted_text(facts.counted, facts.attempts) + '.';
   std::vector<std::string> fates{};
   for (const auto& [fate, reasons] : facts.not_counted) {
     const std::size_t count = sum_of(reasons);
     fates.push_back(count_in_words(count) + (count == 1 ? " was " : " were ") + fate_text(fate));
   }
-  if (!fates.empty()) text += ": " + listed(fates);
-  text += '.';
+  if (!fates.empty()) text += " Not counted: " + listed(fates) + '.';
   const std::size_t flagged = sum_of(facts.flagged);
   if (flagged > 0) {
-    text += " Of those that count " + count_in_words(flagged) + (flagged == 1 ? " is" : " are") +
-            " flagged: something was noticed, and they stay.";
+    text +=
+        ' ' + capitalised(count_in_words(flagged)) +
+        (flagged == 1 ? " attempt that counts is flagged." : " attempts that count are flagged.");
   }
   if (facts.other_attempts > 0) {
     text += ' ' + capitalised(count_in_words(facts.other_attempts)) +
@@ -176,12 +191,12 @@ ReportText attempts_text(const ReportFacts& facts) {
 
 }  // namespace
 
-std::string persons_text(AnswerGroup group, std::size_t count) {
+std::string participants_text(AnswerGroup group, std::size_t count) {
   const std::string number = count_in_words(count);
   if (group == AnswerGroup::virtual_participants) {
     return number + (count == 1 ? " virtual participant" : " virtual participants");
   }
-  return number + (count == 1 ? " person" : " persons");
+  return number + (count == 1 ? " participant" : " participants");
 }
 
 std::string listed(const std::vector<std::string>& words) {
@@ -220,13 +235,13 @@ ReportSection participants_section(const ReportFacts& facts) {
     return sum;
   };
   std::string text{};
-  const std::string who = capitalised(persons_text(facts.group, all));
+  const std::string who = capitalised(participants_text(facts.group, all));
   switch (facts.group) {
     case AnswerGroup::people:
-      text = who + " took part.";
+      text = who + " took part." + hands_text(facts);
       break;
     case AnswerGroup::pilot:
-      text = who + " took part in pilot sessions.";
+      text = who + " took part in pilot sessions." + hands_text(facts);
       break;
     case AnswerGroup::virtual_participants:
       text = who + (all == 1 ? " stands" : " stand") +
@@ -258,17 +273,20 @@ ReportSection participants_section(const ReportFacts& facts) {
   if (facts.group != AnswerGroup::virtual_participants) {
     std::set<std::string> versions{};
     std::set<std::string> without{};
+    std::size_t consented = 0;
     for (const ReportedSession& session : facts.sessions) {
       if (session.row.consent_version) {
         versions.insert(*session.row.consent_version);
+        ++consented;
       } else {
         without.insert(session.row.participant);
       }
     }
     if (!versions.empty()) {
-      section.parts.emplace_back(ReportText{"They consented to the protocol's statement, version " +
-                                            listed({versions.begin(), versions.end()}) +
-                                            ", before anything of them was stored."});
+      section.parts.emplace_back(
+          ReportText{"Consent to the protocol’s statement (version " +
+                     listed({versions.begin(), versions.end()}) + ") was obtained beforehand " +
+                     SessionShare{.whole = consented, .all = facts.sessions.size()}.text() + '.'});
     }
     if (!without.empty()) {
       section.parts.emplace_back(

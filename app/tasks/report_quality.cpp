@@ -196,11 +196,38 @@ ReportSection presentation_section(const ReportFacts& facts) {
   return section;
 }
 
+namespace {
+
+/// Whose hand it was, and what its force is where no device could be pressed against.
+std::string explored_by_text(const ReportFacts& facts) {
+  if (facts.group == AnswerGroup::virtual_participants) return {};
+  std::string text{};
+  if (const SessionShare held = share_of_sessions(facts, is_moved_by_program); held.is_any()) {
+    text += " No participant made the strokes " + held.text() + '.';
+  }
+  const SessionShare computed = share_of_sessions(facts, [](const RecordedStretch& stretch) {
+    return gives_no_force(stretch) && stretch.judges_rendered_force;
+  });
+  if (computed.is_any()) {
+    text += " The normal force is the computed one, which nobody felt, " + computed.text() + '.';
+  }
+  const SessionShare zero = share_of_sessions(facts, [](const RecordedStretch& stretch) {
+    return gives_no_force(stretch) && !stretch.judges_rendered_force;
+  });
+  if (zero.is_any()) {
+    text +=
+        " The normal force is the one sent to a device without motors, zero, " + zero.text() + '.';
+  }
+  return text;
+}
+
+}  // namespace
+
 ReportSection exploration_section(const ReportFacts& facts) {
   ReportSection section{"Exploration", {}};
   ReportTable table{};
-  table.title = "What was asked of the hand, and what it did";
-  table.columns = {{"quantity", false},   {"asked for", false}, {"surfaces", true}, {"mean", true},
+  table.title = "Exploration: requested and recorded";
+  table.columns = {{"quantity", false},   {"requested", false}, {"surfaces", true}, {"mean", true},
                    {"5 % to 95 %", true}, {"in band", true},    {"passed", true}};
   std::vector<std::string> guided{};
   for (const auto& [key, band] : facts.bands) {
@@ -225,17 +252,18 @@ ReportSection exploration_section(const ReportFacts& facts) {
     }
   }
   if (table.rows.empty()) {
-    section.parts.emplace_back(ReportText{"Nothing was measured of how surfaces were explored."});
+    section.parts.emplace_back(ReportText{"No measure of the exploration is stored."});
     return section;
   }
-  section.parts.emplace_back(
-      guided.empty()
-          ? ReportText{"The protocol asks for no way of exploring; what hands did is below."}
-          : ReportText{"Surfaces were explored as the protocol asks: " + listed(guided) + '.'});
+  section.parts.emplace_back(ReportText{
+      (guided.empty() ? std::string("The protocol sets no limits to the exploration; the "
+                                    "table shows what was recorded.")
+                      : "Within the limits that the protocol sets: " + listed(guided) + '.') +
+      explored_by_text(facts)});
   table.note =
-      "Over the surfaces that were felt, in every attempt: the mean of their means, the range of "
-      "the middle 90 % of these means, the mean fraction inside the band (of the contact time for "
-      "the force, of the strokes for their speed and length), and how many were explored as asked.";
+      "Over the surfaces presented, in every attempt: the mean of their means, the range of the "
+      "middle 90 % of these means, the mean fraction inside the band (of the contact time for the "
+      "force, of the strokes for their speed and length), and how many were within their limits.";
   section.parts.emplace_back(std::move(table));
   return section;
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,8 +14,10 @@
 
 namespace asperity {
 
-/// What was asked, with what, in which order, as the protocol's file says it.
+/// Task, trials and order, as the protocol specifies them and the plans have them.
 ReportSection design_section(const ReportFacts& facts);
+/// The device, its force, the masking noise and what participants saw, as the sessions recorded them.
+ReportSection conditions_section(const ReportFacts& facts);
 /// How many, age, sex, handedness as stored.
 ReportSection participants_section(const ReportFacts& facts);
 /// What was left out and why, what was kept although something was noticed.
@@ -33,8 +37,27 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
 /// To look up: tests and numbers that no table has, and where the rest is.
 ReportSection numbers_section(const AnalysisOutcome& outcome);
 
-/// "24 persons", "one virtual participant": whoever a group consists of.
-std::string persons_text(AnswerGroup group, std::size_t count);
+/// In how many sessions something is so.
+struct SessionShare {
+  std::size_t whole = 0;  ///< in all of their stretches
+  std::size_t part = 0;   ///< in some of them
+  std::size_t all = 0;
+
+  bool is_any() const noexcept { return whole + part > 0; }
+  /// "in 2 of 3 sessions", "in the only session", "in 1 of 4 sessions and in part of one more".
+  std::string text() const;
+  /// The same after a negation: "in any of the 3 sessions" where `text` is "in all 3 sessions".
+  std::string text_after_not() const;
+};
+SessionShare share_of_sessions(const ReportFacts& facts,
+                               const std::function<bool(const RecordedStretch&)>& is_so);
+/// A virtual or recorded hand explored, whoever answered.
+bool is_moved_by_program(const RecordedStretch& stretch);
+/// The device has no motors: it is known to have given no force.
+bool gives_no_force(const RecordedStretch& stretch);
+
+/// "24 participants", "one virtual participant": whoever a group consists of.
+std::string participants_text(AnswerGroup group, std::size_t count);
 
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words);

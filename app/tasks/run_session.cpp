@@ -17,6 +17,7 @@
 #include "app/tasks/measure_device.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
 
 namespace asperity {
@@ -226,6 +227,11 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (!inputs.is_virtual) {
     sitting.device =
         taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder, stop);
+  }
+  if (sitting.unfinished && inputs.resumed_elsewhere) {
+    const RecordedDevice before = last_recorded_device(study, *sitting.unfinished);
+    const RecordedDevice now = recorded_device(rig->capability());
+    if (!before.is_same_as(now)) inputs.resumed_elsewhere(before.full_text(), now.full_text());
   }
   if (inputs.ready) inputs.ready(protocol);
 

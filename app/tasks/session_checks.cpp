@@ -17,6 +17,7 @@
 #include "app/device_remarks.h"
 #include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
 #include "device/pointer_device.h"
 #include "device/simulated_models.h"
@@ -239,15 +240,16 @@ std::optional<DeviceCapability> capability_of(const CheckInputs& inputs, const P
 
 bool has_motors(const DeviceCapability& device) { return device.actuated_degrees_of_freedom > 0; }
 
-/// The device that an unfinished session began on, where it is another one than this; otherwise empty.
+/// The device that an unfinished session last ran on, where it is another one than this; otherwise empty.
 std::string other_device_before(const CheckInputs& inputs, const Protocol& protocol,
-                                const std::string& name) {
+                                const DeviceCapability& device) {
   if (!inputs.resume) return {};
   const Study study = Study::open(inputs.study, Access::read_only);
   const std::optional<SessionRow> row =
       unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
-  if (!row || row->device == name || row->device.starts_with(name + ' ')) return {};
-  return row->device;
+  if (!row) return {};
+  const RecordedDevice before = last_recorded_device(study, *row);
+  return before.is_same_as(recorded_device(device)) ? std::string() : before.full_text();
 }
 
 SessionCheck untried_device_check(const CheckInputs& inputs) {
@@ -295,13 +297,15 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
             .with(called(*device), fixed(device->peak_force_N, 1), fixed(device->maximum_rate_Hz, 0),
                   fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
   }
-  const std::string before = other_device_before(inputs, protocol, device->name);
+  const std::string before = other_device_before(inputs, protocol, *device);
   if (!before.empty()) {
     check.state = State::look;
     check.text =
-        phrase("SessionChecks", "%1 The session began on \"%2\".").with(check.text, before);
+        phrase("SessionChecks", "%1 The session last ran on \"%2\".").with(check.text, before);
     check.remedy =
-        phrase("SessionChecks", "Choose the device that it began on, unless another one is meant.");
+        phrase("SessionChecks",
+               "Choose the device that it last ran on, unless another one is meant; the change is "
+               "stored and stated in the report.");
   }
   if (inputs.mode == SessionMode::run && (kind != DeviceKind::attached || !has_motors(*device))) {
     check.state = State::look;

@@ -8,8 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/contact_reader.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_conditions.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -46,7 +48,9 @@ std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
                                 {"instruction_set", program.instruction_set},
                                 {"os", program.os},
                                 {"pacing", rig.pacing()},
-                                {"scheduling", rig.scheduling()}}
+                                {"scheduling", rig.scheduling()},
+                                {"device", device_text(rig.capability())},
+                                {"judged_force", text_of(judged_force_of(rig.capability()))}}
       .dump();
 }
 
@@ -69,6 +73,16 @@ void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
                                  .text = warning.text.english(),
                                  .data_json = data.dump()});
   }
+}
+
+/// Before the session's device becomes that of its new stretch.
+void store_changed_device(const DeviceCapability& device, Study& study, const SessionRow& session,
+                          std::int64_t now_ns) {
+  if (last_recorded_device(study, session).is_same_as(recorded_device(device))) return;
+  study.add_event(session.id, {.time_ns = now_ns,
+                               .kind = kDeviceChanged,
+                               .text = device_text(device),
+                               .data_json = capability_json(device)});
 }
 
 }  // namespace
@@ -103,6 +117,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
+    store_changed_device(rig.capability(), study, session.row, rig.clock().now_ns());
   } else {
     SessionConditions conditions{};
     conditions.mode = sitting.mode;

@@ -144,6 +144,7 @@ ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcom
                          std::span<const Figure> figures) {
   ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
   chapter.sections.push_back(design_section(facts));
+  chapter.sections.push_back(conditions_section(facts));
   chapter.sections.push_back(participants_section(facts));
   chapter.sections.push_back(exclusions_section(facts));
   if (is_held_back(facts)) {

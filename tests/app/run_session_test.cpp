@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "app/device_profile.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/session_conditions.h"
+#include "app/tasks/sitting.h"
 #include "app/tasks/study_report.h"
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
@@ -55,6 +58,48 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
       testing::HasSubstr("not known to this program: continuous force, position noise, friction"));
   inputs_.device = "simulated:gamma.3";
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST_F(RunSession, StoresThatNothingSounded) {
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<std::string> noise{};
+  for (const EventRow& event : study().events(study().sessions().at(0).id)) {
+    if (event.kind == "masking_noise") noise.push_back(event.data_json);
+  }
+  EXPECT_THAT(noise, testing::ElementsAre(R"({"kind":"none","heard":false})"));
+}
+
+TEST_F(RunSession, StatesAndStoresThatASessionIsResumedOnAnotherDevice) {
+  person_.at_question = [this](int, const Trial&) -> Reply {
+    requests_.stop_after(StopAfter::trial);
+    return {{0}, {}};
+  };
+  std::string text = small_protocol();
+  write_file(inputs_.protocol, text, Overwrite::allow);
+  EXPECT_EQ(run().state, SessionState::stopped);
+  std::vector<std::string> told{};
+  inputs_.resumed_elsewhere = [&](const std::string& before, const std::string& now) {
+    told = {before, now};
+  };
+  inputs_.resume = true;
+  EXPECT_EQ(run().state, SessionState::stopped) << "the same device: nothing to state";
+  EXPECT_THAT(told, testing::IsEmpty());
+  inputs_.device = "simulated:falcon";
+  person_.at_question = {};
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(told, testing::ElementsAre("simulated mass, spring and damper",
+                                         "simulated in place of Novint Falcon"));
+  const Study stored = study();
+  const SessionRow row = stored.sessions().at(0);
+  std::vector<std::string> changes{};
+  for (const EventRow& event : stored.events(row.id)) {
+    if (event.kind == kDeviceChanged) changes.push_back(event.text);
+  }
+  EXPECT_THAT(changes, testing::ElementsAre("simulated in place of Novint Falcon"));
+  const auto stretches = recorded_stretches(row, stored.events(row.id), stored.attempts(row.id));
+  ASSERT_EQ(stretches.size(), 3U);
+  EXPECT_EQ(stretches[1].device->text, "simulated mass, spring and damper");
+  EXPECT_EQ(stretches[2].device->text, "simulated in place of Novint Falcon");
 }
 
 TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndStoresWhatItIs) {
@@ -216,9 +261,10 @@ TEST_F(RunSession, HasAReportThatClaimsNoGuidanceWhichNobodySaw) {
       }
     }
   }
-  EXPECT_THAT(words, testing::HasSubstr("but nobody saw or heard it (a virtual participant, a "
-                                        "person at a terminal, or no sound output)."));
-  EXPECT_THAT(words, testing::Not(testing::HasSubstr("Participants saw force")));
+  EXPECT_THAT(words,
+              testing::HasSubstr("There was no such guidance in the only session (a virtual "
+                                 "participant, a person at a terminal, or no sound output)."));
+  EXPECT_THAT(words, testing::Not(testing::HasSubstr("Participants were shown")));
 }
 
 TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {

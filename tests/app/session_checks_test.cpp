@@ -506,18 +506,18 @@ TEST_F(RehearsedChecks, CompareAnewOnlyWhereSomethingHasChanged) {
   EXPECT_GT(told, 0) << "it is another protocol";
 }
 
-TEST_F(RehearsedChecks, SayThatASessionBeganOnAnotherDevice) {
+TEST_F(RehearsedChecks, SayThatASessionLastRanOnAnotherDevice) {
   std::stop_source stop;
   stop.request_stop();
   run_virtual(false, stop.get_token());
   inputs.participant = "virtual0001";
   inputs.mode = SessionMode::simulate;
   inputs.resume = true;
-  EXPECT_NE(check("device").text.english().find("began on \"simulated"), std::string::npos)
+  EXPECT_NE(check("device").text.english().find("last ran on \"simulated"), std::string::npos)
       << check("device").text.english();
   inputs.device = "simulated";
   inputs.tried = nullptr;
-  EXPECT_EQ(check("device").text.english().find("began on"), std::string::npos);
+  EXPECT_EQ(check("device").text.english().find("last ran on"), std::string::npos);
 }
 
 TEST_F(SessionChecks, WantRoomForTwoSessions) {

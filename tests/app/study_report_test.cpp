@@ -10,12 +10,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/analyses/analyze_study.h"
 #include "app/analyses/reading_number.h"
 #include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
 #include "app/tasks/report_tests.h"
+#include "app/tasks/session_conditions.h"
 #include "app/tasks/simulation.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
@@ -111,7 +113,7 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   }
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Participants"));
-  EXPECT_THAT(words, HasSubstr("Four persons took part."));
+  EXPECT_THAT(words, HasSubstr("Four participants took part."));
   EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not told."));
   // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
   EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 told)."));
@@ -126,10 +128,10 @@ TEST(StudyReport, SaysOfOneParticipantWhatItCan) {
   made.add_session("p1", protocol, choices(1, 1));
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(report.chapters.at(1));
-  EXPECT_THAT(words, HasSubstr("One person took part."));
+  EXPECT_THAT(words, HasSubstr("One participant took part."));
   EXPECT_THAT(words, HasSubstr("Age: 31 years."));
-  EXPECT_THAT(words, HasSubstr("One person began one session, which was completed."));
-  EXPECT_THAT(words, HasSubstr("1 attempt at a trial of the main phase is stored; it counts."));
+  EXPECT_THAT(words, HasSubstr("One participant began one session, which was completed."));
+  EXPECT_THAT(words, HasSubstr("1 attempt at a trial of the main phase is stored, which counts."));
 }
 
 TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
@@ -159,13 +161,13 @@ TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
-              HasSubstr("Three persons began four sessions, of which three were completed."));
+              HasSubstr("Three participants began four sessions, three of which were completed."));
   EXPECT_THAT(words, HasSubstr("Session 2 of p3 was stopped after 0 of 1 trials."));
   EXPECT_THAT(words, HasSubstr("One session was excluded:\nSession 1 of p2: fell asleep <twice> & "
                                "left (decided by ab)."));
   EXPECT_THAT(words, Not(HasSubstr("by mistake")));
-  EXPECT_THAT(words, HasSubstr("9 attempts at trials of the main phase are stored; 6 count: three "
-                               "were excluded."));
+  EXPECT_THAT(words, HasSubstr("9 attempts at trials of the main phase are stored, of which 6 "
+                               "count. Not counted: three were excluded."));
 }
 
 TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
@@ -180,9 +182,9 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
-              HasSubstr("3 attempts at trials of the main phase are stored; 2 count: one was "
-                        "answered, but not valid."));
-  EXPECT_THAT(words, HasSubstr("Of those that count one is flagged"));
+              HasSubstr("3 attempts at trials of the main phase are stored, of which 2 count. Not "
+                        "counted: one was answered, but not valid. One attempt that counts is "
+                        "flagged."));
   EXPECT_THAT(words, HasSubstr("One attempt belongs to familiarisation or practice"));
   EXPECT_THAT(words, HasSubstr("1 | answered, but not valid | made up to be invalid"));
   EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
@@ -202,12 +204,12 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
-              HasSubstr("2 attempts at trials of the main phase are stored; all of them count."));
+              HasSubstr("2 attempts at trials of the main phase are stored, all of which count."));
   EXPECT_THAT(
       words, HasSubstr("One attempt belongs to familiarisation, practice or anchors and is in no"));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
-              HasSubstr("A session has 2 trials that count, of 3 with familiarisation, practice "
-                        "and anchors."));
+              HasSubstr("A session is planned with 2 experimental trials, and with 3 in total "
+                        "including familiarisation, practice and anchors."));
 }
 
 TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
@@ -340,6 +342,210 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
   EXPECT_THAT(hands, HasSubstr("| 75 % | 1 of 2 |"));
 }
 
+// --- conditions, from what the sessions recorded ---------------------------------------------------
+
+constexpr const char* kNoisy = R"({
+  "format": "asperity.protocol/1", "kind": "recognition", "design": "improved",
+  "name": "noisy", "version": "1.0.0", "title": "Which one", "environment": {
+    "vision": "blindfold", "masking_noise": {"kind": "pink", "level_dBA": 65}},
+  "consent": {"version": "1.0", "statement": "I take part."},
+  "textures": {"grain": {"height_field": "stimuli/grain.png", "picture": "stimuli/grain.png"},
+               "other": {"picture": "stimuli/other.png"}},
+  "factors": {"texture": {"levels": ["grain"]}},
+  "stimuli": {"rendered": {"model": "height_map", "texture": {"factor": "texture"}}},
+  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2}},
+  "blocks": {"main": {"crossed": ["texture"], "presented": [{"stimulus": "rendered"}],
+    "question": {"name": "which", "prompt": "Which?", "pictures": ["grain", "other"],
+                 "pictures_after_feeling": true, "allow_revisit": false,
+                 "correct_factor": "texture"}, "exploration": "short"}},
+  "flow": [{"run": "main"}]
+})";
+
+constexpr const char* kFalcon =
+    R"({"name": "falcon", "model": "Novint Falcon", "serial": "7", "actuated_degrees_of_freedom": 3})";
+constexpr const char* kMouse =
+    R"({"name": "mouse", "model": "pointer of a window", "actuated_degrees_of_freedom": 0})";
+constexpr const char* kVirtualHand =
+    R"({"name": "simulated", "model": "mass", "actuated_degrees_of_freedom": 3})";
+
+/// Sessions of people whose conditions a test writes.
+class Conditions : public testing::Test {
+ protected:
+  Conditions() {
+    made_.add_person("template", "F");
+    const std::int64_t other = made_.add_protocol("template", "recognition");
+    template_ = made_.study().session(made_.add_session("template", other, {}));
+    template_.session = 0;
+    template_.state = SessionState::open;
+    template_.ended_utc.reset();
+    template_.pacing = "real_time";
+    template_.protocol_id = made_.add_protocol("noisy", "recognition", kNoisy);
+  }
+
+  /// One of a new participant that began on this device, with these events and a skipped trial in each stretch.
+  void add_session(const std::string& device_json, const std::vector<EventRow>& events,
+                   SessionMode mode = SessionMode::run) {
+    SessionRow row = template_;
+    const nlohmann::json device = nlohmann::json::parse(device_json);
+    row.device = device.at("name").get<std::string>() + ' ' + device.at("model").get<std::string>();
+    row.device_json = device_json;
+    row.participant = "p" + std::to_string(++participants_);
+    row.mode = mode;
+    made_.add_person(row.participant, "F");
+    std::vector<PlannedTrialRow> plan{};
+    for (const EventRow& event : events) {
+      if (event.kind != "session_began" && event.kind != "session_resumed") continue;
+      PlannedTrialRow& trial = plan.emplace_back();
+      trial.trial = static_cast<int>(plan.size());
+      trial.block = "main";
+      trial.block_ordinal = 1;
+      trial.phase = "main";
+    }
+    const std::int64_t session = made_.study().add_session(row, plan);
+    std::int64_t time_ns = row.clock_zero_ns;
+    for (EventRow event : events) {
+      event.time_ns = ++time_ns;
+      made_.study().add_event(session, event);
+    }
+    for (const PlannedTrialRow& trial : plan) {
+      AttemptRow attempt{};
+      attempt.trial = trial.trial;
+      attempt.attempt = 1;
+      attempt.segment = made_.study().begin_segment(session, ++time_ns);
+      attempt.outcome = AttemptOutcome::skipped;
+      attempt.valid = false;
+      attempt.invalid_reason = "skipped";
+      attempt.onset_ns = attempt.offset_ns = ++time_ns;
+      ComplianceRow force{.position = 1, .quantity = "normal_force_N", .minimum = 0.5};
+      force.passed = true;
+      attempt.presentations = {surface_of("grain", "height_map", "grain")};
+      attempt.presentations[0].position = 1;
+      attempt.compliance = {force};
+      made_.study().add_attempt(session, attempt);
+      made_.study().end_segment(session, attempt.segment, ++time_ns, "ended");
+    }
+  }
+  static EventRow began() { return {.kind = "session_began", .data_json = R"({"segment": 1})"}; }
+  /// As asperity 0.1.0 stored it, without the device.
+  static EventRow resumed() {
+    return {.kind = "session_resumed", .data_json = R"({"segment": 2})"};
+  }
+  static EventRow resumed_on(const std::string& device) {
+    return {.kind = "session_resumed",
+            .data_json = R"({"segment": 2, "device": ")" + device + "\"}"};
+  }
+  static EventRow noise(const std::string& data) {
+    return {.kind = "masking_noise", .data_json = data};
+  }
+  static EventRow played(const std::string& measured_dBA) {
+    return noise(R"({"kind": "pink", "heard": true, "measured_dBA": )" + measured_dBA +
+                 R"(, "verified_by": "AB"})");
+  }
+
+  const ReportChapter& chapter() {
+    report_ = study_report(made_.study(), {});
+    return report_.chapters.at(1);
+  }
+  std::string conditions() { return words_of(section(chapter(), "Apparatus and conditions")); }
+
+  MadeUpStudy made_;
+  SessionRow template_{};
+  Report report_{};
+  int participants_ = 0;
+};
+
+TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
+  add_session(kFalcon, {began(), played("64.5")});
+  add_session(kFalcon, {began(), played("null")});
+  add_session(kFalcon, {began(), noise(R"({"kind": "pink", "heard": false, "measured_dBA": 66,
+                                           "verified_by": "A. Keller"})")});
+  add_session(kFalcon, {began(), noise(R"({"kind": "pink", "heard": false, "measured_dBA": null,
+                                           "verified_by": ""})")});
+  add_session(kFalcon, {began()});  // asperity 0.1.0 at a terminal
+  add_session(kFalcon, {began(), noise(R"({"output": "unknown"})")});
+  const std::string words = conditions();
+  EXPECT_THAT(words, HasSubstr("The protocol requests pink noise of 65 dBA at the ear to mask the "
+                               "sound of the device. The program played masking noise in 2 of 6 "
+                               "sessions (level at the ear, as measured in 1 of 6 sessions: 64.5 "
+                               "dBA). Masking noise came from another source in 1 of 6 sessions: "
+                               "A. Keller measured 66 dBA at the ear. No masking noise was played "
+                               "in 2 of 6 sessions. Whether masking noise was played is not "
+                               "recorded in 1 of 6 sessions."));
+}
+
+TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
+  add_session(kFalcon, {began(), noise(R"({"kind": "none", "heard": false})")});
+  EXPECT_THAT(conditions(), HasSubstr("No masking noise was played in the only session."));
+  EXPECT_THAT(conditions(), Not(HasSubstr("played masking noise")));
+}
+
+TEST_F(Conditions, TellThePartsOfAResumedSessionApart) {
+  add_session(kFalcon, {began(), played("65"), resumed_on("falcon Novint Falcon"),
+                        noise(R"({"kind": "none", "heard": false})")});
+  add_session(kFalcon, {began(), played("65")});
+  EXPECT_THAT(conditions(),
+              HasSubstr("The program played masking noise in 1 of 2 sessions and in part of one "
+                        "more (level at the ear, as measured: 65 dBA). No masking noise was played "
+                        "in part of 1 of 2 sessions."));
+}
+
+TEST_F(Conditions, StateWhereAnEyeMaskWasConfirmed) {
+  add_session(kFalcon, {began(), {.kind = "mask_on"}});
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(conditions(),
+              HasSubstr("The protocol requests an eye mask while surfaces are explored. Putting it "
+                        "on was confirmed in 1 of 2 sessions. Whether one was worn is not recorded "
+                        "in 1 of 2 sessions."));
+}
+
+TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
+  add_session(kMouse, {began()});
+  add_session(kFalcon, {began()});
+  const std::string words = conditions();
+  EXPECT_THAT(words,
+              HasSubstr("Device: falcon Novint Falcon (in 1 of 2 sessions); mouse pointer of "
+                        "a window (in 1 of 2 sessions). No force was rendered in 1 of 2 "
+                        "sessions: the device has no motors, and nobody felt the surfaces."));
+  EXPECT_THAT(
+      words_of(section(chapter(), "Exploration")),
+      HasSubstr("The normal force is the one sent to a device without motors, zero, in 1 of "
+                "2 sessions."));
+}
+
+TEST_F(Conditions, StateThatAVirtualHandMadeTheStrokes) {
+  add_session(kVirtualHand, {began()}, SessionMode::pilot);
+  const std::string words = words_of(chapter());
+  EXPECT_THAT(words,
+              HasSubstr("One participant took part in pilot sessions. In the only session "
+                        "the program moved the device, and the participants only answered."));
+  EXPECT_THAT(words, HasSubstr("A virtual hand moved the device in the only session: no "
+                               "participant moved a device or felt a force there."));
+  EXPECT_THAT(words, HasSubstr("No participant made the strokes in the only session."));
+}
+
+TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
+  add_session(kFalcon,
+              {began(),
+               {.kind = kDeviceChanged, .text = "mouse pointer of a window", .data_json = kMouse},
+               resumed_on("mouse pointer of a window")});
+  EXPECT_THAT(conditions(),
+              HasSubstr("Session 1 of p1 began on falcon Novint Falcon, serial number 7, then was "
+                        "resumed on mouse pointer of a window."));
+  add_session(kFalcon, {began(), resumed()});
+  EXPECT_THAT(conditions(),
+              HasSubstr("The device is not recorded in part of 1 of 2 sessions, after "
+                        "resuming: asperity 0.1.0 stored the first device alone."));
+}
+
+TEST_F(Conditions, CountSessionsThatWereNotCompleted) {
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
+              HasSubstr("One participant began one session, which was not completed."));
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
+              HasSubstr("Two participants began two sessions, none of which was completed."));
+}
+
 /// A study that `simulate` has made: two virtual participants, three trials each.
 const TemporaryFolder& simulated() {
   static const std::unique_ptr<TemporaryFolder> kFolder = [] {
@@ -419,16 +625,19 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   EXPECT_EQ(report.subtitle, "Data of a simulated clock, which has no date");
   const std::string design = words_of(section(report.chapters[1], "Design"));
   EXPECT_THAT(design, HasSubstr("A few short trials"));
-  EXPECT_THAT(design, HasSubstr("chose the most realistic one"));
-  EXPECT_THAT(design,
-              HasSubstr("A session has 3 trials that count. Two surfaces were felt in each."));
+  EXPECT_THAT(design, HasSubstr("the most realistic one is to be chosen"));
+  EXPECT_THAT(
+      design,
+      HasSubstr("A session is planned with 3 experimental trials. Two surfaces were presented "
+                "in each answered trial."));
   EXPECT_THAT(design, HasSubstr("“Which felt more like the picture?”"));
-  EXPECT_THAT(design, HasSubstr("felt for 500 ms to 2 s"));
+  EXPECT_THAT(design, HasSubstr("explored for 500 ms to 2 s"));
   const std::string made = words_of(section(report.chapters[1], "What it was made with"));
   EXPECT_THAT(made, HasSubstr(study.protocols().front().source_sha256));
   EXPECT_THAT(made, HasSubstr(study.sessions().front().program_commit));
-  EXPECT_THAT(design, HasSubstr("irtual participants neither see nor hear."));
-  EXPECT_THAT(design, Not(HasSubstr("They saw")));
+  EXPECT_THAT(words_of(section(report.chapters[1], "Apparatus and conditions")),
+              HasSubstr("Device: simulated mass, spring and damper.\n"
+                        "Virtual participants neither see nor hear."));
   const std::string sessions = words_of(section(report.chapters[2], "Every session"));
   for (const SessionRow& session : study.sessions()) EXPECT_THAT(sessions, HasSubstr(session.seed));
 }

@@ -67,6 +67,22 @@ TEST(Terminal, TakesAPersonThroughASession) {
   EXPECT_EQ(asperity({"verify", small.study()}).status, 0);
 }
 
+TEST(Terminal, StatesBeforehandThatItPlaysNoMaskingNoise) {
+  const SmallStudy small(1);
+  nlohmann::ordered_json protocol = small_selection(1);
+  protocol["environment"]["masking_noise"] = {{"kind", "pink"}, {"level_dBA", 65}};
+  write_text(small.selection(), protocol.dump(2));
+  Invocation invocation{};
+  invocation.arguments = terminal_run_arguments(small, small.selection());
+  invocation.on_terminal = true;
+  Program program(invocation);
+  ASSERT_TRUE(program.read_until(
+      [](const std::string& out, const std::string&) { return out.ends_with("Your answer: "); }));
+  EXPECT_NE(program.err().find("a terminal plays none"), std::string::npos) << program.err();
+  program.type("2\n");  // no consent
+  EXPECT_EQ(program.finish().status, 1);
+}
+
 TEST(Terminal, NeverShowsANameOfATextureOrModel) {
   const SmallStudy small(1);
   for (const fs::path& protocol : {small.selection(), small.recognition()}) {

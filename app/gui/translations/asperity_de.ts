@@ -3405,14 +3405,6 @@
         <translation>„%1“ bewegt und drückt, gibt aber keine Kraft: Niemand fühlt etwas.</translation>
     </message>
     <message>
-        <source>%1 The session began on &quot;%2&quot;.</source>
-        <translation>%1 Die Sitzung begann auf „%2“.</translation>
-    </message>
-    <message>
-        <source>Choose the device that it began on, unless another one is meant.</source>
-        <translation>Wählen Sie das Gerät, auf dem sie begann, wenn kein anderes gemeint ist.</translation>
-    </message>
-    <message>
         <source>Measured within the last day</source>
         <translation>Am letzten Tag gemessen</translation>
     </message>
@@ -3483,6 +3475,14 @@
     <message>
         <source>Measure a real one as soon as it is there.</source>
         <translation>Messen Sie ein echtes, sobald es da ist.</translation>
+    </message>
+    <message>
+        <source>%1 The session last ran on &quot;%2&quot;.</source>
+        <translation>%1 Die Sitzung lief zuletzt auf „%2“.</translation>
+    </message>
+    <message>
+        <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
+        <translation>Wählen Sie das Gerät, auf dem sie zuletzt lief, wenn kein anderes gemeint ist; der Wechsel wird gespeichert und steht im Bericht.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,137 @@
+#include "app/tasks/session_conditions.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/session_setup.h"
+#include "app/device_kind.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kReplayedRecording = "replay";  // the name of its driver
+
+nlohmann::json object_of(const std::string& text) {
+  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+template <class Value>
+std::optional<Value> stored_value(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return {};
+  try {
+    return found->get<Value>();
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+}
+
+/// Of the event `masking_noise`.
+RecordedNoise noise_of(const std::string& data_json) {
+  const nlohmann::json data = object_of(data_json);
+  RecordedNoise noise{};
+  noise.measured_dBA = stored_value<double>(data, "measured_dBA");
+  noise.verified_by = stored_value<std::string>(data, "verified_by").value_or("");
+  const auto kind = stored_value<std::string>(data, "kind");
+  const auto heard = stored_value<bool>(data, "heard");
+  using Source = RecordedNoise::Source;
+  if (!kind || !heard) {
+    noise.source = Source::not_recorded;
+  } else if (*kind == "none") {
+    noise.source = Source::not_played;
+  } else if (*heard) {
+    noise.source = Source::program;
+  } else {
+    noise.source =
+        noise.measured_dBA && !noise.verified_by.empty() ? Source::elsewhere : Source::not_played;
+  }
+  return noise;
+}
+
+}  // namespace
+
+std::string RecordedDevice::hand_of_program() const {
+  if (kind_of_device(name) == DeviceKind::simulated) return "virtual";
+  return name == kReplayedRecording ? "recorded" : "";
+}
+
+std::string RecordedDevice::full_text() const {
+  return serial.empty() ? text : text + ", serial number " + serial;
+}
+
+bool RecordedDevice::is_same_as(const RecordedDevice& other) const {
+  if (name.empty() || other.name.empty()) return text == other.text;
+  return name == other.name && model == other.model && serial == other.serial;
+}
+
+RecordedDevice recorded_device(const std::string& text, const std::string& record_json) {
+  const nlohmann::json record = object_of(record_json);
+  RecordedDevice device{};
+  device.text = text;
+  device.name = stored_value<std::string>(record, "name").value_or("");
+  device.model = stored_value<std::string>(record, "model").value_or("");
+  device.serial = stored_value<std::string>(record, "serial").value_or("");
+  if (const auto motors = stored_value<int>(record, "actuated_degrees_of_freedom")) {
+    device.has_motors = *motors > 0;
+  }
+  return device;
+}
+
+RecordedDevice recorded_device(const DeviceCapability& device) {
+  return recorded_device(device_text(device), capability_json(device));
+}
+
+std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
+                                                const std::vector<EventRow>& events,
+                                                const std::vector<AttemptRow>& attempts) {
+  RecordedDevice device = recorded_device(session.device, session.device_json);
+  std::vector<RecordedStretch> stretches{};
+  for (const EventRow& event : events) {
+    if (event.kind == kDeviceChanged) {
+      device = recorded_device(event.text, event.data_json);
+    } else if (event.kind == "session_began" || event.kind == "session_resumed") {
+      const nlohmann::json data = object_of(event.data_json);
+      RecordedStretch& stretch = stretches.emplace_back();
+      stretch.segment =
+          stored_value<int>(data, "segment").value_or(static_cast<int>(stretches.size()));
+      stretch.judges_rendered_force =
+          stored_value<std::string>(data, "judged_force") == std::string("rendered");
+      // asperity 0.1.0 stored the device of the beginning alone.
+      if (event.kind == "session_began" || data.contains("device")) stretch.device = device;
+    } else if (!stretches.empty()) {
+      if (event.kind == "masking_noise") stretches.back().noise = noise_of(event.data_json);
+      if (event.kind == "mask_on") stretches.back().eye_mask_confirmed = true;
+    }
+  }
+  if (stretches.empty()) stretches.push_back({.device = device});
+  std::vector<RecordedStretch> used{};
+  for (RecordedStretch& stretch : stretches) {
+    const auto in_it = [&stretch](const AttemptRow& attempt) {
+      return attempt.segment == stretch.segment;
+    };
+    if (std::none_of(attempts.begin(), attempts.end(), in_it)) continue;
+    for (const AttemptRow& attempt : attempts) {
+      if (!in_it(attempt)) continue;
+      for (const EventRow& event : attempt.events) {
+        if (event.kind == "mask_on") stretch.eye_mask_confirmed = true;
+      }
+    }
+    used.push_back(stretch);
+  }
+  return used.empty() ? stretches : used;
+}
+
+RecordedDevice last_recorded_device(const Study& study, const SessionRow& session) {
+  RecordedDevice device = recorded_device(session.device, session.device_json);
+  for (const EventRow& event : study.events(session.id)) {
+    if (event.kind == kDeviceChanged) device = recorded_device(event.text, event.data_json);
+  }
+  return device;
+}
+
+}  // namespace asperity
