@@ -226,6 +226,7 @@ struct Protocol {
   /// A session with a person needs a profile of its device that is not older; absent: none is needed.
   std::optional<double> profile_maximum_age_days{};
   bool refuses_rehearsal_warnings = false;  ///< of what the device cannot render or does not keep
+  bool input_only = false;  ///< study data of people may come from a device without motors
   /// The device's item ("lateness_p99_s") → what it is held to; which side is right is the item's.
   std::map<std::string, double> device_limits{};
 

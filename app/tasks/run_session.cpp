@@ -224,6 +224,13 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
   if (!complaints.empty()) throw PhrasedError(complaints.front());
+  if (sitting.mode == SessionMode::run) {
+    const auto blocker =
+        study_data_blocker(protocol, recorded_device(rig->capability()), sitting.unfinished);
+    if (blocker) {
+      throw PhrasedError(phrase("StudyData", "%1; %2").with(blocker->problem, blocker->remedy));
+    }
+  }
   if (!inputs.is_virtual) {
     sitting.device =
         taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder, stop);

@@ -240,15 +240,19 @@ std::optional<DeviceCapability> capability_of(const CheckInputs& inputs, const P
 
 bool has_motors(const DeviceCapability& device) { return device.actuated_degrees_of_freedom > 0; }
 
-/// The device that an unfinished session last ran on, where it is another one than this; otherwise empty.
-std::string other_device_before(const CheckInputs& inputs, const Protocol& protocol,
-                                const DeviceCapability& device) {
+std::optional<SessionRow> resumed_row(const CheckInputs& inputs, const Protocol& protocol) {
   if (!inputs.resume) return {};
-  const Study study = Study::open(inputs.study, Access::read_only);
-  const std::optional<SessionRow> row =
-      unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
-  if (!row) return {};
-  const RecordedDevice before = last_recorded_device(study, *row);
+  return unfinished_row(Study::open(inputs.study, Access::read_only), protocol, inputs.participant,
+                        inputs.resumed_session);
+}
+
+/// The device that an unfinished session last ran on, where it is another one than this; otherwise empty.
+std::string other_device_before(const CheckInputs& inputs,
+                                const std::optional<SessionRow>& unfinished,
+                                const DeviceCapability& device) {
+  if (!unfinished) return {};
+  const RecordedDevice before =
+      last_recorded_device(Study::open(inputs.study, Access::read_only), *unfinished);
   return before.is_same_as(recorded_device(device)) ? std::string() : before.full_text();
 }
 
@@ -285,19 +289,27 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
         phrase("SessionChecks", "Choose another device, or ask for less in the protocol.");
     return check;
   }
-  const DeviceKind kind = kind_of_device(inputs.device);
+  const std::optional<SessionRow> unfinished = resumed_row(inputs, protocol);
+  if (inputs.mode == SessionMode::run) {
+    if (const auto blocker = study_data_blocker(protocol, recorded_device(*device), unfinished)) {
+      check.state = State::stop;
+      check.text = blocker->problem.as_sentence();
+      check.remedy = blocker->remedy.as_sentence();
+      return check;
+    }
+  }
   if (!has_motors(*device)) {
     check.text = phrase("SessionChecks",
                         "\"%1\" moves and presses, and gives no force: nobody feels anything.")
                      .with(device->name);
   } else {
-    check.text =
-        phrase("SessionChecks",
-               "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
-            .with(called(*device), fixed(device->peak_force_N, 1), fixed(device->maximum_rate_Hz, 0),
-                  fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
+    check.text = phrase("SessionChecks",
+                        "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
+                     .with(called(*device), fixed(device->peak_force_N, 1),
+                           fixed(device->maximum_rate_Hz, 0), fixed(protocol.force_limit_N, 1),
+                           fixed(protocol.rate_Hz, 0));
   }
-  const std::string before = other_device_before(inputs, protocol, *device);
+  const std::string before = other_device_before(inputs, unfinished, *device);
   if (!before.empty()) {
     check.state = State::look;
     check.text =
@@ -307,15 +319,15 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
                "Choose the device that it last ran on, unless another one is meant; the change is "
                "stored and stated in the report.");
   }
-  if (inputs.mode == SessionMode::run && (kind != DeviceKind::attached || !has_motors(*device))) {
+  if (inputs.mode == SessionMode::run && study_data_blocker(protocol, recorded_device(*device))) {
     check.state = State::look;
-    if (kind == DeviceKind::simulated) {
-      check.text = phrase("SessionChecks", "%1 It is simulated: nobody's hand feels anything.")
-                       .with(check.text);
-    }
-    check.remedy =
+    check.text =
         phrase("SessionChecks",
-               "For real data choose a device; to try the session out choose Pilot or Simulate.");
+               "%1 The session began without a force that a participant felt, and is resumed as "
+               "such; the report states it.")
+            .with(check.text);
+    check.remedy =
+        phrase("SessionChecks", "For sessions that begin now choose a device with motors.");
   }
   return check;
 }

@@ -134,4 +134,43 @@ RecordedDevice last_recorded_device(const Study& study, const SessionRow& sessio
   return device;
 }
 
+std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
+                                                   const RecordedDevice& device) {
+  const std::string hand = device.hand_of_program();
+  if (!hand.empty()) {
+    return StudyDataBlocker{
+        (hand == "virtual"
+             ? phrase("StudyData",
+                      "a virtual hand holds the device \"%1\", so that no participant would feel "
+                      "the surfaces")
+             : phrase("StudyData",
+                      "a recorded hand holds the device \"%1\", so that no participant would feel "
+                      "the surfaces"))
+            .with(device.text),
+        phrase("StudyData",
+               "try the session out in Pilot (--mode pilot), or choose a device with motors; where "
+               "the study needs no force, set device.input_only to true in the protocol and choose "
+               "a device without motors")};
+  }
+  if (device.has_motors == false && !protocol.input_only) {
+    return StudyDataBlocker{
+        phrase("StudyData",
+               "the device \"%1\" has no motors, so that no participant would feel the surfaces")
+            .with(device.text),
+        phrase("StudyData",
+               "try the session out in Pilot (--mode pilot), or choose a device with motors; where "
+               "the study needs no force, set device.input_only to true in the protocol")};
+  }
+  return {};
+}
+
+std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
+                                                   const RecordedDevice& device,
+                                                   const std::optional<SessionRow>& unfinished) {
+  const bool has_begun_so =
+      unfinished &&
+      study_data_blocker(protocol, recorded_device(unfinished->device, unfinished->device_json));
+  return has_begun_so ? std::nullopt : study_data_blocker(protocol, device);
+}
+
 }  // namespace asperity

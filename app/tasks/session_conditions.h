@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "device/device_capability.h"
+#include "protocols/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -62,6 +64,21 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
 
 /// That of the last stretch whose device is recorded.
 RecordedDevice last_recorded_device(const Study& study, const SessionRow& session);
+
+/// Why answers that a person gives on a device are no study data, and what to do about it: parts of sentences.
+struct StudyDataBlocker {
+  Phrase problem{};
+  Phrase remedy{};
+};
+/// The participant does not hold the device, or it gives no force and the protocol does not declare `device.input_only`.
+/// Nothing where neither is so.
+std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
+                                                   const RecordedDevice& device);
+/// The same for a session that is begun or, with its row in the store, resumed. Asperity 0.1.0 began sessions on such
+/// devices: these are resumed on one.
+std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
+                                                   const RecordedDevice& device,
+                                                   const std::optional<SessionRow>& unfinished);
 
 /// The event that a session which is resumed on another device stores before `session_resumed`: text as
 /// SessionRow::device, data the capability record.

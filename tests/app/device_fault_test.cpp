@@ -88,6 +88,7 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
   inputs.protocol = study_folder / "protocols" / "small.json";
   inputs.study = study_folder;
   inputs.participant = "standin1";
+  inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
   inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
@@ -153,6 +154,7 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   inputs.protocol = folder.path() / "small.json";
   write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
   inputs.participant = "standin1";
+  inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
   inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
@@ -195,6 +197,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   inputs.protocol = folder.path() / "small.json";
   write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
   inputs.participant = "standin1";
+  inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
   inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
@@ -228,6 +231,7 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   inputs.protocol = folder.path() / "small.json";
   write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
   inputs.participant = "standin1";
+  inputs.mode = SessionMode::pilot;
   inputs.pacing = RunPacing::real_time;
   inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
   inputs.device = "swinging";
@@ -269,6 +273,7 @@ TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
     inputs.protocol = folder.path() / (name + ".json");
     write_file(inputs.protocol, protocol, Overwrite::refuse);
     inputs.participant = "anna";
+    inputs.mode = SessionMode::pilot;
     inputs.seed = 5;
     inputs.pacing = RunPacing::real_time;
     inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;

@@ -33,6 +33,7 @@ class RunSession : public testing::Test {
     write_file(inputs_.protocol, text, Overwrite::refuse);
     inputs_.participant = "p1";
     inputs_.seed = 5;
+    inputs_.mode = SessionMode::pilot;  // a virtual hand holds the simulated device
     inputs_.pacing = RunPacing::stepped;
   }
 
@@ -58,6 +59,44 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
       testing::HasSubstr("not known to this program: continuous force, position noise, friction"));
   inputs_.device = "simulated:gamma.3";
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+// --- study data come from a device that a participant holds and feels -----------------------------
+
+TEST_F(RunSession, RefusesStudyDataOnADeviceThatAVirtualHandHolds) {
+  inputs_.mode = SessionMode::run;
+  const std::string refusal = refusal_of<PhrasedError>([&] { run(); });
+  EXPECT_THAT(refusal, testing::HasSubstr("a virtual hand holds the device \"simulated"));
+  EXPECT_THAT(refusal, testing::HasSubstr("--mode pilot"));
+  EXPECT_THAT(refusal, testing::HasSubstr("device.input_only"));
+  EXPECT_THAT(person_.forms, testing::IsEmpty());
+  EXPECT_TRUE(study().participants().empty());
+  EXPECT_TRUE(study().sessions().empty());
+  inputs_.is_virtual = true;
+  inputs_.participant = "virtual0001";
+  EXPECT_EQ(run_session(inputs_, models_, nullptr, {}, {}).state, SessionState::completed)
+      << "a virtual participant is nobody's study data";
+}
+
+TEST_F(RunSession, ResumesWhatAnEarlierVersionBeganOnTheSimulatedDevice) {
+  {
+    // As asperity 0.1.0 began it.
+    const Protocol protocol = load_protocol(inputs_.protocol, models_, inputs_.study);
+    Study store = Study::open(inputs_.study, Access::read_write);
+    store.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+    const SteppedRig rig(rig_settings_for(protocol, {}), 0);
+    const SessionConditions begun{.seed = 5,
+                                  .pacing = "stepped",
+                                  .scheduling = "none",
+                                  .device = rig.capability(),
+                                  .started_utc = rig.clock().utc(),
+                                  .clock_zero_ns = rig.clock().now_ns()};
+    const OpenSession session = begin_session(store, protocol, "p1", begun, this_program());
+    store.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+  }
+  inputs_.mode = SessionMode::run;
+  inputs_.resume = true;
+  EXPECT_EQ(run().state, SessionState::completed);
 }
 
 TEST_F(RunSession, StoresThatNothingSounded) {
@@ -274,10 +313,9 @@ TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {
   inputs_.resume = true;
   EXPECT_THROW(run(), std::runtime_error);
   inputs_.resume = false;
-  // And not that the first one is to be gone on with.
-  EXPECT_THAT(refusal_of<std::runtime_error>([&] { run(); }),
-              testing::HasSubstr("has done all sessions"));
-  EXPECT_EQ(study().sessions().size(), 1U);
+  // And another one does not wait for the first to be resumed.
+  EXPECT_TRUE(run().as_the_protocol_says);
+  EXPECT_EQ(study().sessions().size(), 2U);
 }
 
 }  // namespace

@@ -235,36 +235,63 @@ TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {
 }
 
 TEST_F(SessionChecks, CompareWithWhatTheSimulatedDeviceStandsFor) {
+  inputs.mode = SessionMode::pilot;
   inputs.device = "simulated:delta.3";
   EXPECT_NE(check("device").text.english().find("gives 20.0 N at up to 4000 Hz"), std::string::npos)
       << check("device").text.english();
   inputs.device = "simulated:falcon";
-  EXPECT_EQ(check("device").state, State::look);
+  EXPECT_EQ(check("device").state, State::fine);
   std::string text = small_protocol();
   text.replace(text.find("\"textures\""), 0, R"("device": {"force_limit_N": 9}, )");
   write_protocol(text);
   EXPECT_EQ(check("device").state, State::stop);
   inputs.device = "simulated";
-  EXPECT_EQ(check("device").state, State::look);
+  EXPECT_EQ(check("device").state, State::fine);
   inputs.device = "simulated:gamma.3";
   EXPECT_NE(check("device").text.english().find("falcon, delta.3"), std::string::npos);
 }
 
-TEST_F(SessionChecks, WarnThatASimulatedDeviceGivesNoStudyData) {
-  EXPECT_EQ(check("device").state, State::look);
-  inputs.mode = SessionMode::pilot;
-  EXPECT_EQ(check("device").state, State::fine);
+// What a virtual hand strokes, and what nobody feels, are no study data.
+TEST_F(SessionChecks, RefuseStudyDataOfADeviceThatNobodyFeels) {
+  for (const char* const device : {"simulated", "simulated:falcon", "mouse"}) {
+    inputs.device = device;
+    inputs.mode = SessionMode::run;
+    const SessionCheck line = check("device");
+    EXPECT_EQ(line.state, State::stop) << device;
+    EXPECT_NE(line.remedy.english().find("--mode pilot"), std::string::npos) << device;
+    EXPECT_NE(line.remedy.english().find("device.input_only"), std::string::npos) << device;
+    inputs.mode = SessionMode::pilot;
+    EXPECT_EQ(check("device").state, State::fine) << device;
+  }
 }
 
-TEST_F(SessionChecks, SayThatAMouseGivesNoForceAndLetItMoveAllTheSame) {
-  inputs.device = "mouse";
-  inputs.pacing = RunPacing::real_time;
-  inputs.mode = SessionMode::pilot;
-  EXPECT_EQ(check("device").state, State::fine) << "whatever force the protocol asks for";
-  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
-  EXPECT_EQ(check("force_zero").state, State::fine) << "its loop runs";
+TEST_F(SessionChecks, TakeAMouseForStudyDataWhereTheProtocolNeedsNoForce) {
+  std::string text = small_protocol();
+  text.replace(text.find("\"textures\""), 0, R"("device": {"input_only": true}, )");
+  write_protocol(text);
   inputs.mode = SessionMode::run;
-  EXPECT_EQ(check("device").state, State::look);
+  inputs.device = "mouse";
+  EXPECT_EQ(check("device").state, State::fine) << check("device").text.english();
+  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
+  inputs.device = "simulated";
+  EXPECT_EQ(check("device").state, State::stop) << "a virtual hand is nobody's";
+}
+
+TEST_F(SessionChecks, ResumeASessionThatBeganWhereNobodyFelt) {
+  const Protocol protocol = load_protocol(inputs.protocol, models, study);
+  {
+    Study store = Study::open(study, Access::read_write);
+    store.add_participant({.label = "P001", .created_utc = "2026-01-01T00:00:00.000Z"});
+    const SessionConditions begun{.pacing = "real_time",
+                                  .device = {.name = "simulated", .actuated_degrees_of_freedom = 3},
+                                  .started_utc = "2026-01-01T00:00:00.000Z"};
+    const OpenSession session = begin_session(store, protocol, "P001", begun, this_program());
+    store.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+  }
+  inputs.mode = SessionMode::run;
+  inputs.resume = true;
+  EXPECT_EQ(check("device").state, State::look) << check("device").text.english();
+  EXPECT_NE(check("device").text.english().find("is resumed as such"), std::string::npos);
 }
 
 /// As when somebody has pressed "Try this device".
@@ -326,8 +353,8 @@ TEST_F(SessionChecks, SayThatAnAttachedDeviceWithoutMotorsGivesNoForce) {
   EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
   EXPECT_EQ(check("calibration").text.english(), "Not needed: it gives no force.");
   inputs.mode = SessionMode::run;
-  EXPECT_EQ(check("device").state, State::look);
-  EXPECT_NE(check("device").remedy.english().find("choose Pilot or Simulate"), std::string::npos);
+  EXPECT_EQ(check("device").state, State::stop);
+  EXPECT_NE(check("device").remedy.english().find("device.input_only"), std::string::npos);
 }
 
 class RehearsedChecks : public SessionChecks {

@@ -11,7 +11,8 @@ namespace asperity::test {
 namespace {
 
 std::vector<std::string> terminal_run_arguments(const SmallStudy& small, const fs::path& protocol) {
-  return {"run", protocol, "--study", small.study(), "--participant", "anna", "--seed", "4"};
+  return {"run",  protocol, "--study", small.study(), "--participant",
+          "anna", "--mode", "pilot",   "--seed",      "4"};
 }
 
 std::size_t count_of(const std::string& text, const std::string& word) {
@@ -55,7 +56,7 @@ TEST(Terminal, TakesAPersonThroughASession) {
   const Tsv sessions = tsv(tables.at("sessions.tsv"));
   EXPECT_EQ(sessions.column("state"), std::vector<std::string>{"completed"});
   EXPECT_EQ(sessions.column("pacing"), std::vector<std::string>{"real_time"});
-  EXPECT_EQ(sessions.column("mode"), std::vector<std::string>{"run"});
+  EXPECT_EQ(sessions.column("mode"), std::vector<std::string>{"pilot"});
   EXPECT_EQ(sessions.column("virtual"), std::vector<std::string>{"0"});
   EXPECT_EQ(sessions.column("consent_version"), std::vector<std::string>{"1.0"});
   // The first option is surface A, the first one felt.
@@ -65,6 +66,23 @@ TEST(Terminal, TakesAPersonThroughASession) {
   EXPECT_EQ(responses.column("answer")[0], presentations.column("item")[0]);
   EXPECT_EQ(responses.column("answer")[1], presentations.column("item")[2]);
   EXPECT_EQ(asperity({"verify", small.study()}).status, 0);
+}
+
+// A virtual hand holds the simulated device: no answer given meanwhile is study data.
+TEST(Terminal, RefusesStudyDataOnTheSimulatedDevice) {
+  const SmallStudy small(1);
+  Invocation invocation{};
+  invocation.arguments = {"run",         small.selection(), "--study",
+                          small.study(), "--participant",   "anna"};
+  invocation.on_terminal = true;
+  const Outcome outcome = run(invocation);
+  EXPECT_EQ(outcome.status, 1) << outcome.err << outcome.out;
+  for (const char* words :
+       {"a virtual hand holds the device", "--mode pilot", "device.input_only"}) {
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+  const auto tables = exported(small.study(), small.place() / "tables");
+  EXPECT_TRUE(tsv(tables.at("sessions.tsv")).rows.empty());
 }
 
 TEST(Terminal, StatesBeforehandThatItPlaysNoMaskingNoise) {

@@ -3185,14 +3185,6 @@
         <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
     </message>
     <message>
-        <source>%1 It is simulated: nobody&apos;s hand feels anything.</source>
-        <translation>%1 Es ist simuliert: Keine Hand fühlt etwas.</translation>
-    </message>
-    <message>
-        <source>For real data choose a device; to try the session out choose Pilot or Simulate.</source>
-        <translation>Für echte Daten ein Gerät wählen; zum Ausprobieren Pilot oder Simulation wählen.</translation>
-    </message>
-    <message>
         <source>Not needed: nothing is held in a fast simulation.</source>
         <translation>Nicht nötig: In einer schnellen Simulation wird nichts gehalten.</translation>
     </message>
@@ -3484,6 +3476,14 @@
         <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
         <translation>Wählen Sie das Gerät, auf dem sie zuletzt lief, wenn kein anderes gemeint ist; der Wechsel wird gespeichert und steht im Bericht.</translation>
     </message>
+    <message>
+        <source>%1 The session began without a force that a participant felt, and is resumed as such; the report states it.</source>
+        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson gefühlt hätte, und wird so fortgesetzt; im Bericht steht es.</translation>
+    </message>
+    <message>
+        <source>For sessions that begin now choose a device with motors.</source>
+        <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -3723,6 +3723,33 @@
     <message>
         <source>The heights as a surface in light.</source>
         <translation>Die Höhen als Oberfläche im Licht.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyData</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>a virtual hand holds the device &quot;%1&quot;, so that no participant would feel the surfaces</source>
+        <translation>eine virtuelle Hand hält das Gerät „%1“, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
+    </message>
+    <message>
+        <source>a recorded hand holds the device &quot;%1&quot;, so that no participant would feel the surfaces</source>
+        <translation>eine aufgezeichnete Hand hält das Gerät „%1“, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
+    </message>
+    <message>
+        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; where the study needs no force, set device.input_only to true in the protocol and choose a device without motors</source>
+        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen und ein Gerät ohne Motoren wählen</translation>
+    </message>
+    <message>
+        <source>the device &quot;%1&quot; has no motors, so that no participant would feel the surfaces</source>
+        <translation>das Gerät „%1“ hat keine Motoren, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
+    </message>
+    <message>
+        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; where the study needs no force, set device.input_only to true in the protocol</source>
+        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen</translation>
     </message>
 </context>
 <context>

@@ -92,7 +92,7 @@ class SessionRoom : public QuietHome {
 
   // --- what people do ---
   /// From the Protocols page over the start page into the session.
-  void start(const QString& protocol, const char* mode = "mode_run");
+  void start(const QString& protocol, const char* mode = "mode_pilot");
   /// The consent of the start page, seen by AB, who has measured the masking noise as well.
   void agree();
   /// Presses the start page's button once the checklist allows it.

@@ -149,7 +149,7 @@ TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswe
   window->show_page("protocols");
   click_row(*window, "protocols_table", "small");
   click(*window, "protocol_start");
-  click(*window, "mode_run");
+  click(*window, "mode_pilot");
   agree();
   SessionOrder order = qobject_cast<StartPage*>(window->page("start"))->order();
   order.inputs.faults = {{.kind = ScriptedFault::Kind::lost, .at_s = 0.8, .duration_s = 0.5}};

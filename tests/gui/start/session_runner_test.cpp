@@ -222,7 +222,7 @@ TEST_F(RunningSession, IsAbortedAndStoredWhenItsOwnerGoesAway) {
 
 TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
   order.inputs.participant = "P001";
-  order.inputs.mode = SessionMode::run;
+  order.inputs.mode = SessionMode::pilot;
   order.inputs.is_virtual = false;
   order.inputs.pacing = RunPacing::real_time;
   order.inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;

@@ -44,7 +44,7 @@ void insert_before(std::string& text, const std::string& place, const std::strin
 std::string protocol_with_questions() {
   std::string text = small_protocol();
   insert_before(text, "\"textures\"",
-                R"("participants": {"planned": 4, "sessions": 2,
+                R"("device": {"input_only": true}, "participants": {"planned": 4, "sessions": 2,
                     "questions": ["age", "hand_used", "hobby"]}, )");
   const std::string questions = "\"questions\": {\"remarks\"";
   text.replace(text.find(questions), questions.size(), R"("questions": {
@@ -111,6 +111,9 @@ class TheStartPage : public testing::Test {
               std::optional<std::int64_t> session = {}) const {
     page->choose(file, participant, session);
     if (!wait_for_study()) throw std::runtime_error("the study is not read");
+    // Study data of people do not come from the simulated device, which a virtual hand holds.
+    auto& devices = find<QComboBox>("device");
+    if (const int mouse = devices.findData("mouse"); mouse >= 0) devices.setCurrentIndex(mouse);
   }
   void announce_change() const {
     study->announce_change();
