@@ -42,6 +42,7 @@ OutputFile::OutputFile(std::filesystem::path path)
     : path_(std::move(path)),
       descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) fail_on_file(path_, "made", errno);
+  give_to_group(descriptor_, path_);
 }
 
 OutputFile::~OutputFile() {
@@ -106,6 +107,21 @@ std::size_t InputFile::read(void* bytes, std::size_t count) {
     if (got >= 0) return static_cast<std::size_t>(got);
     if (errno != EINTR) fail_on_file(path_, "read", errno);
   }
+}
+
+bool is_group_folder(const std::filesystem::path& folder) noexcept {
+  constexpr mode_t kShared = S_ISGID | S_IRWXG;
+  struct stat status {};
+  return ::stat(folder.empty() ? "." : folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+         (status.st_mode & kShared) == kShared;
+}
+
+void give_to_group(int descriptor, const std::filesystem::path& file) noexcept {
+  struct stat status {};
+  if (!is_group_folder(file.parent_path()) || ::fstat(descriptor, &status) != 0) return;
+  // Only its owner can, who has just made it.
+  [[maybe_unused]] const int result =
+      ::fchmod(descriptor, (status.st_mode | S_IRGRP | S_IWGRP) & 07777U);
 }
 
 void sync_folder(const std::filesystem::path& folder) {

@@ -49,6 +49,11 @@ class InputFile final {
   std::uint64_t bytes_ = 0;
 };
 
+/// Whether a folder is the common work of its group: set-group-ID and writable for the group.
+bool is_group_folder(const std::filesystem::path& folder) noexcept;
+/// Lets the group read and write a new file where it lies in a group folder, whatever the umask.
+void give_to_group(int descriptor, const std::filesystem::path& file) noexcept;
+
 /// Makes the names in a folder survive a power loss.
 void sync_folder(const std::filesystem::path& folder);
 

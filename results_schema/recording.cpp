@@ -19,6 +19,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/sha256_stream.h"
 #include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 namespace {
@@ -182,10 +183,7 @@ struct RecordingWriter::File {
 RecordingWriter::RecordingWriter(const std::filesystem::path& study, const std::string& path,
                                  const RecordingHeader& header) {
   refuse_bad_header(header);
-  std::error_code error;
-  const std::filesystem::path folder = path_in_study(study, path).parent_path();
-  std::filesystem::create_directories(folder, error);
-  if (error) fail_on_file(folder, "made", error.value());
+  make_folders(path_in_study(study, path).parent_path());
   for (int number = 1; !file_; ++number) {
     const std::string name = numbered(path, number);
     const std::filesystem::path target = path_in_study(study, name);

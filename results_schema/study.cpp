@@ -19,6 +19,7 @@
 #include "results_schema/migrations.h"
 #include "results_schema/sha256.h"
 #include "results_schema/sqlite.h"
+#include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
@@ -294,15 +295,16 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
                            ": it already holds something; name a new or an empty folder",
                        folder, EEXIST);
   }
+  if (made_folder) {
+    make_folders(folder.parent_path());
+    if (::mkdir(folder.c_str(), kOwnersFolder) != 0) fail_on_file(folder, "made", errno);
+  }
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) fail_on_file(folder, "made", error.value());
   try {
-    for (const char* const part : kFolders) {
-      std::filesystem::create_directory(folder / part, error);
-      if (error) fail_on_file(folder / part, "made", error.value());
-    }
+    for (const char* const part : kFolders) make_folders(folder / part);
     make_database(folder, name);
+    // SQLite gives its log and index the mode that the database has.
+    if (is_group_folder(folder)) share_study(folder);
     sync_folder(folder);
     return open(folder, Access::read_write);
   } catch (...) {

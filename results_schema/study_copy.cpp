@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sys/stat.h>
 
 #include <sqlite3.h>
 
@@ -12,6 +13,7 @@
 #include "results_schema/seal.h"
 #include "results_schema/sha256_stream.h"
 #include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
@@ -23,9 +25,7 @@ std::string copy_and_hash(const std::filesystem::path& from, const std::filesyst
   errno = 0;
   std::ifstream source(from, std::ios::binary);
   if (!source) fail_on_file(from, "read", errno != 0 ? errno : EIO);
-  std::error_code error;
-  std::filesystem::create_directories(to.parent_path(), error);
-  if (error) fail_on_file(to.parent_path(), "made", error.value());
+  make_folders(to.parent_path());
   OutputFile target(to);
   Sha256Stream sha256;
   std::vector<char> piece(kPiece_bytes);
@@ -147,10 +147,8 @@ void Study::copy_to(const std::filesystem::path& folder) const {
   // Under another name until it is whole, so that nobody takes a part for a copy.
   std::filesystem::path part = to;
   part += ".part";
-  std::error_code error;
-  if (!std::filesystem::create_directories(part, error)) {
-    fail_on_file(part, "made", error ? error.value() : EEXIST);
-  }
+  make_folders(part.parent_path());
+  if (::mkdir(part.c_str(), kOwnersFolder) != 0) fail_on_file(part, "made", errno);
   try {
     store_->read([&part](Database& database) {
       Database copy(part, database_in(part), Database::Mode::create);
@@ -161,6 +159,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
     seal_new(part);
     if (!rename_to_free_name(part, to)) fail_on_file(to, "made", EEXIST);
   } catch (...) {
+    std::error_code error;
     std::filesystem::remove_all(part, error);
     throw;
   }

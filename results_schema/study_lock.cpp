@@ -10,6 +10,7 @@
 
 #include "results_schema/file_system.h"
 #include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 namespace {
@@ -70,10 +71,10 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
                            network + ", where locks cannot be trusted; use a local disk",
                        study);
   }
-  std::error_code error;
-  std::filesystem::create_directory(path_.parent_path(), error);
+  make_folders(path_.parent_path());
   descriptor_ = open_lock_file(path_, O_RDWR | O_CREAT);
   if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
+  give_to_group(descriptor_, path_);
   struct flock lock = lock_of_whole_file(F_WRLCK);
   if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
     const int error_number = errno;

@@ -1,0 +1,40 @@
+// Who can read and change a study: the permissions of its folder and files.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace asperity {
+
+/// The mode of the folder of a new study or of a copy: for its owner only, because it holds what participants said and
+/// did. A folder that was there before keeps its own.
+inline constexpr mode_t kOwnersFolder = 0700;
+
+/// Makes a folder and those above it that are missing. In one that its group shares they are shared as well.
+/// Errors: ResultsError naming the folder that cannot be made.
+void make_folders(const std::filesystem::path& folder);
+
+/// Gives a study to a group: its members can read and change everything in it and run sessions, other users can do
+/// nothing. What is made in it later belongs to the group as well. Links are passed over.
+///
+/// `group` is the name of a group; empty: the group that the folder has. Returns the group's name.
+/// Errors: ResultsError for an unknown group, and for the first file whose permissions cannot be changed.
+std::string share_study(const std::filesystem::path& study, const std::string& group = {});
+
+/// Errors: ResultsError for a group that is not there.
+void require_group(const std::string& group);
+
+/// Whether users other than the owner and the members of its group can read the study, by the permissions of its
+/// folder and of those above it.
+bool is_readable_by_others(const std::filesystem::path& study);
+
+/// The names of the groups of whoever runs the program, sorted: those that a study of theirs can be given to.
+std::vector<std::string> own_groups();
+
+/// The group of a file or folder: its name, or its number where it has none.
+std::string group_of(const std::filesystem::path& path);
+
+}  // namespace asperity
