@@ -2,9 +2,11 @@
 
 #include "results_schema/file_system.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
@@ -23,6 +25,26 @@ void refuse_lock_through_link(const std::filesystem::path& path) {
                          "; the locks of a study are files of its own. Remove the link, then try "
                          "again",
                      path, ELOOP);
+}
+
+/// When this process was started, as UTC: the kernel dates /proc/self so.
+std::string process_start_utc() {
+  struct stat status {};
+  if (::stat("/proc/self", &status) != 0) return "unknown";
+  const std::time_t time = status.st_ctim.tv_sec;
+  std::tm parts{};
+  std::array<char, 32> text{};
+  ::gmtime_r(&time, &parts);
+  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return std::string(text.data(), length);
+}
+
+/// What stands in the file: "process 123 on host lab1, started 2026-03-01T09:00:00Z".
+std::string description_of_this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return "process " + std::to_string(::getpid()) + " on host " + host.data() + ", started " +
+         process_start_utc();
 }
 
 }  // namespace
@@ -211,6 +233,28 @@ int open_lock_file(const std::filesystem::path& path, int flags) {
         EINVAL);
   }
   return file;
+}
+
+bool take_lock(int descriptor, const std::filesystem::path& path) {
+  struct flock lock = lock_of_whole_file(F_WRLCK);
+  if (::fcntl(descriptor, F_OFD_SETLK, &lock) != 0) {
+    if (errno == EAGAIN || errno == EACCES) return false;
+    fail_on_file(path, "locked", errno);
+  }
+  const std::string text = description_of_this_process();
+  if (::ftruncate(descriptor, 0) != 0 ||
+      ::pwrite(descriptor, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
+    fail_on_file(path, "written", errno);
+  }
+  return true;
+}
+
+std::string holder_in_lock(int descriptor) {
+  std::array<char, 512> text{};
+  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+  // Empty in the moment between taking the lock and writing into the file.
+  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length))
+                    : "another process on this machine";
 }
 
 std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path) {

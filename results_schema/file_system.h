@@ -74,6 +74,12 @@ struct flock lock_of_whole_file(short type) noexcept;
 /// Errors: ResultsError for a link, and for what is not a file.
 int open_lock_file(const std::filesystem::path& path, int flags);
 
+/// Locks an open lock file for this process alone, and writes into it who holds it. False when another process holds
+/// it. Errors: ResultsError.
+bool take_lock(int descriptor, const std::filesystem::path& path);
+/// "process 123 on host lab1, started …", as the file of a lock that is held has it.
+std::string holder_in_lock(int descriptor);
+
 /// The name of a network file system by the number that statfs gives it; empty for a local one.
 std::string network_file_system_of(long type) noexcept;
 /// The same for the file system that holds `path`.

@@ -17,6 +17,7 @@
 
 #include "results_schema/file_system.h"
 #include "results_schema/migrations.h"
+#include "results_schema/part_folder.h"
 #include "results_schema/sha256.h"
 #include "results_schema/sqlite.h"
 #include "results_schema/study_sharing.h"
@@ -65,6 +66,14 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
 std::atomic<bool> reads_beside_writers{false};
 
 const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
+
+void fill_new_study(const std::filesystem::path& folder, const std::string& name) {
+  for (const char* const part : kFolders) make_folders(folder / part);
+  make_database(folder, name);
+  // SQLite gives its log and index the mode that the database has.
+  if (is_group_folder(folder)) share_study(folder);
+  sync_folder(folder);
+}
 
 }  // namespace
 
@@ -284,35 +293,31 @@ Study::~Study() = default;
 
 Study Study::create(const std::filesystem::path& folder, const std::string& name) {
   if (name.empty()) throw std::invalid_argument("name: a study needs one");
-  const bool made_folder = !std::filesystem::exists(folder);
-  if (!made_folder && !std::filesystem::is_directory(folder)) {
+  if (!std::filesystem::exists(folder)) {
+    PartFolder part(folder, kOwnersFolder);
+    fill_new_study(part.content(), name);
+    part.take_place();
+    return open(folder, Access::read_write);
+  }
+  if (!std::filesystem::is_directory(folder)) {
     throw ResultsError("a study cannot be made in " + folder.string() +
                            ": it is a file; name a new or an empty folder",
                        folder, ENOTDIR);
   }
-  if (!made_folder && !std::filesystem::is_empty(folder)) {
+  if (!std::filesystem::is_empty(folder)) {
     throw ResultsError("a study cannot be made in " + folder.string() +
                            ": it already holds something; name a new or an empty folder",
                        folder, EEXIST);
   }
-  if (made_folder) {
-    make_folders(folder.parent_path());
-    if (::mkdir(folder.c_str(), kOwnersFolder) != 0) fail_on_file(folder, "made", errno);
-  }
-  std::error_code error;
   try {
-    for (const char* const part : kFolders) make_folders(folder / part);
-    make_database(folder, name);
-    // SQLite gives its log and index the mode that the database has.
-    if (is_group_folder(folder)) share_study(folder);
-    sync_folder(folder);
+    fill_new_study(folder, name);
     return open(folder, Access::read_write);
   } catch (...) {
+    std::error_code error;
     for (const char* const part : kFolders) std::filesystem::remove(folder / part, error);
     for (const char* const suffix : {"", "-wal", "-shm", "-journal"}) {
       std::filesystem::remove(log_of(database_in(folder), suffix), error);
     }
-    if (made_folder) std::filesystem::remove(folder, error);
     throw;
   }
 }

@@ -5,11 +5,11 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sys/stat.h>
 
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/part_folder.h"
 #include "results_schema/seal.h"
 #include "results_schema/sha256_stream.h"
 #include "results_schema/study.h"
@@ -144,26 +144,15 @@ void Study::copy_to(const std::filesystem::path& folder) const {
             "remove study.sqlite.sha256 and copy again",
         from);
   }
-  // Under another name until it is whole, so that nobody takes a part for a copy.
-  std::filesystem::path part = to;
-  part += ".part";
-  make_folders(part.parent_path());
-  if (::mkdir(part.c_str(), kOwnersFolder) != 0) fail_on_file(part, "made", errno);
-  try {
-    store_->read([&part](Database& database) {
-      Database copy(part, database_in(part), Database::Mode::create);
-      copy_pages(database, copy);
-      return true;
-    });
-    copy_files(from, part);
-    seal_new(part);
-    if (!rename_to_free_name(part, to)) fail_on_file(to, "made", EEXIST);
-  } catch (...) {
-    std::error_code error;
-    std::filesystem::remove_all(part, error);
-    throw;
-  }
-  sync_folder(to.parent_path());
+  PartFolder part(to, kOwnersFolder);
+  store_->read([&part](Database& database) {
+    Database copy(part.content(), database_in(part.content()), Database::Mode::create);
+    copy_pages(database, copy);
+    return true;
+  });
+  copy_files(from, part.content());
+  seal_new(part.content());
+  part.take_place();
 }
 
 }  // namespace asperity

@@ -1,11 +1,8 @@
 // A lock that a dead process cannot keep.
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <ctime>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "results_schema/file_system.h"
@@ -33,34 +30,6 @@ std::filesystem::path lock_path(const std::filesystem::path& study, const std::s
   return study / kLocks / (name + kSuffix);
 }
 
-/// When this process was started, as UTC: the kernel dates /proc/self so.
-std::string process_start_utc() {
-  struct stat status {};
-  if (::stat("/proc/self", &status) != 0) return "unknown";
-  const std::time_t time = status.st_ctim.tv_sec;
-  std::tm parts{};
-  std::array<char, 32> text{};
-  ::gmtime_r(&time, &parts);
-  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return std::string(text.data(), length);
-}
-
-/// What stands in the file: "process 123 on host lab1, started 2026-03-01T09:00:00Z".
-std::string description_of_this_process() {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  return "process " + std::to_string(::getpid()) + " on host " + host.data() + ", started " +
-         process_start_utc();
-}
-
-std::string content_of(int descriptor) {
-  std::array<char, 512> text{};
-  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-  // Empty in the moment between taking the lock and writing into the file.
-  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length))
-                    : "another process on this machine";
-}
-
 }  // namespace
 
 StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name)
@@ -74,27 +43,16 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
   make_folders(path_.parent_path());
   descriptor_ = open_lock_file(path_, O_RDWR | O_CREAT);
   if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
-  give_to_group(descriptor_, path_);
-  struct flock lock = lock_of_whole_file(F_WRLCK);
-  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
-    const int error_number = errno;
-    const std::string holder = content_of(descriptor_);
-    ::close(descriptor_);
-    if (error_number != EAGAIN && error_number != EACCES) {
-      fail_on_file(path_, "locked", error_number);
-    }
+  try {
+    give_to_group(descriptor_, path_);
+    if (take_lock(descriptor_, path_)) return;
     throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
-                           holder + "; wait until it has finished, or stop it there",
+                           holder_in_lock(descriptor_) +
+                           "; wait until it has finished, or stop it there",
                        path_, EAGAIN);
-  }
-  const std::string text = description_of_this_process();
-  const bool written =
-      ::ftruncate(descriptor_, 0) == 0 &&
-      ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  if (!written) {
-    const int error_number = errno;
+  } catch (...) {
     ::close(descriptor_);
-    fail_on_file(path_, "written", error_number);
+    throw;
   }
 }
 
@@ -115,7 +73,7 @@ std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
   struct flock lock = lock_of_whole_file(F_RDLCK);
   const int result = ::fcntl(descriptor, F_OFD_GETLK, &lock);
   const int error_number = errno;
-  std::string text = content_of(descriptor);
+  std::string text = holder_in_lock(descriptor);
   ::close(descriptor);
   if (result != 0) fail_on_file(path, "examined", error_number);
   if (lock.l_type == F_UNLCK) return std::nullopt;

@@ -1,0 +1,142 @@
+#include "results_schema/part_folder.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "results_schema/file_system.h"
+#include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
+
+namespace asperity {
+namespace {
+
+std::filesystem::path without_slash(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+/// Whether a path still leads to an open file, which may have been removed and made anew.
+bool leads_to(const std::filesystem::path& path, int descriptor) {
+  struct stat there {};
+  struct stat open {};
+  return ::lstat(path.c_str(), &there) == 0 && ::fstat(descriptor, &open) == 0 &&
+         there.st_dev == open.st_dev && there.st_ino == open.st_ino;
+}
+
+}  // namespace
+
+PartFolder::PartFolder(const std::filesystem::path& target, mode_t mode)
+    : target_(without_slash(target)),
+      part_(target_.string() + ".part"),
+      content_(part_ / "content"),
+      replaced_(part_ / "replaced"),
+      lock_path_(part_ / "lock") {
+  make_folders(target_.parent_path());
+  while (!claim()) {
+  }
+  std::error_code error;
+  std::filesystem::remove_all(content_, error);
+  if (!error) std::filesystem::remove_all(replaced_, error);
+  const int error_number = error ? error.value() : ::mkdir(content_.c_str(), mode) == 0 ? 0 : errno;
+  if (error_number == 0) return;
+  clear();
+  fail_on_file(content_, "made", error_number);
+}
+
+PartFolder::~PartFolder() { clear(); }
+
+/// False when the folder was removed meanwhile by the program that made it.
+bool PartFolder::claim() {
+  if (::mkdir(part_.c_str(), 0700) != 0) {
+    if (errno != EEXIST) fail_on_file(part_, "made", errno);
+    refuse_what_is_not_left_by_us();
+  }
+  lock_ = open_lock_file(lock_path_, O_RDWR | O_CREAT);
+  if (lock_ < 0) {
+    if (errno == ENOENT) return false;
+    fail_on_file(lock_path_, "made", errno);
+  }
+  try {
+    // On a network file system a lock may not be had; nothing is taken for a leftover there.
+    if (!take_lock(lock_, lock_path_) && network_file_system_at(part_).empty()) {
+      throw ResultsError("the folder " + target_.string() + " is being made by " +
+                             holder_in_lock(lock_) +
+                             "; wait until it has finished, or stop it there",
+                         part_, EAGAIN);
+    }
+    if (leads_to(lock_path_, lock_)) return true;
+  } catch (...) {
+    ::close(lock_);
+    lock_ = -1;
+    throw;
+  }
+  ::close(lock_);
+  lock_ = -1;
+  return false;
+}
+
+void PartFolder::refuse_what_is_not_left_by_us() const {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const bool is_folder = fs::is_directory(fs::symlink_status(part_, error));
+  if (is_folder && fs::is_empty(part_, error)) return;
+  if (!is_folder || !fs::is_regular_file(fs::symlink_status(lock_path_, error))) {
+    // Gone meanwhile is not in the way.
+    if (!fs::exists(fs::symlink_status(part_, error))) return;
+    throw ResultsError(
+        part_.string() +
+            " is in the way: it may have been left by an earlier version of Asperity "
+            "that was interrupted, and cannot be told from a folder of your own. "
+            "Remove it or give it another name, then try again",
+        part_, EEXIST);
+  }
+  const std::string network = network_file_system_at(part_);
+  if (network.empty()) return;
+  throw ResultsError(
+      part_.string() +
+          " is in the way: an interrupted program left it, or another one is "
+          "writing to it now, which cannot be determined on a network file system, " +
+          network + ". If none is, remove it, then try again",
+      part_, EEXIST);
+}
+
+void PartFolder::take_place(Overwrite overwrite) {
+  sync_folder(content_);
+  const bool replaces = overwrite == Overwrite::allow &&
+                        std::filesystem::exists(std::filesystem::symlink_status(target_));
+  if (!replaces) {
+    if (!rename_to_free_name(content_, target_)) fail_on_file(target_, "made", EEXIST);
+  } else if (::renameat2(AT_FDCWD, content_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) !=
+             0) {
+    if (errno != EINVAL && errno != ENOSYS) fail_on_file(target_, "replaced", errno);
+    // A file system that cannot exchange two names.
+    if (std::rename(target_.c_str(), replaced_.c_str()) != 0) {
+      fail_on_file(target_, "replaced", errno);
+    }
+    if (std::rename(content_.c_str(), target_.c_str()) != 0) {
+      const int error_number = errno;
+      std::rename(replaced_.c_str(), target_.c_str());
+      fail_on_file(target_, "replaced", error_number);
+    }
+  }
+  sync_folder(target_.parent_path());
+}
+
+/// The lock goes last: without it what is left could not be told from somebody's folder.
+void PartFolder::clear() noexcept {
+  if (lock_ < 0) return;
+  std::error_code error;
+  std::filesystem::remove_all(content_, error);
+  std::filesystem::remove_all(replaced_, error);
+  std::filesystem::remove(lock_path_, error);
+  std::filesystem::remove(part_, error);
+  ::close(lock_);
+  lock_ = -1;
+}
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+// A folder that appears under its name when it is complete, or not at all.
+
+#pragma once
+
+#include <filesystem>
+#include <sys/types.h>
+
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+/// A folder in the making: `NAME.part/content`, next to `NAME`, whose place it takes at the end.
+///
+/// `NAME.part/lock` is locked by the program that makes it. What a killed program left there is removed by the next
+/// one that makes the same folder.
+///
+/// Errors: ResultsError for a NAME.part that another program is making, and for one that no PartFolder made or whose
+/// lock cannot be trusted (a network file system): it is not touched.
+class PartFolder final {
+ public:
+  /// Makes the folders above `target` that are missing. `mode` is that of the folder, before the umask.
+  PartFolder(const std::filesystem::path& target, mode_t mode);
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+  /// Removes NAME.part, and with it what did not take its place or was replaced.
+  ~PartFolder();
+
+  /// The folder to be filled.
+  const std::filesystem::path& content() const noexcept { return content_; }
+
+  /// Renames the folder; what is in it must be synced. With Overwrite::allow a folder of that name is replaced in one
+  /// step. On disk when it returns. Errors: ResultsError, also for a name that is taken (and `refuse`).
+  void take_place(Overwrite overwrite = Overwrite::refuse);
+
+ private:
+  bool claim();
+  void refuse_what_is_not_left_by_us() const;
+  void clear() noexcept;
+
+  std::filesystem::path target_{};
+  std::filesystem::path part_{};
+  std::filesystem::path content_{};
+  std::filesystem::path replaced_{};
+  std::filesystem::path lock_path_{};
+  int lock_ = -1;
+};
+
+}  // namespace asperity
