@@ -84,31 +84,27 @@ void sync_file_system_of(const fs::path& folder) {
       error.code().value());
 }
 
+/// The folder's absolute path, once nothing stands in the way.
+fs::path free_target(const fs::path& folder, Overwrite overwrite) {
+  fs::path target = fs::absolute(folder).lexically_normal();
+  if (!target.has_filename()) target = target.parent_path();  // a slash at the end
+  try {
+    if (const auto obstacle = obstacle_in(target, overwrite)) {
+      throw ResultsError("the folder " + target.string() + " " + *obstacle, target);
+    }
+  } catch (const fs::filesystem_error& error) {
+    fail(target, error);
+  }
+  return target;
+}
+
 }  // namespace
 
 ExportFolder::ExportFolder(const fs::path& folder, Overwrite overwrite)
-    : target_(fs::absolute(folder).lexically_normal()) {
-  if (!target_.has_filename()) target_ = target_.parent_path();  // a slash at the end
-  path_ = target_.string() + ".part-" + std::to_string(::getpid());
-  try {
-    if (const auto obstacle = obstacle_in(target_, overwrite)) {
-      throw ResultsError("the folder " + target_.string() + " " + *obstacle, target_);
-    }
-    fs::remove_all(path_);
-    if (target_.has_parent_path()) fs::create_directories(target_.parent_path());
-    fs::create_directory(path_);
-  } catch (const fs::filesystem_error& error) {
-    fail(target_, error);
-  }
-}
-
-ExportFolder::~ExportFolder() {
-  std::error_code ignored{};
-  fs::remove_all(path_, ignored);
-}
+    : target_(free_target(folder, overwrite)), part_(target_, 0777) {}
 
 fs::path ExportFolder::path_of(const std::string& name) const {
-  const fs::path path = path_ / name;
+  const fs::path path = part_.content() / name;
   try {
     fs::create_directories(path.parent_path());
   } catch (const fs::filesystem_error& error) {
@@ -157,12 +153,8 @@ std::vector<ExportedFile> ExportFolder::take_place() {
   write(kManifest, tsv_of(manifest));
   files_.back().rows = manifest.rows.size();
   try {
-    sync_file_system_of(path_);
-    const fs::path old = target_.string() + ".old-" + std::to_string(::getpid());
-    const bool replaces = fs::exists(target_);
-    if (replaces) fs::rename(target_, old);
-    fs::rename(path_, target_);
-    if (replaces) fs::remove_all(old);
+    sync_file_system_of(part_.content());
+    part_.take_place(Overwrite::allow);  // what is there was looked at before
   } catch (const fs::filesystem_error& error) {
     fail(target_, error);
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "results_schema/atomic_file.h"
+#include "results_schema/part_folder.h"
 #include "results_schema/table_file.h"
 
 namespace asperity {
@@ -24,7 +25,7 @@ struct ExportedFile {
   std::vector<std::string> left_out{};  ///< columns that this audience does not get
 };
 
-/// Files are written into a folder beside the one that is to be, which takes its place at the end.
+/// Files are written into a PartFolder, which takes the place of an earlier export in one step at the end.
 ///
 /// Errors: ResultsError when the folder exists and is not empty; with Overwrite::allow only when it
 /// holds a file that stands in no MANIFEST.tsv of an export there, or one that has another SHA-256
@@ -34,9 +35,6 @@ class ExportFolder final {
   ExportFolder(const std::filesystem::path& folder, Overwrite overwrite);
   ExportFolder(const ExportFolder&) = delete;
   ExportFolder& operator=(const ExportFolder&) = delete;
-  /// Leaves nothing behind of a folder that did not take its place.
-  ~ExportFolder();
-
   /// Where a file of this name is to be written; its folder is there.
   std::filesystem::path path_of(const std::string& name) const;
   void write(const std::string& name, std::string_view text);
@@ -48,7 +46,7 @@ class ExportFolder final {
 
  private:
   std::filesystem::path target_{};
-  std::filesystem::path path_{};
+  PartFolder part_;
   std::vector<ExportedFile> files_{};
 };
 

@@ -2,20 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <stop_token>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/exports/export_folder.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/sav_reading.h"
 #include "tests/support/refusal.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -539,6 +544,24 @@ TEST(Export, ReplacesAnEarlierExportOnlyWhenToldTo) {
   EXPECT_THROW(export_to(made, out, options_of(ExportAudience::own, Overwrite::allow)),
                ResultsError);
   EXPECT_EQ(read_file(out / "virtual" / "notes.txt"), "years of work");
+}
+
+TEST(Export, RemovesWhatAKilledOneLeft) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ExportFolder killed(folder / "out", Overwrite::refuse);
+    killed.write("a.tsv", "a");
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  ExportFolder(folder / "out", Overwrite::refuse).take_place();
+  std::vector<std::string> names{};
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.push_back(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, std::vector<std::string>{"out"});
 }
 
 TEST(Export, NeverThrowsAwayWhatSomebodyWroteIntoAnExportedFile) {
