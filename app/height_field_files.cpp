@@ -72,15 +72,19 @@ HeightFieldProvenance provenance_of(const std::filesystem::path& png) {
 }
 
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
-                       HeightFieldProvenance provenance, Overwrite overwrite) {
-  const std::filesystem::path sidecar = sidecar_of(png);
-  refuse_existing({png, sidecar}, overwrite);
+                       HeightFieldProvenance provenance, Overwrite overwrite,
+                       const std::vector<PictureFile>& pictures) {
+  refuse_existing({png}, overwrite);
   provenance.program_version = version_line();
   const std::vector<std::byte> content = encode_height_field_png(field);
   const std::string text =
       encode_height_field_sidecar(field, provenance, sha256_of(text_in(content)));
-  write_file(png, content, overwrite);
-  write_file(sidecar, text, overwrite);
+  std::vector<NewFile> files{{sidecar_of(png), text}};
+  for (const PictureFile& one : pictures) {
+    files.push_back({one.png, std::string(text_in(encode_png(one.picture)))});
+  }
+  files.push_back({png, std::string(text_in(content))});
+  write_files_together(files, overwrite);
 }
 
 void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite) {

@@ -38,10 +38,17 @@ std::filesystem::path sidecar_of(const std::filesystem::path& png);
 /// Errors: ResultsError naming it.
 void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite);
 
-/// Writes FILE.png and FILE.png.json. With `Overwrite::refuse`, nothing is written when either is
-/// there. The program's version is noted in the provenance.
+/// An 8-bit PNG for people.
+struct PictureFile {
+  std::filesystem::path png{};
+  GreyImage picture{};
+};
+
+/// Writes FILE.png and FILE.png.json, and pictures of the same thing with them, as `write_files_together` does:
+/// FILE.png is there with all the others or not at all. The program's version is noted in the provenance.
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
-                       HeightFieldProvenance provenance, Overwrite overwrite);
+                       HeightFieldProvenance provenance, Overwrite overwrite,
+                       const std::vector<PictureFile>& pictures = {});
 
 /// An 8-bit PNG for people.
 void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite);

@@ -3,10 +3,13 @@
 #include "results_schema/atomic_file.h"
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
+#include <memory>
 #include <new>
+#include <set>
 #include <unistd.h>
-#include <vector>
+#include <utility>
 
 #include "results_schema/file_system.h"
 #include "results_schema/study.h"
@@ -17,9 +20,13 @@ namespace {
 /// A name beside `path` that nobody uses; OutputFile refuses one that somebody took meanwhile.
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
   for (unsigned number = 0;; ++number) {
-    std::filesystem::path name = path;
-    name += "." + std::to_string(::gettid()) + "-" + std::to_string(number) + ".tmp";
-    if (!std::filesystem::exists(std::filesystem::symlink_status(name))) return name;
+    const std::string ending =
+        "." + std::to_string(::gettid()) + "-" + std::to_string(number) + ".tmp";
+    std::string name = path.filename().string();
+    if (name.size() + ending.size() > NAME_MAX) name.resize(NAME_MAX - ending.size());
+    std::filesystem::path temporary = path;
+    temporary.replace_filename(name + ending);
+    if (!std::filesystem::exists(std::filesystem::symlink_status(temporary))) return temporary;
   }
 }
 
@@ -29,38 +36,130 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
                      path, EEXIST);
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// Content that is on disk and has not its name yet; removed unless it gets it.
+class StagedFile final {
+ public:
+  StagedFile(std::filesystem::path path, std::span<const std::byte> content)
+      : path_(std::move(path)) {
+    if (std::filesystem::is_directory(path_)) fail_on_file(path_, "written", EISDIR);
+    const std::filesystem::path folder = folder_of(path_);
+    if (!std::filesystem::is_directory(folder)) {
+      throw ResultsError(
+          "the file " + path_.string() + " cannot be made: there is no folder " + folder.string(),
+          path_, ENOENT);
+    }
+    temporary_ = temporary_name(path_);
+    try {
+      OutputFile file(temporary_);
+      file.write(content.data(), content.size());
+      file.sync_and_close();
+    } catch (...) {
+      remove();
+      throw;
+    }
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { remove(); }
+
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+  void take_name(Overwrite overwrite) {
+    if (overwrite == Overwrite::refuse) {
+      if (!rename_to_free_name(temporary_, path_)) refuse_existing(path_);
+    } else if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+      fail_on_file(path_, "written", errno);
+    }
+    temporary_.clear();
+  }
+
+ private:
+  void remove() noexcept {
+    std::error_code ignored;
+    if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+  }
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_{};
+};
+
+bool holds(const std::filesystem::path& path, const std::string& content) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error) &&
+         std::filesystem::file_size(path, error) == content.size() && read_file(path) == content;
+}
+
+/// Files that had the names of new ones, under temporary names: put back unless they are
+/// given up.
+class DisplacedFiles final {
+ public:
+  /// Does nothing where no file has the name.
+  void take(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
+    const std::filesystem::path aside = temporary_name(path);
+    if (!rename_to_free_name(path, aside)) fail_on_file(path, "written", EEXIST);
+    files_.emplace_back(path, aside);
+  }
+  void give_up() noexcept {
+    std::error_code ignored;
+    for (const auto& [path, aside] : files_) std::filesystem::remove(aside, ignored);
+    files_.clear();
+  }
+  ~DisplacedFiles() {
+    for (const auto& [path, aside] : files_) std::rename(aside.c_str(), path.c_str());
+  }
+
+ private:
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_{};
+};
+
 }  // namespace
 
 void write_file(const std::filesystem::path& path, std::span<const std::byte> content,
                 Overwrite overwrite) {
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path)) refuse_existing(path);
-  if (std::filesystem::is_directory(path)) fail_on_file(path, "written", EISDIR);
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) {
-    throw ResultsError(
-        "the file " + path.string() + " cannot be made: there is no folder " + folder.string(),
-        path, ENOENT);
-  }
-  const std::filesystem::path temporary = temporary_name(path);
-  try {
-    OutputFile file(temporary);
-    file.write(content.data(), content.size());
-    file.sync_and_close();
-    if (overwrite == Overwrite::refuse) {
-      if (!rename_to_free_name(temporary, path)) refuse_existing(path);
-    } else if (std::rename(temporary.c_str(), path.c_str()) != 0) {
-      fail_on_file(path, "written", errno);
-    }
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
-  sync_folder(folder);
+  StagedFile(path, content).take_name(overwrite);
+  sync_folder(folder_of(path));
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content, Overwrite overwrite) {
   write_file(path, std::as_bytes(std::span(content.data(), content.size())), overwrite);
+}
+
+void write_files_together(const std::vector<NewFile>& files, Overwrite overwrite) {
+  std::vector<std::unique_ptr<StagedFile>> staged;
+  for (const NewFile& file : files) {
+    if (overwrite == Overwrite::refuse && std::filesystem::exists(file.path)) {
+      const bool is_last = &file == &files.back();
+      if (is_last || !holds(file.path, file.content)) refuse_existing(file.path);
+      continue;  // written by a call that did not come to its end
+    }
+    staged.push_back(
+        std::make_unique<StagedFile>(file.path, std::as_bytes(std::span(file.content))));
+  }
+  DisplacedFiles old;
+  if (overwrite == Overwrite::allow) {
+    // The last one first: it is of no use with others than its own.
+    for (auto file = staged.rbegin(); file != staged.rend(); ++file) old.take((*file)->path());
+  }
+  std::set<std::filesystem::path> folders;
+  std::size_t named = 0;
+  try {
+    for (; named < staged.size(); ++named) {
+      staged[named]->take_name(Overwrite::refuse);
+      folders.insert(folder_of(staged[named]->path()));
+    }
+  } catch (...) {
+    std::error_code ignored;
+    while (named-- > 0) std::filesystem::remove(staged[named]->path(), ignored);
+    throw;
+  }
+  old.give_up();
+  for (const std::filesystem::path& folder : folders) sync_folder(folder);
 }
 
 namespace {

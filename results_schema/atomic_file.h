@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
@@ -21,6 +22,21 @@ enum class Overwrite { refuse, allow };
 void write_file(const std::filesystem::path& path, std::span<const std::byte> content,
                 Overwrite overwrite);
 void write_file(const std::filesystem::path& path, std::string_view content, Overwrite overwrite);
+
+/// A file, and what it is to hold.
+struct NewFile {
+  std::filesystem::path path{};
+  std::string content{};
+};
+
+/// Writes files of which the last is of use with all the others only.
+///
+/// All contents are on disk under temporary names before the first of them gets its own; what a failure leaves is
+/// what was there before. After a crash the last one is there with all the others or not at all, and the same call
+/// can be repeated: of the others, one that holds what it is to hold already is not refused.
+///
+/// Errors: ResultsError naming the path, as for `write_file`.
+void write_files_together(const std::vector<NewFile>& files, Overwrite overwrite);
 
 /// A kind of file, by the words that an error uses, and how large one may be.
 struct FileKind {

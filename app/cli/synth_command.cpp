@@ -78,23 +78,24 @@ void add_synth(CLI::App& program, Job& job) {
       const ParameterValues values =
           parameters_from(options->parameters, surface->parameters, surface->kind);
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
-      std::vector<std::filesystem::path> files{options->out, sidecar_of(options->out)};
       std::optional<PhotographSettings> photograph{};
       if (!options->photograph.empty()) {
         photograph.emplace();
         photograph->photograph_case = photograph_case(options->photograph[0]);
         photograph->seed = options->canvas.seed;
         require_png(options->photograph[1]);
-        files.emplace_back(options->photograph[1]);
       }
       require_png(options->out);
-      refuse_existing(files, overwrite);
+      // Before the work; the files that go with it are looked at when they are written.
+      refuse_existing({options->out}, overwrite);
       const HeightField field = make_surface(surface->kind, values, options->canvas);
-      save_height_field(options->out, field,
-                        {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite);
+      std::vector<PictureFile> pictures{};
       if (photograph) {
-        save_picture(options->photograph[1], synthetic_photograph(field, *photograph), overwrite);
+        pictures.push_back({options->photograph[1], synthetic_photograph(field, *photograph)});
       }
+      save_height_field(options->out, field,
+                        {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite,
+                        pictures);
       std::cout << options->out.string() << ": " << field.grid().columns << " × "
                 << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
                 << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "

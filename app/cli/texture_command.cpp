@@ -68,17 +68,18 @@ void add_texture(CLI::App& program, Job& job) {
       TextureRecipe& chosen = options->recipe;
       chosen.sign = options->sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
-      std::vector<std::filesystem::path> files{options->out, sidecar_of(options->out)};
       require_png(options->out);
-      if (options->preview) {
-        require_png(*options->preview);
-        files.push_back(*options->preview);
-      }
-      refuse_existing(files, overwrite);
+      if (options->preview) require_png(*options->preview);
+      // Before the work; the files that go with it are looked at when they are written.
+      refuse_existing({options->out}, overwrite);
       const std::string name = options->photograph.string();
       const LoadedPhotograph loaded = load_photograph(options->photograph);
       const PhotographTexture texture =
           texture_from_photograph(loaded.photograph.grey, chosen, name);
+      std::vector<PictureFile> pictures{};
+      if (options->preview) {
+        pictures.push_back({*options->preview, texture_steps(texture, kPreviewRows)});
+      }
       save_height_field(options->out, texture.field,
                         {"photograph",
                          parameter_values(chosen),
@@ -86,10 +87,7 @@ void add_texture(CLI::App& program, Job& job) {
                          options->photograph.filename().string(),
                          loaded.sha256,
                          ""},
-                        overwrite);
-      if (options->preview) {
-        save_picture(*options->preview, texture_steps(texture, kPreviewRows), overwrite);
-      }
+                        overwrite, pictures);
       const HeightField& field = texture.field;
       std::cout << options->out.string() << ": " << field.grid().columns << " × "
                 << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)

@@ -67,12 +67,20 @@ void require_folder_of(const std::filesystem::path& file) {
 
 double log10_frequency(const SweepRow& row) { return -std::log10(row.spacing_m); }
 
+/// Whether the declaration beside a table is the one of this sweep.
+bool has_declaration(const std::filesystem::path& table, const SweepOrder& order) {
+  const std::filesystem::path beside = declaration_beside(table);
+  return std::filesystem::exists(beside) &&
+         read_file(beside, kOptionsFile) == declaration_of(order);
+}
+
 /// The work on one sweep, and its file.
 class SweepWork final {
  public:
   SweepWork(Sweep sweep, const SweepFile* file, const std::stop_token& stop,
             const std::function<void(double)>& progress)
       : order_(sweep.order), file_(file), stop_(stop), progress_(progress) {
+    is_declared_ = file_ != nullptr && has_declaration(file_->out, order_);
     rows_.resize(order_.values.size() * order_.spacings_m.size());
     for (std::size_t i = 0; i < order_.values.size(); ++i) {
       for (std::size_t j = 0; j < order_.spacings_m.size(); ++j) {
@@ -179,11 +187,17 @@ class SweepWork final {
     return sweep;
   }
 
-  // The table first: with another sweep's declaration it is refused, while another sweep's table would
-  // be believed with this one's.
+  // The table is never there with another sweep's declaration, with which it would be believed.
   void write() {
-    write_file(file_->out, tsv_of(table_of(so_far())), Overwrite::allow);
-    write_file(declaration_beside(file_->out), declaration_of(order_), Overwrite::allow);
+    const std::string table = tsv_of(table_of(so_far()));
+    if (is_declared_) {
+      write_file(file_->out, table, Overwrite::allow);
+    } else {
+      write_files_together(
+          {{declaration_beside(file_->out), declaration_of(order_)}, {file_->out, table}},
+          Overwrite::allow);
+      is_declared_ = true;
+    }
     is_new_ = false;
   }
 
@@ -196,6 +210,7 @@ class SweepWork final {
   std::mutex mutex_{};  // of what follows, but for rows that no other job touches
   std::vector<std::optional<SweepRow>> rows_{};
   bool is_new_ = false;
+  bool is_declared_ = false;  ///< its declaration is on disk
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
   std::exception_ptr failure_{};
 };
@@ -432,8 +447,7 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
   Sweep known{.order = order};
   const std::filesystem::path beside = declaration_beside(file.out);
   if (std::filesystem::exists(file.out) || std::filesystem::exists(beside)) {
-    const bool is_same =
-        std::filesystem::exists(beside) && read_file(beside, kOptionsFile) == declaration_of(order);
+    const bool is_same = has_declaration(file.out, order);
     if (is_same && std::filesystem::exists(file.out)) {
       known = sweep_in(read_file(file.out, kTableFile), order, file.out.string());
     } else if (!is_same && file.overwrite == Overwrite::refuse) {

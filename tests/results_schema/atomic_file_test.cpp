@@ -88,6 +88,47 @@ TEST(AtomicFile, NamesAnAbsentFile) {
   }
 }
 
+// The temporary name has to be found room for.
+TEST(AtomicFile, HasANameAsLongAsTheFileSystemTakes) {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {245U, 255U}) {
+    const std::string name(length, 'n');
+    write_file(folder / name, "long", Overwrite::refuse);
+    EXPECT_EQ(read_file(folder / name), "long");
+    write_file(folder / name, "again", Overwrite::allow);
+    EXPECT_EQ(read_file(folder / name), "again");
+  }
+  EXPECT_EQ(files_in(folder), 2);
+}
+
+TEST(FilesWrittenTogether, AreThereWithEachOtherOrAsTheyWere) {
+  const TemporaryFolder folder;
+  write_files_together({{folder / "a", "1"}, {folder / "b", "2"}}, Overwrite::refuse);
+  EXPECT_EQ(read_file(folder / "a") + read_file(folder / "b"), "12");
+  write_files_together({{folder / "a", "3"}, {folder / "b", "4"}}, Overwrite::allow);
+  EXPECT_EQ(read_file(folder / "a") + read_file(folder / "b"), "34");
+  // The third cannot get a name that the second has taken: all that was done is undone.
+  EXPECT_THROW(write_files_together({{folder / "c", "5"}, {folder / "b", "6"}, {folder / "b", "7"}},
+                                    Overwrite::allow),
+               ResultsError);
+  EXPECT_EQ(read_file(folder / "a") + read_file(folder / "b"), "34");
+  EXPECT_EQ(files_in(folder), 2);
+}
+
+TEST(FilesWrittenTogether, AreCompletedByTheSameCall) {
+  const TemporaryFolder folder;
+  const std::vector<NewFile> files{{folder / "a", "1"}, {folder / "b", "2"}};
+  write_file(folder / "a", "1", Overwrite::refuse);  // by one that did not come to its end
+  write_files_together(files, Overwrite::refuse);
+  EXPECT_EQ(read_file(folder / "b"), "2");
+  EXPECT_THROW(write_files_together(files, Overwrite::refuse), ResultsError);
+  std::filesystem::remove(folder / "b");
+  write_file(folder / "a", "other", Overwrite::allow);
+  EXPECT_THROW(write_files_together(files, Overwrite::refuse), ResultsError);
+  EXPECT_EQ(read_file(folder / "a"), "other");
+  EXPECT_EQ(files_in(folder), 1);
+}
+
 // A pipe that nobody writes to would be waited for without end, and a device may have no end.
 TEST(AtomicFile, RefusesToReadAtOnceWhatIsNoRegularFile) {
   const TemporaryFolder folder;

@@ -180,7 +180,7 @@ void SavePanel::save(Overwrite overwrite) {
       [opened = opened_, recipe = recipe_(), folder, files, overwrite](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         std::filesystem::create_directories(folder);
-        refuse_existing(files.all(), overwrite);
+        refuse_existing({files.png}, overwrite);
         const GreyImage& grey = opened->loaded.photograph.grey;
         const std::string source = opened->file.filename().string();
         const PhotographTexture texture = whole_texture(grey, recipe, source);
@@ -189,9 +189,7 @@ void SavePanel::save(Overwrite overwrite) {
         save_height_field(
             files.png, texture.field,
             {"photograph", parameter_values(recipe), {}, source, opened->loaded.sha256, ""},
-            overwrite);
-        progress(0.8);
-        save_picture(files.photo, grey, overwrite);
+            overwrite, {{files.photo, grey}});
         return true;
       },
       [this, shown, opened = opened_, recipe = recipe_()](bool written) {

@@ -1,0 +1,78 @@
+// Height fields on disk: their files come together or not at all.
+
+#include "app/height_field_files.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "results_schema/study.h"
+#include "tests/support/refusal.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+HeightField ramp(float top_m) {
+  std::vector<float> heights_m(64);
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    heights_m[i] = top_m * static_cast<float>(i) / 63.0F;
+  }
+  return {HeightField::Grid{8, 8, 1e-4}, std::move(heights_m)};
+}
+
+void save(const std::filesystem::path& png, float top_m, Overwrite overwrite) {
+  save_height_field(png, ramp(top_m), {"test", {}, {}, "", "", ""}, overwrite);
+}
+
+std::ptrdiff_t files_in_folder(const TemporaryFolder& folder) {
+  return std::distance(std::filesystem::directory_iterator(folder.path()), {});
+}
+
+/// What is there and cannot be replaced without --force, though nothing answers to its name.
+void block(const std::filesystem::path& file) { std::filesystem::create_symlink("nothing", file); }
+
+TEST(HeightFieldFiles, AreNoneWhereOneOfThemCannotBeWritten) {
+  for (const char* blocked : {"a.png", "a.png.json"}) {
+    const TemporaryFolder folder;
+    block(folder / blocked);
+    EXPECT_THAT(refusal_of<ResultsError>([&] { save(folder / "a.png", 1e-4F, Overwrite::refuse); }),
+                HasSubstr(blocked));
+    EXPECT_EQ(files_in_folder(folder), 1) << blocked;
+    std::filesystem::remove(folder / blocked);
+    save(folder / "a.png", 1e-4F, Overwrite::refuse);  // the same command again
+    EXPECT_NO_THROW(load_height_field(folder / "a.png"));
+  }
+}
+
+// A program that was killed between the two leaves the sidecar.
+TEST(HeightFieldFiles, AreCompletedByTheSameCommandAndByNoOther) {
+  const TemporaryFolder folder;
+  save(folder / "a.png", 1e-4F, Overwrite::refuse);
+  std::filesystem::remove(folder / "a.png");
+  EXPECT_THAT(refusal_of<ResultsError>([&] { save(folder / "a.png", 2e-4F, Overwrite::refuse); }),
+              HasSubstr("a.png.json exists already"));
+  save(folder / "a.png", 1e-4F, Overwrite::refuse);
+  EXPECT_NO_THROW(load_height_field(folder / "a.png"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { save(folder / "a.png", 1e-4F, Overwrite::refuse); }),
+              HasSubstr("a.png exists already"));
+}
+
+TEST(HeightFieldFiles, AreReplacedTogether) {
+  const TemporaryFolder folder;
+  save(folder / "a.png", 1e-4F, Overwrite::refuse);
+  save(folder / "a.png", 2e-4F, Overwrite::allow);
+  EXPECT_NEAR(load_height_field(folder / "a.png").field->maximum_m(), 2e-4, 1e-8);
+  EXPECT_EQ(files_in_folder(folder), 2);
+}
+
+}  // namespace
+}  // namespace asperity
