@@ -173,7 +173,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
       throw ResultsError(place + "the column name \"" + std::string(cell) + "\" stands twice",
                          name_);
     }
-    columns_.emplace_back(cell);
+    add_column(std::string(cell));
   }
   // At once: while they grow there would be two of the largest part of a table.
   const auto most_rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -217,22 +217,31 @@ TidyTable::TidyTable(std::vector<Column> columns, std::string name) : name_(std:
           "the column " + column.name + " of " + name_ +
           (is_whole ? " has a code without a name" : " is not as long as the first one"));
     }
-    columns_.push_back(std::move(column.name));
+    add_column(std::move(column.name));
     made_.push_back(std::move(column.labels));
   }
 }
 
-bool TidyTable::has(std::string_view column) const noexcept {
-  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+void TidyTable::add_column(std::string column) {
+  index_of_column_.emplace(column, columns_.size());  // the first of equal names
+  columns_.push_back(std::move(column));
+}
+
+bool TidyTable::has(std::string_view column) const {
+  return index_of_column_.contains(std::string(column));
 }
 
 std::size_t TidyTable::index_of(std::string_view column) const {
-  const auto found = std::find(columns_.begin(), columns_.end(), column);
-  if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+  const auto found = index_of_column_.find(std::string(column));
+  if (found != index_of_column_.end()) return found->second;
   std::string sentence =
       name_ + ":1:1: there is no column \"" + std::string(column) + "\"; there are";
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
+  constexpr std::size_t kMostNamed = 100;
+  for (std::size_t i = 0; i < std::min(columns_.size(), kMostNamed); ++i) {
     sentence += (i > 0 ? ", " : " ") + columns_[i];
+  }
+  if (columns_.size() > kMostNamed) {
+    sentence += " and " + std::to_string(columns_.size() - kMostNamed) + " others";
   }
   throw ResultsError(sentence, name_);
 }
@@ -287,15 +296,16 @@ std::vector<double> TidyTable::all_numbers(std::string_view column) const {
   return all;
 }
 
-std::vector<std::uint64_t> TidyTable::counts(std::string_view column) const {
+std::vector<std::uint64_t> TidyTable::counts(std::string_view column, std::uint64_t most) const {
   const std::vector<double> found = all_numbers(column);
   std::vector<std::uint64_t> counts(found.size());
-  constexpr double kMost = 9007199254740992.0;  // 2⁵³: beyond, doubles skip whole numbers
+  const auto most_number = static_cast<double>(most);
   for (std::size_t row = 0; row < found.size(); ++row) {
-    if (!(found[row] >= 0.0 && found[row] <= kMost && std::floor(found[row]) == found[row])) {
+    if (!(found[row] >= 0.0 && found[row] <= most_number && std::floor(found[row]) == found[row])) {
       refuse(row, column,
              std::string(column) + " is " + text_of_number(found[row]) +
-                 "; it must be a whole number from 0");
+                 "; it must be a whole number from 0" +
+                 (most < kMostCounted ? " to " + std::to_string(most) : ""));
     }
     counts[row] = static_cast<std::uint64_t>(found[row]);
   }

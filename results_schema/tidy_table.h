@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace asperity {
@@ -50,7 +51,7 @@ class TidyTable final {
   std::size_t rows() const noexcept {
     return made_.empty() ? lines_.size() : made_.front().codes.size();
   }
-  bool has(std::string_view column) const noexcept;
+  bool has(std::string_view column) const;
 
   /// The columns below throw a sentence with the columns that there are when theirs is not there.
   /// By row; empty where missing. The views live as long as the table.
@@ -59,8 +60,11 @@ class TidyTable final {
   std::vector<std::optional<double>> numbers(std::string_view column) const;
   /// Refuses a missing one as well.
   std::vector<double> all_numbers(std::string_view column) const;
-  /// Whole numbers from 0, none missing.
-  std::vector<std::uint64_t> counts(std::string_view column) const;
+  /// Beyond 2⁵³ doubles skip whole numbers.
+  static constexpr std::uint64_t kMostCounted = std::uint64_t{1} << 53;
+  /// Whole numbers from 0 to `most`, none missing.
+  std::vector<std::uint64_t> counts(std::string_view column,
+                                    std::uint64_t most = kMostCounted) const;
   /// The names in the order in which they first stand.
   LabelColumn labels(std::string_view column) const;
   /// Only these names, in this order; another is refused.
@@ -73,6 +77,7 @@ class TidyTable final {
                            const std::string& sentence) const;
 
  private:
+  void add_column(std::string column);
   std::size_t index_of(std::string_view column) const;
   LabelColumn made_labels(const LabelColumn& made) const;
   std::string_view cell(std::size_t row, std::size_t column) const;
@@ -81,6 +86,7 @@ class TidyTable final {
   std::unique_ptr<std::string> text_{};
   std::string name_{};
   std::vector<std::string> columns_{};
+  std::unordered_map<std::string, std::size_t> index_of_column_{};
   std::vector<std::string_view> cells_{};
   std::vector<std::uint32_t> lines_{};
   std::vector<LabelColumn> made_{};  // as columns_, where the table was made

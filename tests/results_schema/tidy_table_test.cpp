@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "results_schema/study.h"
@@ -112,6 +113,27 @@ TEST(TidyTable, RefusesNumbersThatAreNone) {
             "file.csv:2:2: k is 1.5; it must be a whole number from 0");
   EXPECT_EQ(table_refusal("id,k\na,-1\n", counts),
             "file.csv:2:2: k is -1; it must be a whole number from 0");
+  EXPECT_EQ(table_refusal("id,k\na,2147483648\n",
+                          [](const TidyTable& table) { table.counts("k", 1000); }),
+            "file.csv:2:2: k is 2147483648; it must be a whole number from 0 to 1000");
+}
+
+// Looked for one by one they would take minutes.
+TEST(TidyTable, FindsAColumnAmongMany) {
+  constexpr std::size_t kColumns = 200'000;
+  std::string header;
+  std::string row;
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    header += (i > 0 ? ",c" : "c") + std::to_string(i);
+    row += (i > 0 ? "," : "") + std::to_string(i);
+  }
+  const TidyTable table = table_of(header + '\n' + row + '\n');
+  for (std::size_t i = 0; i < kColumns; i += 7) {
+    ASSERT_EQ(table.counts('c' + std::to_string(i)).front(), i);
+  }
+  EXPECT_THAT(table_refusal(header + '\n' + row + '\n',
+                            [](const TidyTable& read) { read.counts("absent"); }),
+              testing::EndsWith(" c98, c99 and 199900 others"));
 }
 
 TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {

@@ -31,6 +31,7 @@ constexpr const char* kPooled = "POOLED";
 constexpr const char* kTarget = "image";
 constexpr double kConfidence = 0.95;
 constexpr std::size_t kTextures = 4;  ///< that were matched
+constexpr std::uint64_t kMostChoices = 1'000'000;  ///< in a cell; one by one they are put in rows
 constexpr std::size_t kPictures = 6;  ///< that were recognised among
 
 /// Share with both intervals, in the names of a table.
@@ -61,7 +62,7 @@ struct ChoiceTable {
 ChoiceTable choice_table(const TidyTable& table) {
   const LabelColumn experiments = table.all_labels("exp");
   const LabelColumn renderers = table.all_labels("renderer");
-  const std::vector<std::uint64_t> counts = table.counts("count");
+  const std::vector<std::uint64_t> counts = table.counts("count", kMostChoices);
   ChoiceTable read{.renderers = renderers.names, .experiments = experiments.names};
   read.counts = CountMatrix::Zero(static_cast<Eigen::Index>(renderers.names.size()),
                                   static_cast<Eigen::Index>(experiments.names.size()));
@@ -212,8 +213,8 @@ struct RightAnswers {
 RightAnswers read_right_answers(const TidyTable& table) {
   const LabelColumn experiments = table.all_labels("exp");
   const LabelColumn sexes = table.all_labels("sex");
-  const std::vector<std::uint64_t> correct = table.counts("correct");
-  const std::vector<std::uint64_t> n = table.counts("n");
+  const std::vector<std::uint64_t> correct = table.counts("correct", kMostChoices);
+  const std::vector<std::uint64_t> n = table.counts("n", kMostChoices);
   RightAnswers read{.experiments = experiments.names};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (correct[row] > n[row]) {
