@@ -41,7 +41,7 @@ void apply_decisions(Database& database, const std::string& which, std::int64_t 
     bool is_of_session = false;
     statement.read(id, verdict, reason, is_of_session);
     AttemptRow& row = attempts.of(id);
-    switch (enum_of(verdict, kVerdicts)) {
+    switch (enum_of(verdict, kVerdicts, "decision.verdict")) {
       case Verdict::set_aside:
         row.valid = false;
         row.invalid_reason =
@@ -92,7 +92,7 @@ Attempts read_bare_attempts(Database& database, const std::string& which, std::i
     std::string outcome;
     statement.read(row.id, row.trial, row.attempt, row.segment, outcome, row.valid,
                    row.invalid_reason, row.flagged, row.flag_reason, row.onset_ns, row.offset_ns);
-    row.outcome = enum_of(outcome, kOutcomes);
+    row.outcome = enum_of(outcome, kOutcomes, "attempt.outcome");
     attempts.add(std::move(row));
   }
   apply_decisions(database, which, key, attempts);

@@ -272,6 +272,10 @@ class Reader {
     try {
       RecordingHeader header;
       header.rate_Hz = json.at("rate_Hz").get<double>();
+      if (!(header.rate_Hz > 0.0)) {
+        fail("states rate_Hz " + json.at("rate_Hz").dump() +
+             " in its first line; a rate is above 0. Restore the file from a copy of the study");
+      }
       largest_chunk_ = json.at("chunk_records").get<std::size_t>();
       for (const Json& column : json.at("columns")) {
         header.columns.push_back({.name = column.at("name").get<std::string>(),

@@ -26,7 +26,7 @@ std::vector<DecisionRow> Study::decisions(std::int64_t session_id) const {
       DecisionRow& row = rows.emplace_back();
       std::string verdict;
       statement.read(row.trial, row.attempt, verdict, row.reason, row.decided_by, row.decided_utc);
-      row.verdict = enum_of(verdict, kVerdicts);
+      row.verdict = enum_of(verdict, kVerdicts, "decision.verdict");
     }
     return rows;
   });

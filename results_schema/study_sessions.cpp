@@ -32,7 +32,7 @@ SessionState state_of(Database& database, std::int64_t session_id) {
   }
   std::string state;
   statement.read(state);
-  return enum_of(state, kStates);
+  return enum_of(state, kStates, "session.state");
 }
 
 void set_state(Database& database, std::int64_t session_id, SessionState state,
@@ -151,8 +151,8 @@ void read_session(Statement& statement, SessionRow& row) {
                  row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
                  row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
                  row.observer_json, row.mirrored, row.excluded);
-  row.mode = enum_of(mode, kModes);
-  row.state = enum_of(state, kStates);
+  row.mode = enum_of(mode, kModes, "session.mode");
+  row.state = enum_of(state, kStates, "session.state");
 }
 
 std::vector<StimulusFileRow> files_of(Database& database, std::int64_t session_id) {

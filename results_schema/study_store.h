@@ -109,13 +109,20 @@ std::filesystem::path database_in(const std::filesystem::path& folder);
 /// before the first row, or has none that is valid.
 bool log_is_empty(const std::filesystem::path& folder);
 
-/// The element of a closed set that a word of the database stands for.
+/// The element of a closed set that a word of a column ("session.state") stands for. Errors: ResultsError naming the
+/// column and the words that it may have; tables enforce them, but not against a tool that switches that off.
 template <typename Enum, std::size_t kCount>
-Enum enum_of(const std::string& text, const std::array<Enum, kCount>& all) {
+Enum enum_of(const std::string& text, const std::array<Enum, kCount>& all, const char* column) {
+  std::string words;
   for (const Enum value : all) {
     if (text == text_of(value)) return value;
+    words += (words.empty() ? "" : ", ") + std::string(text_of(value));
   }
-  throw std::invalid_argument("\"" + text + "\" is no word of this column");
+  throw ResultsError("study.sqlite holds \"" + text + "\" in the column " + column +
+                         ", which is not one of " + words +
+                         "; it was changed by another program. Restore the study from a copy; "
+                         "asperity verify lists everything that was changed",
+                     "study.sqlite");
 }
 
 }  // namespace asperity

@@ -34,7 +34,7 @@ SavVariable::Measure measure_of(const ExportColumn& column) {
 }  // namespace
 
 SavTable::SavTable(std::vector<ExportColumn> columns, const std::filesystem::path& spool_folder)
-    : columns_(std::move(columns)), seen_(columns_.size()) {
+    : spool_folder_(spool_folder), columns_(std::move(columns)), seen_(columns_.size()) {
   std::string path = (spool_folder / "rows-XXXXXX").string();
   const int descriptor = ::mkstemp(path.data());
   if (descriptor >= 0) ::unlink(path.c_str());
@@ -48,8 +48,11 @@ SavTable::SavTable(std::vector<ExportColumn> columns, const std::filesystem::pat
 
 void SavTable::put(const void* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, spool_.get()) == count) return;
-  throw ResultsError("the rows of a table cannot be kept: " + std::string(std::strerror(errno)), {},
-                     errno);
+  const int error_number = errno;
+  throw ResultsError("the rows of an SPSS table cannot be written to a temporary file in " +
+                         spool_folder_.string() + ": " + std::strerror(error_number) +
+                         "; make room there, then export again",
+                     spool_folder_, error_number);
 }
 
 bool SavTable::get(void* bytes, std::size_t count) {

@@ -44,6 +44,7 @@ class SavTable final {
   bool read_row(std::vector<Cell>& row);
   bool is_coded(std::size_t column) const;
 
+  std::filesystem::path spool_folder_{};
   std::vector<ExportColumn> columns_{};
   std::vector<Seen> seen_{};
   std::unique_ptr<std::FILE, Close> spool_{};

@@ -1,11 +1,13 @@
 // What leaves a study for other programs: each format held to the rules of its specification.
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <regex>
+#include <sys/resource.h>
 
 #include <fnmatch.h>
 #include <gmock/gmock.h>
@@ -16,8 +18,10 @@
 
 #include "app/exports/sav_table.h"
 #include "results_schema/recording.h"
+#include "results_schema/study.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/sav_reading.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -425,6 +429,29 @@ TEST(SavExport, CountsOptionsThatItCutsAndKeepsThemApart) {
   EXPECT_EQ(labels.at(1.0), std::string(117, 'a') + "…");
   EXPECT_EQ(labels.at(2.0), std::string(113, 'a') + "… (2)");
   EXPECT_EQ(labels.at(3.0), "short");
+}
+
+// A limit on the size of files fails a write as a full disk does.
+TEST(SavExport, NamesTheFolderWhereItsRowsDoNotFit) {
+  MadeUpStudy made;  // for its folder
+  ExportColumn column{};
+  column.name = "answer";
+  column.type = "text";
+  SavTable table({column}, made.beside(""));
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = refusal_of<ResultsError>([&] {
+    for (int row = 0; row < 100; ++row) table.add({std::string(1000, 'x')});
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(message, testing::AllOf(testing::HasSubstr("SPSS table"),
+                                      testing::HasSubstr(made.beside("").string()),
+                                      testing::HasSubstr("then export again")));
 }
 
 TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {

@@ -383,5 +383,16 @@ TEST(TidyFamilies, TakeEqualNumbersForOneLevel) {
   EXPECT_EQ(found->value, 2.5);
 }
 
+TEST(TidyRefusals, NameTheFileAndTheNumberThatIsTooLarge) {
+  EXPECT_THAT(family_refusal("rating", "subject,item,score\nA,a,6\n", R"({"conf": 1e400})"),
+              testing::AllOf(testing::StartsWith("options: "), HasSubstr("too large, '1e400'")));
+  TidyInput input{};
+  for (const char* name : {"1.csv", "2.csv", "3.csv"}) {
+    input.tables.emplace_back("exp,renderer,count\nfirst,image,2147483648\nfirst,b,3\n", name);
+  }
+  EXPECT_EQ(refusal_of([&] { tidy_family("seedpaper").findings(input); }),
+            "1.csv:2:3: count is 2147483648; it must be a whole number from 0 to 1000000");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -216,6 +216,20 @@ TEST(Recording, IsRefusedInAnotherFormat) {
   EXPECT_THAT(refusal_to_read(study / "absent"), HasSubstr("No such file"));
 }
 
+// With the right digest, since anybody can write one.
+TEST(Recording, IsRefusedWithoutARate) {
+  const TemporaryFolder study;
+  write(study.path(), 3, "a");
+  const std::string good = read_file(study / "a");
+  std::string header = good.substr(0, good.find('\n'));
+  const std::string rate = "\"rate_Hz\":100.0";
+  header.replace(header.find(rate), rate.size(), "\"rate_Hz\":0");
+  put(study / "b", header + '\n' + sha256_of(header) + good.substr(good.find('\n') + 65));
+  EXPECT_THAT(refusal_to_read(study / "b"),
+              testing::AllOf(HasSubstr((study / "b").string()), HasSubstr("states rate_Hz 0"),
+                             HasSubstr("Restore the file from a copy")));
+}
+
 TEST(Recording, DoesNotFinishAfterTheDiskWasFull) {
   const TemporaryFolder study;
   RecordingWriter writer(study.path(), "r", kHeader);

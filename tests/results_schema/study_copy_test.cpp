@@ -638,5 +638,16 @@ TEST(StudyVerify, FindsABrokenPage) {
   EXPECT_FALSE(Study::open(folder / "s", Access::read_only).verify({}).empty());
 }
 
+// Past the rules of the tables, as a tool does that has switched them off.
+TEST(StudyCopy, NamesTheColumnOfAWordThatItDoesNotKnow) {
+  const TemporaryFolder folder;
+  const std::int64_t id = recorded_study(folder / "s").session_id;
+  execute_against_rules(folder / "s", "UPDATE session SET state = '[]'");
+  EXPECT_THAT(
+      refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_only).session(id); }),
+      AllOf(HasSubstr("\"[]\" in the column session.state"), HasSubstr("complete"),
+            HasSubstr("Restore the study from a copy")));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -79,6 +79,12 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw std::runtime_error(file_name + ": the options are no JSON: " + error.what());
+  } catch (const Json::out_of_range& error) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
+    const std::string what = error.what();
+    throw std::runtime_error(file_name + ": the options hold a number that is too large, " +
+                             what.substr(what.rfind(' ') + 1) +
+                             "; numbers reach to 1.8e308. Correct it, then analyse again");
   }
   FamilyOptions options{};
   const OptionValue value = value_of(json);
