@@ -15,6 +15,7 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/contact_reader.h"
 #include "app/conductor/form_answer.h"
+#include "app/conductor/reason.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/terminal_respondent.h"
 #include "results_schema/table.h"
@@ -95,6 +96,41 @@ TEST_F(ConductorTest, ReportsWhetherAnAttemptCountsAndWhyItsTrialIsRepeated) {
   EXPECT_THAT(reported,
               testing::ElementsAre("1/1 counts", "2/1 skipped", "3/1 counts", "3/2 counts"));
   EXPECT_THAT(lines, testing::ElementsAre("Trial 3 is repeated: set aside: the door banged."));
+}
+
+// The loop ticks late sixty times, where fifty are allowed: after a surface was felt, then while one is felt.
+TEST_F(ConductorTest, JudgesAnAttemptByTheDeadlinesMissedInContact) {
+  begin(small_protocol());
+  const auto tick_late = [this](bool in_contact) {
+    TickRecord late{};
+    late.probe.time_ns = rig_->clock().now_ns();
+    late.flags = static_cast<std::uint32_t>(TickFlag::missed_deadline);
+    if (in_contact) {
+      late.presentation = 1;
+      late.penetration_m = 1e-4;
+      late.flags |= static_cast<std::uint32_t>(TickFlag::presenting);
+    }
+    for (int i = 0; i < 60; ++i) rig_->records().push(late);
+  };
+  rig_->at_pass = [&, was_presented = false, times = std::size_t{0}]() mutable {
+    const bool is_presented = rig_->loop().status().presentation != 0;
+    const bool is_moment = times == 0 ? was_presented && !is_presented : is_presented;
+    was_presented = is_presented;
+    if (times > 1 || done_.size() != times || !is_moment) return;
+    tick_late(times == 1);
+    ++times;
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::vector<AttemptRow> rows = attempts();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_TRUE(rows[0].valid);
+  EXPECT_EQ(rows[0].servo->missed_deadlines, 60);
+  EXPECT_EQ(rows[0].servo->missed_in_contact, 0);
+  EXPECT_FALSE(rows[1].valid);
+  EXPECT_EQ(rows[1].servo->missed_in_contact, 60);
+  EXPECT_EQ(rows[1].invalid_reason, "60 missed deadlines in contact, at most 50 allowed");
+  EXPECT_EQ(read_reason(*rows[1].invalid_reason).english(), rows[1].invalid_reason);
+  EXPECT_TRUE(rows[2].valid);
 }
 
 TEST_F(ConductorTest, RecordsEveryTickOfAnAttempt) {
