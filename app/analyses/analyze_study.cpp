@@ -30,7 +30,7 @@ Phrase attempts_that_were(const std::string& what) {
   static const std::map<std::string, Phrase> kKnown{
       {"aborted", phrase("Analysis", "%1 aborted")},
       {"answered but invalid", phrase("Analysis", "%1 answered but invalid")},
-      {"device_fault", phrase("Analysis", "%1 stopped by a fault of the device")},
+      {"device_fault", phrase("Analysis", "%1 stopped by a fault")},
       {"emergency_stop", phrase("Analysis", "%1 ended by the emergency stop")},
       {"excluded", phrase("Analysis", "%1 excluded")},
       {"not_compliant", phrase("Analysis", "%1 not explored as asked")},

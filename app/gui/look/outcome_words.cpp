@@ -16,7 +16,7 @@ QString OutcomeWords::of(AttemptOutcome outcome) {
     case AttemptOutcome::aborted:
       return tr("aborted");
     case AttemptOutcome::device_fault:
-      return tr("device fault");
+      return tr("fault");
     case AttemptOutcome::emergency_stop:
       return of_fault(Fault::emergency_stop);
     case AttemptOutcome::skipped:

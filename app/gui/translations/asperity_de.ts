@@ -472,8 +472,8 @@
         <translation>Die Datei study.sqlite ist nicht mehr, was sie war, als Asperity sie zuletzt geschlossen hat: Was daraus gelesen wird, kann falsch sein. „asperity verify“ sagt, was nicht stimmt und was das bedeuten kann.</translation>
     </message>
     <message>
-        <source>%1 stopped by a fault of the device</source>
-        <translation>%1 durch eine Störung des Geräts abgebrochen</translation>
+        <source>%1 stopped by a fault</source>
+        <translation>%1 durch eine Störung abgebrochen</translation>
     </message>
     <message>
         <source>%1 not explored as asked</source>
@@ -2350,8 +2350,8 @@
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>device fault</source>
-        <translation>Gerätestörung</translation>
+        <source>fault</source>
+        <translation>Störung</translation>
     </message>
     <message>
         <source>skipped</source>
