@@ -68,7 +68,10 @@ void add_run(CLI::App& program, Job& job) {
   command->add_option("--seed", options->seed, "Seed of the session; drawn anew by default");
   const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
                                                  {"pilot", SessionMode::pilot}};
-  command->add_option("--mode", options->inputs.mode, "run, or pilot: kept apart in the data")
+  command
+      ->add_option("--mode", options->inputs.mode,
+                   "run: study data, on a device with motors (or by the protocol's "
+                   "device.input_only); pilot: any device, kept apart in the data")
       ->transform(CLI::CheckedTransformer(modes))
       ->default_str("run");
   command->add_flag("--resume", options->inputs.resume, "Go on with an unfinished session");

@@ -234,7 +234,7 @@ TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
                 .flow = R"({"screen": "Welcome."}, {"run": "main"}, {"ask": ["comfort"]},
                            {"break": {"minimum_s": 0, "text": "Rest."}}, {"screen": "Thanks."})"});
   open();
-  start("small");
+  start_by_mouse("small", "mode_run");
   std::set<std::string> phases{};
   QStringList found{};
   const auto look = [&] {
@@ -252,9 +252,13 @@ TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
     look();
     choose(Qt::Key_1);
   };
-  take_part(answer, [&] { return look() || is_in(SessionPhase::contact, 2); });
+  const auto look_and_stroke = [&] {
+    stroke_by_mouse();
+    return look();
+  };
+  take_part(answer, [&] { return look_and_stroke() || is_in(SessionPhase::contact, 2); });
   key(Qt::Key_F6);
-  take_part(answer, [&] { return look() || is_in(SessionPhase::paused); });
+  take_part(answer, [&] { return look_and_stroke() || is_in(SessionPhase::paused); });
   look();
   EXPECT_TRUE(found.isEmpty()) << found.first().toStdString();
 
@@ -278,7 +282,10 @@ TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
   EXPECT_TRUE(experimenter().is_blind());
   EXPECT_EQ(leaks(experimenter()).join('|').toStdString(), "");
   key(Qt::Key_F5);
-  take_part(answer, [&] { return look() || !desk->is_running(); });
+  take_part(answer, [&] {
+    if (desk->is_running()) stroke_by_mouse();
+    return look() || !desk->is_running();
+  });
   wait_for("the summary", [&] { return child<QWidget>(experimenter(), "see_table").isVisible(); });
   look();
   EXPECT_TRUE(found.isEmpty()) << found.first().toStdString();

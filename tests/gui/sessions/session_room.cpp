@@ -7,6 +7,7 @@
 #include <QtCore/QThread>
 #include <QtGui/QGuiApplication>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -71,7 +72,7 @@ std::string protocol_text(const ProtocolWish& wish) {
          R"(", "version": "1.0.0", "title": "A short session",
   "consent": {"version": "1.0", "statement": "I take part."},)" +
          (wish.kind == "selection" ? R"( "realism_standard": "memory",)" : "") + R"(
-  "device": {"rate_Hz": 200, "maximum_missed_deadlines": 100000, "maximum_lost_records": 100000},
+  "device": {"input_only": true, "rate_Hz": 200, "maximum_missed_deadlines": 100000, "maximum_lost_records": 100000},
   "textures": {)" +
          textures + R"(},
   "factors": {"go": {"levels": [)" +
@@ -282,6 +283,43 @@ void SessionRoom::start(const QString& protocol, const char* mode) {
   click(*window, mode);
   agree();
   press_start();
+}
+
+void SessionRoom::start_by_mouse(const QString& protocol, const char* mode) {
+  window->show_page("protocols");
+  click_row(*window, "protocols_table", protocol);
+  click(*window, "protocol_start");
+  wait_for("the start page", [&] { return window->shown_page() == "start"; });
+  click(*window, mode);
+  auto& devices = child<QComboBox>(*window->page("start"), "device");
+  devices.setCurrentIndex(devices.findData("mouse"));
+  require(devices.currentData().toString() == "mouse", "there is no mouse to choose");
+  agree();
+  press_start();
+}
+
+void SessionRoom::stroke_by_mouse() {
+  const SessionSnapshot now = monitor().snapshot();
+  if (now.trial != stroked_trial_) enough_of_ = 0;
+  stroked_trial_ = now.trial;
+  if (is_in(SessionPhase::contact) && now.contact_s > 0.6 && now.surface != enough_of_) {
+    enough_of_ = now.surface;
+    key(Qt::Key_Space);
+  }
+  const bool can_be_felt =
+      is_in(SessionPhase::fore) || (is_in(SessionPhase::contact) && now.surface != enough_of_);
+  const QPoint middle = view().rect().center();
+  if (can_be_felt && !is_mouse_down_) {
+    QTest::mouseMove(&view(), middle);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, middle);
+    is_mouse_down_ = true;
+  } else if (can_be_felt) {
+    ++mouse_steps_;
+    QTest::mouseMove(&view(), middle + QPoint(30 - mouse_steps_ % 60, 0));
+  } else if (is_mouse_down_) {
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle);
+    is_mouse_down_ = false;
+  }
 }
 
 void SessionRoom::agree() {

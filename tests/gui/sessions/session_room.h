@@ -93,6 +93,11 @@ class SessionRoom : public QuietHome {
   // --- what people do ---
   /// From the Protocols page over the start page into the session.
   void start(const QString& protocol, const char* mode = "mode_pilot");
+  /// As `start`, with the mouse as the device: in a run as well, since the protocols of the room need no force.
+  void start_by_mouse(const QString& protocol, const char* mode = "mode_pilot");
+  /// Holds the mouse's button on the surface and strokes while it can be felt, until it was felt for 0.6 s; lifts when it
+  /// cannot.
+  void stroke_by_mouse();
   /// The consent of the start page, seen by AB, who has measured the masking noise as well.
   void agree();
   /// Presses the start page's button once the checklist allows it.
@@ -119,6 +124,13 @@ class SessionRoom : public QuietHome {
   std::atomic<bool> sound_is_made_by_a_window{false};  ///< on the thread of the windows
   std::unique_ptr<StudyWindow> window{};
   std::unique_ptr<SessionDesk> desk{};
+
+ private:
+  // Of the mouse.
+  int stroked_trial_ = 0;
+  int enough_of_ = 0;  // which surface of that trial
+  bool is_mouse_down_ = false;
+  int mouse_steps_ = 0;
 };
 
 /// A table of an export: rows by column.
