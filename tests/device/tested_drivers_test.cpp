@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,7 @@
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/device/vendors/test_hd.h"
 #include "tests/device/vendors/test_inverse_service.h"
+#include "tests/support/patience.h"
 
 namespace asperity {
 namespace {
@@ -54,13 +56,14 @@ bool is_of_a_loss(const std::runtime_error& error) {
 // A busy machine may keep the other side of a wire from answering for 50 ms, which is a loss like another: only what
 // was not measured for that is measured again.
 DeviceProfile measured_by(const std::function<DeviceProfile()>& measure) {
-  constexpr int kTrials = 6;
-  for (int trial = 1;; ++trial) {
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  for (;;) {
+    const bool is_last = std::chrono::steady_clock::now() > until;
     try {
       DeviceProfile profile = measure();
-      if (trial == kTrials || !is_incomplete(profile)) return profile;
+      if (is_last || !is_incomplete(profile)) return profile;
     } catch (const std::runtime_error& error) {
-      if (trial == kTrials || !is_of_a_loss(error)) throw;
+      if (is_last || !is_of_a_loss(error)) throw;
     }
   }
 }
