@@ -133,7 +133,8 @@ struct NotRejected {
 };
 
 NotRejected not_rejected(const TwoGroupPlan& plan, std::int64_t hits) {
-  constexpr double kNever = 1e-300;
+  // Tables of the ends that are less probable all together than this part of the error are rejected.
+  constexpr double kRejected = 1e-20;
   constexpr double kAsProbable = 1.0 + 1e-7;  // as in `fisher_two_sided`
   constexpr double kRounding = 1.0 + 1e-12;   // a p that is the error rejects
   const auto n = static_cast<std::int64_t>(plan.first_trials);
@@ -144,10 +145,11 @@ NotRejected not_rejected(const TwoGroupPlan& plan, std::int64_t hits) {
       static_cast<std::int64_t>(static_cast<double>(n + 1) * static_cast<double>(hits + 1) /
                                 static_cast<double>(n + m + 2)),
       low, high);
-  const Weights weights = weights_around(mode, low, high, kNever, [=](std::int64_t x) {
-    return static_cast<double>(n - x) / static_cast<double>(x + 1) *
-           (static_cast<double>(hits - x) / static_cast<double>(m - hits + x + 1));
-  });
+  const Weights weights =
+      weights_around(mode, low, high, kRejected * plan.error, [=](std::int64_t x) {
+        return static_cast<double>(n - x) / static_cast<double>(x + 1) *
+               (static_cast<double>(hits - x) / static_cast<double>(m - hits + x + 1));
+      });
   const double error =
       plan.error * kRounding * std::accumulate(weights.of.begin(), weights.of.end(), 0.0);
   // From both ends, the less probable first.
