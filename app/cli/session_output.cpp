@@ -9,7 +9,7 @@ namespace asperity {
 void say_done(const AttemptDone& done) {
   say((done.counts ? "done " : "stored ") + done.participant + ' ' + std::to_string(done.session) +
       ' ' + std::to_string(done.trial) + ' ' + std::to_string(done.attempt) +
-      (done.counts ? "" : ' ' + text_of(done.outcome)));
+      (done.counts ? std::string() : std::string(" ") + text_of(done.outcome)));
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -176,6 +177,33 @@ TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
   const std::vector<std::string> done = stored_attempts_in(stopped.err);
   EXPECT_LT(done.size(), 160U);
   EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
+}
+
+// As a debugger does, or a computer that is suspended.
+TEST(StoppedProgram, RepeatsTheTrialInWhoseContactItStoodStill) {
+  const SmallStudy small(50);
+  Invocation invocation{};
+  invocation.arguments = {"run",           small.selection(), "--study",   small.study(),
+                          "--participant", "standin1",        "--virtual", "--realtime"};
+  Program program(invocation);
+  const auto is_repeated = [](const std::string&, const std::string& err) {
+    return err.find("is repeated: the servo loop stood still for more than 50 ms.\n") !=
+           std::string::npos;
+  };
+  ASSERT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+    return !done_lines(err).empty();
+  })) << program.err();
+  // Between two contacts it is no fault: once more then.
+  constexpr int kMostStops = 200;
+  for (int i = 0; i < kMostStops && !is_repeated(program.out(), program.err()); ++i) {
+    program.send(SIGSTOP);
+    std::this_thread::sleep_for(milliseconds(100));
+    program.send(SIGCONT);
+    program.read_for(milliseconds(100));
+  }
+  EXPECT_TRUE(program.read_until(is_repeated)) << program.err();
+  EXPECT_NE(program.err().find(" 1 device_fault\n"), std::string::npos) << program.err();
+  EXPECT_EQ(done_lines(program.err()).front(), "done standin1 1 1 1");
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(Terminal, StatesWhyATrialIsRepeatedAndThatItsFirstAttemptDoesNotCount) {
   const SmallStudy small(1);
   nlohmann::ordered_json strict = small_recognition(1);
   nlohmann::ordered_json& exploration = strict["explorations"]["short"];
-  exploration["speed_m_per_s"] = {{"minimum", 5}};
+  exploration["strokes"] = {{"minimum", 100}};
   exploration["on_failure"] = "repeat_now";
   exploration["maximum_repeats"] = 1;
   write_text(small.recognition(), strict.dump(2));
@@ -134,7 +134,7 @@ TEST(Terminal, StatesWhyATrialIsRepeatedAndThatItsFirstAttemptDoesNotCount) {
   answer_everything(program, "1", 1);
   EXPECT_NE(program.err().find("stored anna 1 1 1 not_compliant\n"), std::string::npos)
       << program.err();
-  EXPECT_NE(program.err().find("Trial 1 is repeated: not explored as asked: speed of surface 1"),
+  EXPECT_NE(program.err().find("Trial 1 is repeated: not explored as asked: strokes of surface 1"),
             std::string::npos)
       << program.err();
   EXPECT_EQ(done_lines(program.err()).front(), "done anna 1 1 2");
