@@ -146,6 +146,13 @@ DriverRegistry built_in_drivers() {
   return registry;
 }
 
+std::optional<VelocityWindow> velocity_window_of(std::string_view driver, std::string_view model) {
+  if (!model_stood_for(model).empty()) return velocity_window_stood_for(model);
+  const DriverRegistry drivers = built_in_drivers();
+  const Driver* const found = drivers.find(driver);
+  return found == nullptr ? std::nullopt : found->velocity;
+}
+
 AttachedDevice choose_attached(const std::string& product,
                                const std::vector<AttachedDevice>& attached,
                                const std::string& which) {

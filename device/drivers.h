@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -16,6 +17,7 @@
 #include "device/latest_value.h"
 #include "device/pointer_sample.h"
 #include "device/simulated_device.h"
+#include "device/velocity_estimator.h"
 
 namespace asperity {
 
@@ -88,6 +90,8 @@ struct Driver {
   std::string summary{};  ///< one sentence
   /// False for one whose devices only tell where the hand is: nobody need be asked before they are measured.
   bool has_motors = true;
+  /// How it estimates velocity from positions; nothing where its devices give a velocity of their own.
+  std::optional<VelocityWindow> velocity{};
   /// Never throws for what the machine lacks: that is a hindrance.
   std::function<DriverSurvey(const DriverOptions&)> find{};
   /// Opens the one whose serial or place is `which`; the only one attached when that is empty.
@@ -126,6 +130,10 @@ class DriverRegistry final {
 
 /// Every driver that this program was built with, the simulated device first.
 DriverRegistry built_in_drivers();
+
+/// How the velocity of a device is estimated, by driver and model as a DeviceCapability names them; nothing where it is
+/// not estimated here, or the driver is unknown.
+std::optional<VelocityWindow> velocity_window_of(std::string_view driver, std::string_view model);
 
 /// For drivers: the attached device whose serial or place is `which`, or the only one.
 ///

@@ -71,8 +71,8 @@ struct SimulatedDeviceSettings {
 /// Integrated between reads with the force of the last `push`, in `substeps` steps or more so that
 /// none is longer than 1 ms: the spring's and the damper's force are taken at the end of the step
 /// (linearly implicit Euler), so no step can make the hand unstable. The surface is explicit, as on
-/// any device: k_surface < 2 b_z / T is passive [Colgate 1997], with the defaults up to 10 kN/m at
-/// 500 Hz. In a gap beyond kLongestGap_ns the motion stands still.
+/// any device: b_z > K·T/2 + |B| for a surface of stiffness K and damping B is passive [Colgate 1997], with the defaults
+/// and no damper up to 10 kN/m at 500 Hz. In a gap beyond kLongestGap_ns the motion stands still.
 ///
 /// What is read is what the `sensor` makes of it (imperfect_sensor.h). The defaults have neither
 /// friction nor saturation nor an imperfect sensor: recordings made without them replay bit for bit.

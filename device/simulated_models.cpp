@@ -120,6 +120,15 @@ std::vector<DeviceTrait> not_known_of(std::string_view in_place_of) {
   return {};
 }
 
+std::optional<VelocityWindow> velocity_window_stood_for(std::string_view in_place_of) {
+  const std::string_view label = model_stood_for(in_place_of);
+  if (label.empty()) return {};
+  for (const Model& model : models()) {
+    if (model.capability.model == label) return model.velocity;
+  }
+  return {};
+}
+
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device) {
   constexpr std::string_view kName = "simulated";
   if (!device.starts_with(kName)) return std::nullopt;

@@ -32,6 +32,9 @@ std::string_view model_stood_for(std::string_view in_place_of) noexcept;
 /// model that is none of these.
 std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);
 
+/// How the driver of that device estimates velocity; nothing of a model that is none of these.
+std::optional<VelocityWindow> velocity_window_stood_for(std::string_view in_place_of);
+
 /// The settings for what `--device` names, "simulated" or "simulated:MODEL"; nothing for other devices.
 /// Errors: as `as_model`.
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device);

@@ -29,9 +29,10 @@ struct NamedCount {
 /// lies in it (+z outward). The wrench is the surface's on the hand; its torque is about the
 /// probe's tip.
 ///
-/// Stability: on a device with viscous damping b, refreshed every T seconds, a linear surface is
-/// passive while its stiffness K < 2b/T [Colgate 1997]. K is the steepest the surface shows,
-/// texture included: a fine grating is stiffer than its plate. A renderer never softens or clips
+/// Stability: on a device with viscous damping b, refreshed every T seconds, a linear surface of stiffness K and damping B
+/// is passive while b > K·T/2 + |B| [Colgate 1997]. K is the steepest the surface shows, texture included: a fine grating
+/// is stiffer than its plate. Friction is a damper near rest, and vibrates where it is too steep for the device's mass and
+/// for the age of its velocity. Both are derived in offline/sampled_loop.h. A renderer never softens or clips
 /// its own force to save a device: ramping is ServoLoop's and limiting is HapticDevice's, so that
 /// the record keeps what was meant.
 ///

@@ -39,9 +39,9 @@ struct ContactForce {
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
 ///
-/// Friction is Coulomb's, rounded off below v₀ so that a resting probe feels no chatter: 99 % of μN
-/// at 7 v₀, and none at rest, so that nothing holds a hand on a slope. Extent and border are
-/// measured on the device, whatever `motion_scale` is.
+/// Friction is Coulomb's, rounded off below v₀: 99 % of μN at 7 v₀, and none at rest, so that nothing holds a hand on a
+/// slope. Near rest it is a damper of μN/v₀, on which a loop vibrates if it is too steep (offline/sampled_loop.h). Extent
+/// and border are measured on the device, whatever `motion_scale` is.
 ///
 /// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion
 /// scale, stiffness or v₀ that is not positive, a friction that is negative, or a fading border

@@ -15,13 +15,17 @@
 
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
+#include "app/conductor/friction_rehearsal.h"
 #include "app/parameter_json.h"
+#include "device/drivers.h"
 #include "protocols/json_document.h"
 #include "protocols/plan.h"
 #include "renderers/offline/composed_relief.h"
 #include "renderers/offline/felt_stiffness.h"
 #include "renderers/offline/force_matching.h"
+#include "renderers/offline/sampled_loop.h"
 #include "renderers/pd_gradient/finest_wave.h"
+#include "renderers/pd_gradient/pd_gradient.h"
 
 namespace asperity {
 namespace {
@@ -32,17 +36,11 @@ constexpr const char* kResonance = "resonance_Hz";
 /// What stimuli are compared with, beside the workspace.
 constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::force_resolution,
                                      DeviceTrait::position_step, DeviceTrait::damping,
+                                     DeviceTrait::latency,       DeviceTrait::moving_mass,
                                      DeviceTrait::stiffness,     DeviceTrait::resonance};
 /// Below what arithmetic leaves of a force without a texture there is none.
 constexpr double kNoForce_N = 1e-9;
 
-/// "0.300", "8000": as many decimals as three digits take.
-std::string in_three_digits(double value) {
-  const double size = std::abs(value);
-  if (size >= 100.0 || size == 0.0) return fixed(value, 0);
-  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
-  return fixed(value, std::clamp(decimals, 0, 12));
-}
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
 /// What tells a body from others of the same stimulus: a factor may choose it.
@@ -90,10 +88,15 @@ TextureWaves waves_of(const PreparedStimulus& stimulus, const ModelRegistry& mod
 }
 
 /// Two springs, one behind the other.
-double in_series(double one_N_per_m, std::optional<double> other_N_per_m) {
-  return other_N_per_m ? one_N_per_m * *other_N_per_m / (one_N_per_m + *other_N_per_m)
-                       : one_N_per_m;
+double in_series(double one_N_per_m, double other_N_per_m) {
+  return one_N_per_m * other_N_per_m / (one_N_per_m + other_N_per_m);
 }
+
+/// Between the hand and a simulated tool.
+struct CouplingAsked {
+  double stiffness_N_per_m = 0.0;
+  double damping_N_s_per_m = 0.0;
+};
 
 /// What a stimulus of two bodies is to the hand: a point on the relief that both make (composed_relief.h), behind
 /// the spring of the virtual coupling where there is one.
@@ -101,7 +104,8 @@ struct BodiesAsRelief {
   /// The model of a point whose force is −k·δ·∇δ; the stiffness is that of the contact.
   PreparedStimulus point{};
   TextureWaves waves{};
-  std::optional<double> coupling_N_per_m{};
+  double contact_damping_N_s_per_m = 0.0;
+  std::optional<CouplingAsked> coupling{};
 };
 
 BodiesAsRelief as_relief(const PreparedStimulus& bodies, const HandHabits& habits,
@@ -135,9 +139,10 @@ BodiesAsRelief as_relief(const PreparedStimulus& bodies, const HandHabits& habit
     relief.waves = {.amplitude_m = std::numbers::sqrt2 * inputs.height_field->rms_m(),
                     .wavelength_m = finest_m};
   }
-  const auto coupling = own.find("coupling");
-  if (coupling != own.end() && coupling->second == ParameterValue(std::string("virtual"))) {
-    relief.coupling_N_per_m = number_among(own, "coupling_stiffness_N_per_m");
+  relief.contact_damping_N_s_per_m = number_of(own, "contact_damping_N_s_per_m");
+  if (has_virtual_coupling(own)) {
+    relief.coupling = {.stiffness_N_per_m = number_of(own, "coupling_stiffness_N_per_m"),
+                       .damping_N_s_per_m = number_of(own, "coupling_damping_N_s_per_m")};
   }
   return relief;
 }
@@ -151,6 +156,12 @@ StiffnessSearch along(const HeightField& relief) {
           .step_m = 0.5 * pitch_m};
 }
 
+DampedResponse damped_response_of(const DeviceProfile& profile) {
+  return {.moving_mass_kg = profile.value("moving_mass_kg"),
+          .latency_s = profile.value("latency_s").value_or(0.0),
+          .velocity = velocity_window_of(profile.name, profile.model)};
+}
+
 class DeviceRehearsal final {
  public:
   DeviceRehearsal(const Protocol& protocol, const DeviceProfile& profile, StimulusBuilder& builder)
@@ -158,6 +169,10 @@ class DeviceRehearsal final {
 
   std::vector<RehearsalWarning> run(const RehearsalCourse& course) {
     check_limits();
+    for (RehearsalWarning& warning :
+         friction_warnings(protocol_, builder_.models(), damped_response_of(profile_))) {
+      warn(std::move(warning));
+    }
     std::set<std::string> seen{};
     const std::vector<Trial> trials = possible_trials(protocol_);
     double done = 0.0;
@@ -253,7 +268,7 @@ class DeviceRehearsal final {
     check_force(planned.stimulus.name, [&] { return texture_force_N(planned, stimulus, habits); });
     const TextureWaves waves = waves_of(stimulus, builder_.models());
     check_waves(planned.stimulus.name, waves, fastest_m_per_s(exploration, habits));
-    check_stiffness(planned.stimulus.name, stimulus, {}, {});
+    check_stiffness(planned.stimulus.name, stimulus, {}, 0.0);
   }
 
   void check_bodies(const PlannedPresentation& planned, const Exploration& exploration) {
@@ -261,8 +276,12 @@ class DeviceRehearsal final {
     const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
     const BodiesAsRelief relief =
         as_relief(builder_.unmatched(planned.stimulus), habits, builder_.models());
-    check_stiffness(name, relief.point, along(*relief.point.inputs.height_field),
-                    relief.coupling_N_per_m);
+    if (relief.coupling) {
+      check_coupling(name, *relief.coupling);
+    } else {
+      check_stiffness(name, relief.point, along(*relief.point.inputs.height_field),
+                      relief.contact_damping_N_s_per_m);
+    }
     if (!relief.waves.wavelength_m) return;  // neither has a texture that could be lost
     check_force(name, [&] { return texture_force_N(planned, relief, habits); });
     check_waves(name, relief.waves, fastest_m_per_s(exploration, habits));
@@ -278,8 +297,10 @@ class DeviceRehearsal final {
     if (planned.equal_force && planned.equal_force->rms_N) return *planned.equal_force->rms_N;
     constexpr double kCellsOfBorder = 4.0;
     RendererInputs inputs = relief.point.inputs;
-    inputs.material.stiffness_N_per_m =
-        in_series(inputs.material.stiffness_N_per_m, relief.coupling_N_per_m);
+    if (relief.coupling) {
+      inputs.material.stiffness_N_per_m =
+          in_series(inputs.material.stiffness_N_per_m, relief.coupling->stiffness_N_per_m);
+    }
     const HeightField& field = *inputs.height_field;
     const double length_m = field.width_m() - kCellsOfBorder * field.grid().pitch_m;
     return texture_force_rms_N(*relief.point.model, inputs,
@@ -394,8 +415,37 @@ class DeviceRehearsal final {
     return holds;
   }
 
+  double period_s() const { return 1.0 / protocol_.rate_Hz; }
+  /// The spring that asks as much of a device as this one and its damper.
+  double as_spring_N_per_m(double stiffness_N_per_m, double damper_N_s_per_m) const {
+    return 2.0 * passive_damping_N_s_per_m(stiffness_N_per_m, damper_N_s_per_m, period_s()) /
+           period_s();
+  }
+
+  /// The device feels the coupling's spring and damper whatever its tool touches (sampled_loop.h).
+  void check_coupling(const std::string& name, const CouplingAsked& coupling) {
+    const std::optional<double> holds = holds_N_per_m();
+    if (!holds) return;
+    const double asked_N_s_per_m = passive_damping_N_s_per_m(
+        coupling.stiffness_N_per_m, coupling.damping_N_s_per_m, period_s());
+    const double device_N_s_per_m = passive_damping_N_s_per_m(*holds, 0.0, period_s());
+    if (asked_N_s_per_m <= device_N_s_per_m) return;
+    warn({.id = "coupling",
+          .stimulus = name,
+          .asked = asked_N_s_per_m,
+          .device = device_N_s_per_m,
+          .text = phrase("Rehearsal",
+                         "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, needs a device with "
+                         "%4 N s/m of damping at %5 Hz, and as measured this one has %6. Lower "
+                         "coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
+                      .with(name, in_three_digits(coupling.stiffness_N_per_m),
+                            in_three_digits(coupling.damping_N_s_per_m),
+                            in_three_digits(asked_N_s_per_m), in_three_digits(protocol_.rate_Hz),
+                            in_three_digits(device_N_s_per_m))});
+  }
+
   void check_stiffness(const std::string& name, const PreparedStimulus& stimulus,
-                       StiffnessSearch search, std::optional<double> coupling_N_per_m) {
+                       StiffnessSearch search, double damper_N_s_per_m) {
     const std::optional<double> holds = holds_N_per_m();
     if (!holds) return;
     search.force_limit_N = protocol_.force_limit_N;
@@ -411,7 +461,7 @@ class DeviceRehearsal final {
                         .with(name, in_three_digits(*holds))});
       return;
     }
-    const double stiffest_N_per_m = in_series(felt->stiffness_N_per_m, coupling_N_per_m);
+    const double stiffest_N_per_m = as_spring_N_per_m(felt->stiffness_N_per_m, damper_N_s_per_m);
     if (stiffest_N_per_m <= *holds) return;
     const Phrase text =
         felt->force_N >= protocol_.force_limit_N
@@ -423,12 +473,18 @@ class DeviceRehearsal final {
                   "Rehearsal",
                   "At the greatest force that it gives there, %2 N, \"%1\" is as stiff as %3 N/m "
                   "where it is stiffest, and the device holds %4 N/m without swinging.");
+    const Phrase sentence = text.with(name, in_three_digits(felt->force_N),
+                                      in_three_digits(stiffest_N_per_m), in_three_digits(*holds));
     warn({.id = "stiffness",
           .stimulus = name,
           .asked = stiffest_N_per_m,
           .device = *holds,
-          .text = text.with(name, in_three_digits(felt->force_N), in_three_digits(stiffest_N_per_m),
-                            in_three_digits(*holds))});
+          .text = damper_N_s_per_m == 0.0
+                      ? sentence
+                      : phrase("Rehearsal",
+                               "%1 The contact damping of %2 N s/m accounts for %3 N/m of it.")
+                            .with(sentence, in_three_digits(damper_N_s_per_m),
+                                  in_three_digits(as_spring_N_per_m(0.0, damper_N_s_per_m)))});
   }
 
   void check_workspace(const SurfacePatch& patch) {
@@ -459,6 +515,13 @@ class DeviceRehearsal final {
 };
 
 }  // namespace
+
+std::string in_three_digits(double value) {
+  const double size = std::abs(value);
+  if (size >= 100.0 || size == 0.0) return fixed(value, 0);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
+  return fixed(value, std::clamp(decimals, 0, 12));
+}
 
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,

@@ -21,17 +21,21 @@ namespace asperity {
 
 /// One thing that a device cannot do as a stimulus asks for it.
 struct RehearsalWarning {
-  /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness",
-  /// "workspace"; "not_rehearsed" for a stimulus that nothing, or nothing of how stiff it is, can be said of;
-  /// "limit_" and "unmeasured_" with the name of an item that does not keep the protocol's limit, or of which nothing
-  /// is known.
+  /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness", "coupling",
+  /// "friction_damping", "workspace"; "not_rehearsed" for a stimulus of which nothing, or nothing of
+  /// its stiffness, can be stated;
+  /// "limit_" and "unmeasured_" with the name of an item that does not keep the protocol's limit, or of which
+  /// nothing is known.
   std::string id{};
   std::string stimulus{};  ///< as the session calls it; empty for what concerns all
   std::string pointer{};   ///< of what asks for it: "/stimuli/rough", "/device/limits/friction_N"
-  double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m; of an item its limit
+  double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m, N s/m; of an item its limit
   double device = 0.0;
   Phrase text{};  ///< a sentence with both numbers
 };
+
+/// As warnings write numbers: "0.300", "8000", as many decimals as three digits take.
+std::string in_three_digits(double value);
 
 struct RehearsalCourse {
   std::stop_token stop{};
@@ -46,9 +50,13 @@ struct RehearsalCourse {
 ///   position_resolution  amplitude ≥ position_resolution_m
 ///   wavelength           λ ≥ 2 · position_resolution_m
 ///   bandwidth            v/λ ≤ half the protocol's rate, and the resonance where one was found
-///   stiffness            largest eigenvalue of the symmetric part of −∂F/∂x at the force limit (felt_stiffness.h)
-///                        ≤ 2b/T [Colgate 1997], and the stiffest spring that it was seen to hold; T of the protocol,
-///                        for a loop slower than the one that held it by the share of the rates
+///   stiffness            K the largest eigenvalue of the symmetric part of −∂F/∂x at the force limit (felt_stiffness.h),
+///                        B the contact damping: K·T/2 + |B| ≤ b (sampled_loop.h), and K + 2|B|/T ≤ the stiffest spring
+///                        that it was seen to hold; T of the protocol, for a loop slower than the one that held it by the
+///                        share of the rates
+///   coupling             of two bodies behind a virtual coupling instead: likewise of its spring and damper, whatever the
+///                        tool touches
+///   friction_damping     see friction_rehearsal.h; of two bodies only without a coupling
 ///   workspace            the patch inside what a person reached, or else what the driver tells
 ///
 /// The texture force is that of `texture_force_rms_N` at the force and the speed that a hand aims at which
@@ -63,8 +71,8 @@ struct RehearsalCourse {
 /// with δ = H − z: so a wave of the tool against one of the surface counts as they meet, and a texture that the tool
 /// does not reach does not. The stiffness is that of F = −kδ∇δ, pd_gradient's law: of k(∇δ∇δᵀ + δ∇∇δ) with kδ the force
 /// limit, by differences over one sample of H. The amplitude is √2 times the RMS of H, λ the finest wave of either texture
-/// (finest_wave.h). Behind a virtual coupling of stiffness k_t a stiffness K is K·k_t/(K + k_t) to the hand, and the
-/// texture force that of such a surface. Limits: those of composed_relief; the smooth maximum counts as the hard one.
+/// (finest_wave.h). Behind a virtual coupling of stiffness k_t the texture force is that of a surface of K·k_t/(K + k_t).
+/// Limits: those of composed_relief; the smooth maximum counts as the hard one.
 ///
 /// Errors: none of a stimulus: what cannot be rendered is a warning. std::bad_alloc.
 ///

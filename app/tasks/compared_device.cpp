@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "analysis/number_text.h"
+#include "app/conductor/friction_rehearsal.h"
 #include "app/conductor/recorded_hand.h"
 #include "app/device_kind.h"
 #include "app/device_remarks.h"
@@ -21,9 +22,10 @@ namespace {
 
 constexpr const char* kReplay = "replay";
 
-/// The items that stimuli are compared with; beside them rate and workspace, which every profile has.
-constexpr std::array kComparedItems{"friction_N", "force_resolution_N", "position_resolution_m",
-                                    "damping_N_s_per_m", "stiffness_N_per_m"};
+/// The items that stimuli are compared with; in addition rate and workspace, which every profile has.
+constexpr std::array kComparedItems{
+    "friction_N",        "force_resolution_N", "position_resolution_m", "damping_N_s_per_m",
+    "stiffness_N_per_m", "latency_s",          "moving_mass_kg"};
 
 std::string comma_separated(const std::vector<std::string>& words) {
   std::string all{};
@@ -100,6 +102,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     // Its model tells one profile from another.
     sought.wanted.which = {capability.name, capability.model, capability.serial};
     sought.not_known = capability.not_known;
+    sought.latency_s = settings->sensor.latency_s;
     return sought;
   }
   const std::size_t colon = device.find(':');
@@ -144,14 +147,28 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     warn("no session can begin on " + name + " here and now: " + device.absence);
   }
   if (!comparison.refusal.empty()) return comparison;
+  const auto warn_of = [&](const std::vector<RehearsalWarning>& found) {
+    for (const RehearsalWarning& warning : found) {
+      warn_at(warning.pointer, warning.text.english());
+    }
+  };
+  // What needs no measurement.
+  const auto warn_of_friction = [&] {
+    if (!device.wanted.has_motors) return;
+    const WhichDevice& which = device.wanted.which;
+    warn_of(friction_warnings(
+        protocol, models,
+        {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)}));
+  };
   const std::string of_itself = "the force and the rate that " + name + " gives";
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
-      warn("nothing that is felt was compared with " + name +
+      warn("but for friction, nothing that is felt was compared with " + name +
            ": what it was measured to do lies with a study, which --study DIR names");
     }
+    warn_of_friction();
   } else {
     try {
       RehearsedDevice found = profiled_device(protocol, device.wanted, *study, now_utc);
@@ -159,9 +176,8 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
       compare(found, protocol, [&](const DeviceProfile& profile) {
         return rehearse_on_device(protocol, profile, builder, course);
       });
-      for (const RehearsalWarning& warning : found.warnings) {
-        warn_at(warning.pointer, warning.text.english());
-      }
+      warn_of(found.warnings);
+      if (!found.profile) warn_of_friction();
       if (found.profile) {
         comparison.compared =
             "compared with what " + name + " was measured to do on " + found.profile->measured_utc +
@@ -172,7 +188,9 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
         tell_gaps(*found.profile, protocol, now_utc, warn);
       } else if (device.wanted.has_motors) {
         warn("the study has no profile of " + words_for(device) +
-             ": no stimulus and no limit of the protocol was compared with it; measure it by " +
+             ": but for their friction, no stimulus and no limit of the protocol was compared with "
+             "it; "
+             "measure it by " +
              command_to_measure(device.wanted, *study));
       }
       comparison.profile = std::move(found.profile);

@@ -23,6 +23,7 @@ struct SoughtDevice {
   std::string refusal{};
   /// Of a simulated device that stands for a real one: DeviceCapability::not_known.
   std::vector<DeviceTrait> not_known{};
+  double latency_s = 0.0;  ///< of a simulated one; 0 of others, whose profile has it
 };
 /// Looks for what --device names. A driver may open what it finds for a moment, to ask its name; nothing moves.
 /// Errors: std::runtime_error for a "simulated:MODEL" that there is not; a driver that there is not is an absence.

@@ -155,6 +155,7 @@ std::string FalconDevice::trouble() const {
 Driver falcon_driver() {
   return {.id = "falcon",
           .summary = "Novint Falcon: three degrees of freedom with force, over USB.",
+          .velocity = falcon::LineSettings{}.velocity,
           .find =
               [](const DriverOptions& options) {
                 DriverSurvey survey{};

@@ -638,6 +638,7 @@ bool agrees_now(const DriverOptions& options, const std::string& sentence) {
 Driver force_dimension_driver() {
   return {.id = "force_dimension",
           .summary = "delta, omega, sigma and lambda of Force Dimension, through the maker's SDK.",
+          .velocity = ForceDimensionDevice::kWindow,
           .find =
               [](const DriverOptions& options) {
                 try {

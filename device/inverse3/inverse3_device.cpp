@@ -504,6 +504,7 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
 Driver inverse3_driver(const Inverse3Patience& patience) {
   return {.id = "inverse3",
           .summary = "Inverse3 of Haply, through the maker's local service.",
+          .velocity = kInverse3Window,
           .find = [patience](
                       const DriverOptions& options) { return inverse3_survey(options, patience); },
           .open = [patience](const std::string& which,

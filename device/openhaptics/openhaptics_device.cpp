@@ -345,6 +345,7 @@ std::string OpenHapticsDevice::trouble() const {
 Driver openhaptics_driver() {
   return {.id = "openhaptics",
           .summary = "Touch and Phantom of 3D Systems, through OpenHaptics.",
+          .velocity = kVelocityWindow,
           .find =
               [](const DriverOptions& options) {
                 DriverSurvey survey;

@@ -27,7 +27,7 @@ struct FeltStiffness {
 };
 
 /// The largest eigenvalue of the symmetric part of −∂F/∂x [N/m], x the resting tip in all three directions, at the
-/// stiffest place found: there a spring along one direction is as stiff, which is what 2b/T bounds [Colgate 1997].
+/// stiffest place found: there a spring along one direction is as stiff, which is K of b > K·T/2 + |B| [Colgate 1997].
 /// For a force −k·δ·∇δ (pd_gradient, height_map at a lateral gain of 1) it is that of k(∇δ∇δᵀ + δ∇∇δ), with kδ the
 /// force. What F turns without being a gradient of anything (the other part of ∂F/∂x) is left out.
 ///

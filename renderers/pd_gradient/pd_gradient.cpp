@@ -85,7 +85,7 @@ PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions
                {.name = "too_deep"},
                {.name = "kept"},
                {.name = "wholly_inside"}}} {
-  if (choice_of(inputs.parameters, "coupling") == "virtual") {
+  if (has_virtual_coupling(inputs.parameters)) {
     tool_.emplace(properties_of(inputs.parameters, centre_in_tool_m_));
   }
 }
@@ -279,14 +279,16 @@ std::vector<Parameter> parameters() {
        .meaning = "Samples across the widest contact; wider ones get longer cells"},
       number("texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the surface"),
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the tool"),
-      number("contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
-             "Damping of a contact along its gradient"),
+      number(
+          "contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
+          "Damping of a contact along its gradient; without a coupling the device needs as much of "
+          "its own in addition to half the stiffness times the period"),
       number(
           "coupling_stiffness_N_per_m", "N/m", 10.0, 1e5, 1000.0,
-          "Virtual coupling only: spring between hand and tool; below twice the device's damping "
-          "times the servo rate"),
+          "Virtual coupling only: spring between hand and tool; half of it times the period, plus "
+          "the coupling's damping, has to stay below the device's damping"),
       number("coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
-             "Virtual coupling only: damper between hand and tool"),
+             "Virtual coupling only: damper between hand and tool; see its spring"),
       number("coupling_angular_stiffness_N_m_per_rad", "N m/rad", 1e-3, 100.0, 0.3,
              "Virtual coupling only: spring that turns the tool as the hand"),
       number("coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
@@ -299,6 +301,11 @@ std::vector<Parameter> parameters() {
 }
 
 }  // namespace
+
+bool has_virtual_coupling(const ParameterValues& values) {
+  const auto coupling = values.find("coupling");
+  return coupling != values.end() && coupling->second == ParameterValue(std::string("virtual"));
+}
 
 ForceModel pd_gradient_model() {
   ModelDeclaration declaration{

@@ -29,11 +29,12 @@ namespace asperity {
 /// with the probe. The surface's own frame stands upright with its origin in `patch.centre_m`.
 ///
 /// `coupling = none`: the tool is where the device is, and the hand feels F about the tip. Passive
-/// only while the steepest stiffness, texture included, stays below 2b/T of the device.
+/// only while b > K·T/2 + |B| with K the steepest stiffness, texture included, B the contact damping and b the
+/// device's own (sampled_loop.h).
 /// `coupling = virtual` (default): between the two is a tool of its own with mass, on springs and
-/// dampers, integrated implicitly (CoupledTool); the hand feels the springs. It is never stiffer than
-/// `coupling_stiffness_N_per_m`, however stiff the contacts, and softens the texture in return: a
-/// texture's vibration reaches the hand by the share k_t/(k_t + k) and up to about the frequency
+/// dampers, integrated implicitly (CoupledTool); the hand feels the springs. K and B are then
+/// `coupling_stiffness_N_per_m` and `coupling_damping_N_s_per_m`, however stiff the contacts: 1.5 N s/m with the
+/// defaults at 1 kHz. The coupling softens the texture in return: a texture's vibration reaches the hand by the share k_t/(k_t + k) and up to about the frequency
 /// √((k_t + k)/m)/2π.
 ///
 /// Contact damping b (`contact_damping_N_s_per_m`, 0): the force of a contact is −(k·δ + b·δ̇)·∇δ
@@ -135,5 +136,8 @@ class PdGradient final : public ForceRenderer {
 
 /// Needs a tool and a surface.
 ForceModel pd_gradient_model();
+
+/// Whether the hand holds a simulated tool, with complete parameters of any model.
+bool has_virtual_coupling(const ParameterValues& values);
 
 }  // namespace asperity

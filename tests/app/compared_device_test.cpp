@@ -2,7 +2,9 @@
 
 #include "app/tasks/compared_device.h"
 
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 
 #include "app/device_profile.h"
 #include "app/tasks/protocol_files.h"
+#include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
@@ -18,6 +21,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
@@ -116,27 +120,31 @@ TEST_F(ComparedDevice, ThatGivesNoForceIsSaidToBeComparedWithNothing) {
 
 TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
   keep(good());
-  EXPECT_THAT(warnings(compared("simulated")),
-              Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
-                                 "damping_N_s_per_m, stiffness_N_per_m")));
+  EXPECT_THAT(
+      warnings(compared("simulated")),
+      Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
+                         "damping_N_s_per_m, stiffness_N_per_m, latency_s, moving_mass_kg")));
 }
 
 // No measurement of the virtual hand tells of the real one.
 TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
   const std::string not_known =
       "of delta.3, which \"simulated:delta.3\" stands for, are not known: friction, weakest force, "
-      "steps of positions, damping, stiffest spring, resonance; no stimulus was compared";
+      "steps of positions, damping, moving mass, stiffest spring, resonance; no stimulus was "
+      "compared";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));
   EXPECT_THAT(warnings(compared("simulated:falcon")),
-              Contains(HasSubstr("friction, weakest force, damping, stiffest spring, resonance;")))
+              Contains(HasSubstr("friction, weakest force, damping, moving mass, stiffest spring, "
+                                 "resonance;")))
       << "its steps are";
   EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("not known"))));
   EXPECT_THAT(warnings(compared("simulated:lambda.7")),
               Contains(HasSubstr("are not known: friction, weakest force, steps of positions, "
-                                 "damping, stiffest spring, resonance; no stimulus")))
+                                 "damping, moving mass, stiffest spring, resonance; no stimulus")))
       << "nor is its workspace, but what its driver tells is compared";
   // Of an earlier version, which took the virtual hand's friction for a delta.3's.
-  const DeviceProfile earlier = good("in place of delta.3");
+  DeviceProfile earlier = good("in place of delta.3");
+  earlier.items.push_back({.name = "latency_s", .status = Status::pass, .value = 0.00025});
   std::filesystem::create_directories(study / "profiles");
   auto json = nlohmann::json::parse(json_text_of(earlier));
   json.erase("stands_for");
@@ -148,6 +156,42 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
   EXPECT_THAT(told, Contains(HasSubstr(not_known)));
   EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
   EXPECT_THAT(told, Each(Not(HasSubstr("has no number for"))));
+}
+
+// The friction of the defaults, 20 N s/m, at the latency and the velocity window of a Falcon. That its mass is unknown is
+// no reason to be silent, with a study and without one.
+TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
+  const auto buzz = HasSubstr("is a damper of 20.0 N s/m at 1.00 N");
+  const auto assumed = HasSubstr(
+      "assumes a moving mass of 50.0 g, which was not measured, and a "
+      "velocity 4.50 ms old");
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(AllOf(buzz, assumed)));
+  EXPECT_THAT(warnings(compared("simulated")), Each(Not(buzz))) << "its limit is 100 N s/m";
+  EXPECT_THAT(warnings(compared("simulated:delta.3")), Each(Not(buzz))) << "28 N s/m";
+  EXPECT_THAT(warnings(compare_with(sought_device("simulated:falcon", {}, built_in_drivers()),
+                                    protocol, "small.json", std::nullopt, kNow, models)),
+              Contains(buzz));
+  EXPECT_THAT(warnings(compared("mouse")), Each(Not(buzz)));
+}
+
+// Measured, its own mass counts, and the lag of the velocity that its driver estimates.
+TEST_F(ComparedDevice, IsComparedWithFrictionByItsOwnMassAndItsDriversVelocity) {
+  DeviceProfile falcon{.name = "falcon",
+                       .model = "Novint Falcon",
+                       .serial = "7",
+                       .rate_Hz = 1000.0,
+                       .workspace_minimum_m = glm::dvec3(-1.0),
+                       .workspace_maximum_m = glm::dvec3(1.0),
+                       .items = {{.name = "moving_mass_kg", .status = Status::pass, .value = 0.06},
+                                 {.name = "latency_s", .status = Status::pass, .value = 0.001}}};
+  keep(falcon);
+  const auto buzz = HasSubstr("Near rest the friction of \"rendered_grain_height_map\"");
+  EXPECT_THAT(
+      warnings(compared("falcon:7")),
+      Contains(AllOf(buzz, HasSubstr("a moving mass of 60.0 g and a velocity 4.50 ms old"))));
+  falcon.items.front().value = 0.07;
+  keep(falcon);
+  EXPECT_THAT(warnings(compared("falcon:7")), Each(Not(buzz))) << "21.9 N s/m";
 }
 
 TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
@@ -237,6 +281,39 @@ TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
   profile.items.back().status = Status::fail;
   keep(profile);
   EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed latency_s"));
+}
+
+// Pressed as hard as their explorations accept, 2.5 N, friction of 0.2 is a damper of 50 N s/m. Bodies are behind a
+// virtual coupling.
+TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPoints) {
+  const ModelRegistry models = built_in_models();
+  const auto warned_on = [&](const std::string& device) {
+    const SoughtDevice sought = sought_device(device, {}, built_in_drivers());
+    std::set<std::string> names{};
+    for (const LibraryProtocol& library : library_protocols()) {
+      const Protocol protocol = read_small_protocol(models, std::string(library.text));
+      const DeviceComparison comparison =
+          compare_with(sought, protocol, "library.json", std::nullopt, kNow, models);
+      for (const Diagnostic& warning : comparison.warnings) {
+        if (warning.message.find("Near rest the friction of") != std::string::npos) {
+          names.emplace(library.name);
+        }
+      }
+    }
+    return names;
+  };
+  const std::set<std::string> of_points{"chapter_matching",
+                                        "chapter_recognition",
+                                        "chapter_selection",
+                                        "improved_matching",
+                                        "improved_recognition",
+                                        "improved_selection",
+                                        "improved_selection_blindfold",
+                                        "photo_matching",
+                                        "photo_recognition"};
+  EXPECT_EQ(warned_on("simulated"), std::set<std::string>{});
+  EXPECT_EQ(warned_on("simulated:falcon"), of_points);
+  EXPECT_EQ(warned_on("simulated:delta.3"), of_points);
 }
 
 TEST(FailedItem, IsOneOnTheUsualLimitsOfTheProtocolsRate) {

@@ -360,6 +360,7 @@ TEST(LibraryProtocols, OfTheChapterAreNotTooMuchForTheSimulatedDevice) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, study);
   DeviceProfile device = with_item(ideal(), "damping_N_s_per_m", 5.17);
+  device = with_item(device, "moving_mass_kg", 0.05);
   device.is_simulated = true;
   int compared = 0;
   for (const LibraryProtocol& library : library_protocols()) {
@@ -440,14 +441,103 @@ TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
   EXPECT_NEAR(told->asked, trough_N_per_m, 0.03 * trough_N_per_m);
 }
 
-TEST_F(DeviceRehearsalTest, HasTheHandMeetTwoBodiesBehindTheSpringOfTheirCoupling) {
+// 1000 N/m and 1 N s/m, unless the stimulus has others: 1000 N/m · 1 ms/2 + 1 N s/m, whatever the contact.
+TEST_F(DeviceRehearsalTest, ComparesTheSpringAndTheDamperOfACouplingWithTheDevicesDamping) {
   TwoGratings coupled = kMeeting;
-  coupled.parameters = R"("coupling": "virtual")";  // of 1000 N/m, unless said otherwise
-  const auto found =
-      one(bodies(coupled), with_item(ideal(), "damping_N_s_per_m", 0.3), "stiffness");
+  coupled.parameters = R"("coupling": "virtual")";
+  const auto damped = [](double damping_N_s_per_m) {
+    return with_item(ideal(), "damping_N_s_per_m", damping_N_s_per_m);
+  };
+  const auto found = one(bodies(coupled), damped(1.4), "coupling");
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->asked, 3290.0 * 1000.0 / 4290.0, 15.0);
-  EXPECT_FALSE(one(bodies(coupled), with_item(ideal(), "damping_N_s_per_m", 0.5), "stiffness"));
+  EXPECT_NEAR(found->asked, 1.5, 1e-9);
+  EXPECT_NEAR(found->device, 1.4, 1e-9);
+  EXPECT_NE(found->text.english().find("needs a device with 1.50 N s/m of damping at 1000 Hz"),
+            std::string::npos)
+      << found->text.english();
+  EXPECT_FALSE(one(bodies(coupled), damped(1.6), "coupling"));
+  EXPECT_FALSE(one(bodies(coupled), damped(0.1), "stiffness")) << "the device feels the coupling";
+  coupled.parameters = R"("coupling": "virtual", "coupling_damping_N_s_per_m": 0)";
+  EXPECT_FALSE(one(bodies(coupled), damped(0.6), "coupling"));
+  EXPECT_TRUE(one(bodies(coupled), damped(0.4), "coupling"));
+}
+
+// 3290 N/m and 2 N s/m at 1 kHz: as a spring of 7290 N/m.
+TEST_F(DeviceRehearsalTest, AddsTheContactDampingToTheStiffnessOfTwoBodies) {
+  TwoGratings damped = kMeeting;
+  damped.parameters = R"("coupling": "none", "contact_damping_N_s_per_m": 2)";
+  const auto found = one(bodies(damped), with_item(ideal(), "damping_N_s_per_m", 2.0), "stiffness");
+  ASSERT_TRUE(found) << "the spring alone asks for 1.65 N s/m";
+  EXPECT_NEAR(found->asked, 3290.0 + 4000.0, 0.05 * 3290.0);
+  EXPECT_NE(found->text.english().find("The contact damping of 2.00 N s/m accounts for 4000 N/m"),
+            std::string::npos)
+      << found->text.english();
+  EXPECT_FALSE(one(bodies(damped), with_item(ideal(), "damping_N_s_per_m", 3.8), "stiffness"));
+}
+
+/// The small study's stroke with another force.
+std::string pressed_with(const std::string& force, const std::string& parameters) {
+  return replaced(one_stimulus("sinusoid", parameters), R"("speed_m_per_s": {)",
+                  R"("normal_force_N": {)" + force + R"(}, "speed_m_per_s": {)");
+}
+
+DeviceProfile of_50_grams() { return with_item(ideal(), "moving_mass_kg", 0.05); }
+
+// B = 0.2 · F/v₀ against 2m/T = 100 N s/m; ideal() has no delay.
+TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsTooSteepADamperAndNamesTheSpeedThatWouldDo) {
+  const auto found = one(pressed_with(R"("target": 1, "maximum": 3)",
+                                      R"("amplitude_m": 1e-5, "friction_speed_m_per_s": 0.005)"),
+                         of_50_grams(), "friction_damping");
+  ASSERT_TRUE(found) << "120 N s/m";
+  EXPECT_NEAR(found->asked, 120.0, 1e-9);
+  EXPECT_NEAR(found->device, 100.0, 1e-9);
+  EXPECT_EQ(found->pointer, "/stimuli/rendered");
+  const std::string text = found->text.english();
+  for (const char* const part :
+       {"a damper of 120 N s/m at 3.00 N", "at 1000 Hz the device vibrates on more than 100 N s/m",
+        "a moving mass of 50.0 g", "Set friction_speed_m_per_s to 0.00600 or more",
+        "at most 2.50 N"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+  // The remedies that it names.
+  EXPECT_FALSE(one(
+      pressed_with(R"("maximum": 3)", R"("amplitude_m": 1e-5, "friction_speed_m_per_s": 0.006)"),
+      of_50_grams(), "friction_damping"));
+  EXPECT_FALSE(one(
+      pressed_with(R"("maximum": 2.5)", R"("amplitude_m": 1e-5, "friction_speed_m_per_s": 0.005)"),
+      of_50_grams(), "friction_damping"));
+}
+
+TEST_F(DeviceRehearsalTest, TakesTheDelayOfTheVelocityIntoAccount) {
+  const std::string protocol = pressed_with(R"("target": 1)", R"("amplitude_m": 1e-5)");
+  EXPECT_FALSE(one(protocol, of_50_grams(), "friction_damping")) << "20 of 100 N s/m";
+  const auto late =
+      one(protocol, with_item(of_50_grams(), "latency_s", 0.0045), "friction_damping");
+  ASSERT_TRUE(late);
+  EXPECT_NEAR(late->device, 100.0 * std::sin(std::numbers::pi / 20.0), 1e-9);
+  DeviceProfile falcon = with_item(of_50_grams(), "latency_s", 0.001);
+  falcon.name = "falcon";  // whose velocity is a line through eight readings
+  const auto estimated = one(protocol, falcon, "friction_damping");
+  ASSERT_TRUE(estimated);
+  EXPECT_NEAR(estimated->device, late->device, 1e-9);
+}
+
+TEST_F(DeviceRehearsalTest, SaysThatNoFrictionSpeedWouldDoWhereNoneDoes) {
+  const auto found = one(pressed_with(R"("target": 3)", R"("amplitude_m": 1e-5)"),
+                         with_item(of_50_grams(), "latency_s", 0.1), "friction_damping");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->text.english().find("lower its friction; no friction_speed_m_per_s"),
+            std::string::npos)
+      << found->text.english();
+}
+
+// 20 N s/m in the tool's own implicit step: the device feels the coupling.
+TEST_F(DeviceRehearsalTest, ComparesTheFrictionOfTwoBodiesOnlyWithoutACoupling) {
+  const DeviceProfile late = with_item(of_50_grams(), "latency_s", 0.02);
+  EXPECT_TRUE(one(bodies(kMeeting), late, "friction_damping"));
+  TwoGratings coupled = kMeeting;
+  coupled.parameters = R"("coupling": "virtual")";
+  EXPECT_FALSE(one(bodies(coupled), late, "friction_damping"));
 }
 
 // Over a wave: the normal force is kδ with δ = H − Z and a mean of 1 N, that along the stroke −kδ·H′.
@@ -516,9 +606,11 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
 TEST_F(DeviceRehearsalTest, ComparesStimuliWithWhatItSaysAndNothingElse) {
   for (const DeviceQuantity& quantity : device_quantities()) {
     if (!quantity.trait) continue;
-    const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
-    const DeviceProfile bad = with_item(ideal(), quantity.name, at_most ? 1e3 : 1e-3);
-    EXPECT_EQ(!warnings(grating_protocol(), bad).empty(), !not_compared({*quantity.trait}).empty())
+    // A mass may be too light as well.
+    const auto is_warned_of = [&](double value) {
+      return !warnings(grating_protocol(), with_item(ideal(), quantity.name, value)).empty();
+    };
+    EXPECT_EQ(is_warned_of(1e3) || is_warned_of(1e-3), !not_compared({*quantity.trait}).empty())
         << quantity.name;
   }
   DeviceProfile narrow = ideal();

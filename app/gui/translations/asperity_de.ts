@@ -3010,6 +3010,34 @@
         <source>How stiff &quot;%1&quot; is could not be found, and not compared with the %2 N/m that the device holds: wherever it was looked at, its force jumps or does not grow.</source>
         <translation>Wie steif „%1“ ist, ließ sich nicht finden und nicht mit den %2 N/m vergleichen, die das Gerät hält: Wo immer nachgesehen wurde, springt die Kraft oder wächst nicht.</translation>
     </message>
+    <message>
+        <source>This holds for a moving mass of %1 g and a velocity %2 ms old.</source>
+        <translation>Das gilt für eine bewegte Masse von %1 g und eine %2 ms alte Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>This assumes a moving mass of %1 g, which was not measured, and a velocity %2 ms old.</source>
+        <translation>Angenommen sind eine bewegte Masse von %1 g, die nicht gemessen wurde, und eine %2 ms alte Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Have the surface pressed with at most %1 N, or lower its friction; no friction_speed_m_per_s that the model accepts is high enough.</source>
+        <translation>Lassen Sie höchstens mit %1 N drücken, oder verringern Sie die Reibung; kein Wert von friction_speed_m_per_s, den das Modell annimmt, ist hoch genug.</translation>
+    </message>
+    <message>
+        <source>Set friction_speed_m_per_s to %1 or more, or have the surface pressed with at most %2 N.</source>
+        <translation>Setzen Sie friction_speed_m_per_s auf mindestens %1, oder lassen Sie höchstens mit %2 N drücken.</translation>
+    </message>
+    <message>
+        <source>Near rest the friction of &quot;%1&quot; is a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates on more than %5 N s/m: strokes will buzz where they reverse. %6 %7</source>
+        <translation>Nahe der Ruhe ist die Reibung von „%1“ bei %3 N ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät an mehr als %5 N s/m: Striche werden schnarren, wo sie umkehren. %6 %7</translation>
+    </message>
+    <message>
+        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, needs a device with %4 N s/m of damping at %5 Hz, and as measured this one has %6. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
+        <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, braucht bei %5 Hz ein Gerät mit einer Dämpfung von %4 N s/m, und dieses hat nach der Messung %6. Verringern Sie coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m.</translation>
+    </message>
+    <message>
+        <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of it.</source>
+        <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>
