@@ -21,6 +21,7 @@
 #include "protocols/json_document.h"
 #include "protocols/plan.h"
 #include "renderers/offline/composed_relief.h"
+#include "renderers/offline/contact_loss.h"
 #include "renderers/offline/felt_stiffness.h"
 #include "renderers/offline/force_matching.h"
 #include "renderers/offline/sampled_loop.h"
@@ -38,6 +39,8 @@ constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::fo
                                      DeviceTrait::position_step, DeviceTrait::damping,
                                      DeviceTrait::latency,       DeviceTrait::moving_mass,
                                      DeviceTrait::stiffness,     DeviceTrait::resonance};
+/// Of a stroke: a stimulus that is left for less is still felt as a surface.
+constexpr double kContactMayBeLost = 0.05;
 /// Below what arithmetic leaves of a force without a texture there is none.
 constexpr double kNoForce_N = 1e-9;
 
@@ -269,6 +272,7 @@ class DeviceRehearsal final {
     const TextureWaves waves = waves_of(stimulus, builder_.models());
     check_waves(planned.stimulus.name, waves, fastest_m_per_s(exploration, habits));
     check_stiffness(planned.stimulus.name, stimulus, {}, 0.0);
+    check_contact(planned.stimulus.name, stimulus, habits);
   }
 
   void check_bodies(const PlannedPresentation& planned, const Exploration& exploration) {
@@ -485,6 +489,37 @@ class DeviceRehearsal final {
                                "%1 The contact damping of %2 N s/m accounts for %3 N/m of it.")
                             .with(sentence, in_three_digits(damper_N_s_per_m),
                                   in_three_digits(as_spring_N_per_m(0.0, damper_N_s_per_m)))});
+  }
+
+  /// A mass on a spring leaves a surface that falls away faster than the hand presses it down.
+  void check_contact(const std::string& name, const PreparedStimulus& stimulus,
+                     const HandHabits& habits) {
+    const std::optional<double> mass_kg = profile_.value("moving_mass_kg");
+    const DeviceItem* const damping = profile_.item("damping_N_s_per_m");
+    if (!mass_kg || damping == nullptr || !damping->value) return;
+    constexpr std::size_t kAcross = 2;
+    const double damping_N_s_per_m =
+        damping->by_axis.size() > kAcross ? damping->by_axis[kAcross] : *damping->value;
+    const double share = share_out_of_contact(*stimulus.model, stimulus.inputs,
+                                              {.mass_kg = *mass_kg,
+                                               .damping_N_s_per_m = damping_N_s_per_m,
+                                               .force_N = habits.normal_force_N,
+                                               .speed_m_per_s = habits.speed_m_per_s,
+                                               .rate_Hz = protocol_.rate_Hz});
+    if (share <= kContactMayBeLost) return;
+    warn({.id = "contact",
+          .stimulus = name,
+          .asked = share,
+          .device = kContactMayBeLost,
+          .text =
+              phrase("Rehearsal",
+                     "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
+                     "for %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do "
+                     "not follow its height. Lower stiffness_N_per_m, the texture's amplitude or "
+                     "the speed, or have it pressed harder.")
+                  .with(name, in_three_digits(habits.normal_force_N),
+                        in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
+                        in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
   }
 
   void check_workspace(const SurfacePatch& patch) {

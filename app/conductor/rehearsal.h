@@ -22,7 +22,7 @@ namespace asperity {
 /// One thing that a device cannot do as a stimulus asks for it.
 struct RehearsalWarning {
   /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness", "coupling",
-  /// "friction_damping", "workspace"; "not_rehearsed" for a stimulus of which nothing, or nothing of
+  /// "contact", "friction_damping", "workspace"; "not_rehearsed" for a stimulus of which nothing, or nothing of
   /// its stiffness, can be stated;
   /// "limit_" and "unmeasured_" with the name of an item that does not keep the protocol's limit, or of which
   /// nothing is known.
@@ -56,6 +56,9 @@ struct RehearsalCourse {
 ///                        share of the rates
 ///   coupling             of two bodies behind a virtual coupling instead: likewise of its spring and damper, whatever the
 ///                        tool touches
+///   contact              out of contact for no more than 5 % of a stroke (contact_loss.h), at the force and the speed that
+///                        the hand aims at, of a mass of moving_mass_kg with damping_N_s_per_m across the surface. Not of
+///                        two bodies
 ///   friction_damping     see friction_rehearsal.h; of two bodies only without a coupling
 ///   workspace            the patch inside what a person reached, or else what the driver tells
 ///

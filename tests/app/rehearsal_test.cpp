@@ -360,6 +360,7 @@ TEST(LibraryProtocols, OfTheChapterAreNotTooMuchForTheSimulatedDevice) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, study);
   DeviceProfile device = with_item(ideal(), "damping_N_s_per_m", 5.17);
+  device.items.back().by_axis = {5.17, 5.17, 10.0};
   device = with_item(device, "moving_mass_kg", 0.05);
   device.is_simulated = true;
   int compared = 0;
@@ -538,6 +539,30 @@ TEST_F(DeviceRehearsalTest, ComparesTheFrictionOfTwoBodiesOnlyWithoutACoupling) 
   TwoGratings coupled = kMeeting;
   coupled.parameters = R"("coupling": "virtual")";
   EXPECT_FALSE(one(bodies(coupled), late, "friction_damping"));
+}
+
+// 50 g and 10 N s/m across the surface, as the simulated device has them.
+TEST_F(DeviceRehearsalTest, ForetellsThatAStiffGratingOfFixedDirectionIsOutOfContact) {
+  DeviceProfile device = of_50_grams();
+  std::erase_if(device.items,
+                [](const DeviceItem& item) { return item.name == "damping_N_s_per_m"; });
+  const std::string grating = R"("amplitude_m": 0.0005, "wavelength_m": 0.002)";
+  const auto at = [&](const std::string& stiffness) {
+    std::string protocol = pressed_with(R"("target": 1)", grating);
+    return replaced(protocol, R"("textures")",
+                    R"("material": {"stiffness_N_per_m": )" + stiffness + R"(}, "textures")");
+  };
+  EXPECT_FALSE(one(at("2000"), device, "contact")) << "its damping was not measured";
+  device.items.push_back({.name = "damping_N_s_per_m",
+                          .status = DeviceItem::Status::pass,
+                          .value = 5.0,
+                          .by_axis = {5.0, 5.0, 10.0}});
+  const auto found = one(at("2000"), device, "contact");
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->asked, 0.1);
+  EXPECT_NE(found->text.english().find("50.0 g with 10.0 N s/m"), std::string::npos)
+      << found->text.english();
+  EXPECT_FALSE(one(at("500"), device, "contact"));
 }
 
 // Over a wave: the normal force is kδ with δ = H − Z and a mean of 1 N, that along the stroke −kδ·H′.

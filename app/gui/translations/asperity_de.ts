@@ -3038,6 +3038,10 @@
         <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of it.</source>
         <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
+    <message>
+        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
+        <translation>Mit %2 N gedrückt und mit %3 mm/s gestrichen, ist „%1“ für %4 % eines Strichs ohne Kontakt: %5 g mit %6 N s/m, wie am Gerät gemessen, folgen der Höhe nicht. Verringern Sie stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit, oder lassen Sie stärker drücken.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>
