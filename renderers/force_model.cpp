@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
+#include "analysis/number_text.h"
 #include "renderers/height_map.h"
 #include "renderers/lateral_gradient.h"
 #include "renderers/pd_gradient/pd_gradient.h"
@@ -46,6 +48,18 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
   return model.make(complete);
+}
+
+std::string conservative_text(const ForceModel& model) {
+  if (!model.conservative_with) return "never";
+  if (model.conservative_with->empty()) return "always";
+  std::string text{};
+  for (const auto& [name, value] : *model.conservative_with) {
+    const double* const number = std::get_if<double>(&value);
+    text += (text.empty() ? "with " : ", ") + name + '=' +
+            (number == nullptr ? std::get<std::string>(value) : number_text(*number));
+  }
+  return text;
 }
 
 void ModelRegistry::add(ForceModel model) {

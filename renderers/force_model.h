@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,7 +43,14 @@ struct ForceModel {
   /// sample's statistics (a sinusoid's amplitude and wavelength). Empty for a model that needs
   /// none.
   std::function<ParameterValues(const HeightField&, const Material&)> suggested_by{};
+  /// The parameter values with which the force without friction is conservative: a hand that returns in contact to where
+  /// it was has gained no energy. Empty: whatever the values. Nothing: with no values, so that a hand can be given energy
+  /// on one way around and loses it on the other.
+  std::optional<ParameterValues> conservative_with{};
 };
+
+/// "always", "never", "with lateral_gradient_gain=1, law=corrected"
+std::string conservative_text(const ForceModel& model);
 
 /// One renderer of a model, from parameters as given: they are completed and checked here.
 ///

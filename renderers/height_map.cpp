@@ -152,7 +152,11 @@ ForceModel height_map_model() {
     }
     return std::make_unique<CorrectedHeightMap>(inputs);
   };
-  return {.declaration = std::move(declaration), .make = make, .suggested_by = {}};
+  return {.declaration = std::move(declaration),
+          .make = make,
+          .suggested_by = {},
+          .conservative_with =
+              ParameterValues{{"law", std::string("corrected")}, {"lateral_gradient_gain", 1.0}}};
 }
 
 }  // namespace asperity

@@ -61,7 +61,8 @@ ForceModel lateral_gradient_model() {
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             return std::make_unique<LateralGradient>(inputs);
           },
-          .suggested_by = {}};
+          .suggested_by = {},
+          .conservative_with = ParameterValues{}};
 }
 
 }  // namespace asperity

@@ -17,6 +17,9 @@ namespace asperity {
 /// A sinusoid h = A·sin(2πx/L) pushes with at most F_max = K·2πA/L. Slopes are taken over the
 /// device's motion, so `motion_scale` enters them.
 ///
+/// In contact the force is −∇(½·k·w² + K·h) without friction, so a loop does no work. A hand that touches down on a height
+/// and lifts off over another is given or loses K times their difference.
+///
 /// Limits: the force along the surface appears at once with contact.
 ///
 /// [Minsky 1995] Minsky: Computational haptics: the Sandpaper system for synthesizing texture for a

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -26,7 +27,20 @@ const char* kind_name(ParameterKind kind) {
   return "";
 }
 
-nlohmann::ordered_json json_of_model(const ModelDeclaration& model) {
+nlohmann::ordered_json json_of_value(const ParameterValue& value) {
+  return std::visit([](const auto& one) { return nlohmann::ordered_json(one); }, value);
+}
+
+/// null where the force never is.
+nlohmann::ordered_json json_of_conservative(const ForceModel& force) {
+  if (!force.conservative_with) return nullptr;
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : *force.conservative_with) json[name] = json_of_value(value);
+  return json;
+}
+
+nlohmann::ordered_json json_of_model(const ForceModel& force) {
+  const ModelDeclaration& model = force.declaration;
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const Parameter& parameter : model.parameters) {
     const bool is_choice = parameter.kind == ParameterKind::choice;
@@ -38,11 +52,7 @@ nlohmann::ordered_json json_of_model(const ModelDeclaration& model) {
         is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.maximum);
     json["choices"] =
         is_choice ? nlohmann::ordered_json(parameter.choices) : nlohmann::ordered_json();
-    if (const double* number = std::get_if<double>(&parameter.default_value)) {
-      json["default"] = *number;
-    } else {
-      json["default"] = std::get<std::string>(parameter.default_value);
-    }
+    json["default"] = json_of_value(parameter.default_value);
     json["meaning"] = parameter.meaning;
     parameters.push_back(std::move(json));
   }
@@ -50,12 +60,15 @@ nlohmann::ordered_json json_of_model(const ModelDeclaration& model) {
           {"version", model.version},
           {"summary", model.summary},
           {"source", model.source},
+          {"conservative_with", json_of_conservative(force)},
           {"parameters", parameters}};
 }
 
-void print_model(const ModelDeclaration& model) {
+void print_model(const ForceModel& force) {
+  const ModelDeclaration& model = force.declaration;
   std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
-            << model.source << '\n'
+            << model.source << "\n  conservative without friction: " << conservative_text(force)
+            << '\n'
             << described(model.parameters) << '\n';
 }
 
@@ -73,11 +86,11 @@ void add_models(CLI::App& program, Job& job) {
         nlohmann::ordered_json document{{"format", "asperity.models/1"},
                                         {"models", nlohmann::ordered_json::array()}};
         for (const ForceModel& model : registry.models()) {
-          document["models"].push_back(json_of_model(model.declaration));
+          document["models"].push_back(json_of_model(model));
         }
         std::cout << document.dump(2) << '\n';
       } else {
-        for (const ForceModel& model : registry.models()) print_model(model.declaration);
+        for (const ForceModel& model : registry.models()) print_model(model);
       }
       return 0;
     };

@@ -326,7 +326,12 @@ ForceModel pd_gradient_model() {
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     return std::make_unique<PdGradient>(inputs, instruction_sets_here().back());
   };
-  return {.declaration = std::move(declaration), .make = make, .suggested_by = {}};
+  return {.declaration = std::move(declaration),
+          .make = make,
+          .suggested_by = {},
+          .conservative_with = ParameterValues{{"coupling", std::string("none")},
+                                               {"maximum", std::string("smooth")},
+                                               {"contact_damping_N_s_per_m", 0.0}}};
 }
 
 }  // namespace asperity

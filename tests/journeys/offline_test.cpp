@@ -231,7 +231,7 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   std::vector<std::string> ids{};
   for (const auto& model : document.at("models")) {
     ids.push_back(model.at("id"));
-    for (const char* key : {"version", "summary", "source", "parameters"}) {
+    for (const char* key : {"version", "summary", "source", "conservative_with", "parameters"}) {
       EXPECT_TRUE(model.contains(key)) << key;
     }
     for (const auto& parameter : model.at("parameters")) {
@@ -245,6 +245,14 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   }
   EXPECT_THAT(ids,
               testing::IsSupersetOf({"height_map", "sinusoid", "stochastic", "lateral_gradient"}));
+  const auto& height_map = document.at("models").at(0);
+  EXPECT_EQ(height_map.at("id"), "height_map");
+  EXPECT_EQ(height_map.at("conservative_with").dump(),
+            R"({"lateral_gradient_gain":1.0,"law":"corrected"})");
+  const std::string list = asperity({"models"}).out;
+  EXPECT_THAT(list, testing::HasSubstr("conservative without friction: with "
+                                       "lateral_gradient_gain=1, law=corrected\n"));
+  EXPECT_THAT(list, testing::HasSubstr("conservative without friction: never\n"));
 }
 
 TEST(Check, SaysWhatAPlanAmountsTo) {
