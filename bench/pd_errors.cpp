@@ -1,0 +1,223 @@
+// How far the forces and torques of pd_gradient are from the truth, in the scenes that docs/models.md names.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "renderers/pd_gradient/pd_gradient.h"
+#include "renderers/pd_gradient/reference_penetration.h"
+#include "stimuli/textured_shape.h"
+#include "tests/renderers/surfaces.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kPressed_N_per_m = 1000.0;
+constexpr int kTruthSamples = 800;
+constexpr int kPoses = 17;
+
+/// What a scene has at one pose, once rendered and once true, in the contact's frame.
+struct Sample {
+  Penetration found{};
+  Penetration truth{};
+};
+
+/// A tool over a surface, and where it is at each of the poses.
+struct ErrorScene {
+  std::string name{};
+  std::shared_ptr<const TexturedMesh> tool{};
+  std::shared_ptr<const TexturedMesh> surface{};
+  std::function<Pose(double share)> pose{};  ///< of the tool, from −1 to 1
+  /// The depth of a tool that is moved by these, where a formula has it; the densely sampled meshes otherwise.
+  std::function<double(const glm::dvec3& tool_m)> depth_m{};
+};
+
+std::vector<std::uint32_t> all_of(const TexturedMesh& mesh) {
+  std::vector<std::uint32_t> triangles(mesh.triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = static_cast<std::uint32_t>(i);
+  return triangles;
+}
+
+/// By a formula: the same differences as the model's, of the depth alone. Torques are not compared.
+Penetration formula_truth(const ErrorScene& scene, const glm::dvec3& tool_m, double step_m) {
+  const auto slope = [&](const glm::dvec3& way_m) {
+    return (scene.depth_m(tool_m + way_m) - scene.depth_m(tool_m - way_m)) / (2.0 * step_m);
+  };
+  return {.depth_m = scene.depth_m(tool_m),
+          .slope = {slope({step_m, 0.0, 0.0}), slope({0.0, step_m, 0.0})}};
+}
+
+std::vector<Sample> samples_of(const ErrorScene& scene, double cell_m) {
+  RendererInputs inputs;
+  inputs.material = {.stiffness_N_per_m = kPressed_N_per_m, .friction = 0.0};
+  inputs.patch.extent_m = {1.0, 1.0};
+  inputs.tool = scene.tool;
+  inputs.surface = scene.surface;
+  inputs.parameters =
+      complete_values(pd_gradient_model().declaration, {{"coupling", std::string("none")},
+                                                        {"cell_m", cell_m},
+                                                        {"step_m", 1e-4},
+                                                        {"most_samples", 512.0}});
+  PdGradient renderer(inputs, instruction_sets_here().back());
+  const std::vector<std::uint32_t> of_tool = all_of(*scene.tool);
+  const std::vector<std::uint32_t> of_surface = all_of(*scene.surface);
+  std::vector<Sample> samples;
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose a = scene.pose(2.0 * i / (kPoses - 1.0) - 1.0);
+    const ProbeState probe{.position_m = a.position_m, .orientation = glm::quat_cast(a.rotation)};
+    renderer.reset({.position_m = {0.0, 0.0, 0.1}});
+    renderer.tick({.position_m = {0.0, 0.0, 0.1}}, kTick_s);
+    for (int again = 0; again < 40; ++again) renderer.tick(probe, kTick_s);
+    const auto contacts = renderer.contacts();
+    const auto deepest =
+        std::max_element(contacts.begin(), contacts.end(),
+                         [](const TexturedContact& one, const TexturedContact& two) {
+                           return one.penetration.depth_m < two.penetration.depth_m;
+                         });
+    if (deepest == contacts.end()) continue;
+    Sample sample{.found = deepest->penetration};
+    if (scene.depth_m) {
+      sample.truth = formula_truth(scene, a.position_m, 1e-4);
+    } else {
+      const auto truth = reference_penetration(
+          {.mesh = *scene.tool, .triangles = of_tool, .pose = a},
+          {.mesh = *scene.surface, .triangles = of_surface, .pose = {}}, deepest->frame,
+          {.width_m = deepest->grid.width_m, .samples = kTruthSamples},
+          HardMaximum{.step_m = 1e-4});
+      if (!truth) continue;
+      sample.truth = *truth;
+    }
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+using Component = std::function<double(const Wrench&)>;
+
+/// RMS of the truth and of the error.
+nlohmann::ordered_json compared(const std::vector<Sample>& samples, const Component& component) {
+  double truth2 = 0.0;
+  double error2 = 0.0;
+  for (const Sample& sample : samples) {
+    const double truth = component(contact_wrench(sample.truth, {}, kPressed_N_per_m));
+    const double found = component(contact_wrench(sample.found, {}, kPressed_N_per_m));
+    truth2 += truth * truth;
+    error2 += (found - truth) * (found - truth);
+  }
+  const double count = static_cast<double>(samples.size());
+  return {{"truth", std::sqrt(truth2 / count)},
+          {"error", std::sqrt(error2 / count)},
+          {"share", std::sqrt(error2 / truth2)}};
+}
+
+nlohmann::ordered_json errors_of(const ErrorScene& scene, double cell_m) {
+  const std::vector<Sample> samples = samples_of(scene, cell_m);
+  double depth_m = 0.0;
+  double error_m = 0.0;
+  for (const Sample& sample : samples) {
+    depth_m += sample.truth.depth_m / static_cast<double>(samples.size());
+    error_m += (sample.found.depth_m - sample.truth.depth_m) / static_cast<double>(samples.size());
+  }
+  nlohmann::ordered_json json{{"scene", scene.name},
+                              {"cell_m", cell_m},
+                              {"poses", samples.size()},
+                              {"depth_m", depth_m},
+                              {"depth_error_m", error_m}};
+  json["force_u_N"] = compared(samples, [](const Wrench& w) { return w.force_N.x; });
+  json["force_n_N"] = compared(samples, [](const Wrench& w) { return w.force_N.z; });
+  if (scene.depth_m) return json;
+  json["torque_u_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.x; });
+  json["torque_v_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.y; });
+  json["torque_n_N_m"] = compared(samples, [](const Wrench& w) { return w.torque_N_m.z; });
+  return json;
+}
+
+std::shared_ptr<const TexturedMesh> made(const Shape& shape, const HeightField& field) {
+  return std::make_shared<const TexturedMesh>(
+      textured_shape(shape, field, {.rim_m = 0.5e-3, .samples_per_wavelength = 8.0}));
+}
+
+glm::dmat3 about(const glm::dvec3& axis, double angle_rad) {
+  return glm::mat3_cast(glm::angleAxis(angle_rad, axis));
+}
+
+std::vector<ErrorScene> scenes() {
+  constexpr double kHalfBox_m = 2e-3;
+  constexpr double kDeep_m = 1e-4;
+  const auto waves = grating({.amplitude_m = 1e-4, .wavelength_m = 2e-3, .pitch_m = 1e-4});
+  const auto plate = made(PlateShape{{0.03, 0.03, 0.008}}, *waves);
+  const BoxShape box{{0.008, 0.008, 2.0 * kHalfBox_m}};
+  const glm::dvec3 over_crests_m{0.0, 0.0, kHalfBox_m + 2e-4 - kDeep_m};
+
+  constexpr double kRadius_m = 2e-3;
+  constexpr double kGroove_m = 1e-3;
+  constexpr double kGrooveWave_m = 8e-3;
+  const auto groove = [](double x_m) {
+    return kGroove_m * std::sin(2.0 * std::numbers::pi * x_m / kGrooveWave_m);
+  };
+  const auto groove_depth_m = [groove](const glm::dvec3& tool_m) {
+    constexpr int kPlaces = 200'000;
+    double deepest_m = -1.0;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double aside_m = kRadius_m * (2.0 * i / kPlaces - 1.0);
+      const double lower_m = tool_m.z - std::sqrt(kRadius_m * kRadius_m - aside_m * aside_m);
+      deepest_m = std::max(deepest_m, groove(tool_m.x + aside_m) - lower_m);
+    }
+    return deepest_m;
+  };
+
+  std::vector<ErrorScene> all{
+      {.name = "a flat box of 8 mm, tilted by 0.01 rad, slid over a grating by 1 mm either way",
+       .tool = made(box, *level(0.0F)),
+       .surface = plate,
+       .pose =
+           [=](double share) {
+             return Pose{.rotation = about({0, 1, 0}, 0.01),
+                         .position_m = {1e-3 * share, 0.0, kHalfBox_m + 1e-4 + 4e-5 - kDeep_m}};
+           }},
+      {.name = "a cylinder of 4 mm in a groove, 1 mm aside of its ground either way",
+       .tool = made(CylinderShape{.diameter_m = 2.0 * kRadius_m, .length_m = 0.01}, *level(0.0F)),
+       .surface = made(
+           PlateShape{{0.03, 0.03, 0.008}},
+           *grating({.amplitude_m = kGroove_m, .wavelength_m = kGrooveWave_m, .pitch_m = 1e-4})),
+       .pose =
+           [=](double share) {
+             // Lying along y, pressed 0.2 mm in where it is.
+             const double x_m = -0.25 * kGrooveWave_m + 1e-3 * share;
+             const double touching_m = groove_depth_m({x_m, 0.0, 0.0});
+             return Pose{.rotation = about({1, 0, 0}, 0.5 * std::numbers::pi),
+                         .position_m = {x_m, 0.0, touching_m - 2e-4}};
+           },
+       .depth_m = groove_depth_m}};
+  for (const double aside_m : {0.0, 0.5e-3, 1e-3}) {
+    all.push_back(
+        {.name = "a box of 8 mm with a grating on the same grating, turned about n by up to "
+                 "0.4 rad, aside by " +
+                 std::to_string(1e3 * aside_m) + " mm",
+         .tool = made(box, *waves),
+         .surface = plate,
+         .pose = [=](double share) {
+           return Pose{.rotation = about({0, 0, 1}, 0.4 * share),
+                       .position_m = over_crests_m + glm::dvec3{aside_m, 0.0, 0.0}};
+         }});
+  }
+  return all;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main() {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const asperity::ErrorScene& scene : asperity::scenes()) {
+    for (const double cell_m : {1e-4, 2.5e-5}) all.push_back(asperity::errors_of(scene, cell_m));
+  }
+  std::puts(all.dump(2).c_str());
+}
