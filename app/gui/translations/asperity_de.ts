@@ -6799,10 +6799,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Lange Wellen entfernen</translation>
     </message>
     <message>
-        <source>Dark is high: for light mortar between bricks or light sand between pebbles. The shape comes back well in even light.</source>
-        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln. Die Form kommt bei gleichmäßigem Licht gut heraus.</translation>
-    </message>
-    <message>
         <source>▲ What comes back is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks like a relief and feels like one, of another surface. Take the picture again in even light if you can.</source>
         <translation>▲ Heraus kommt die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus wie ein Relief und fühlt sich so an, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
     </message>
@@ -6811,8 +6807,12 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, hat nichts mit der Oberfläche darunter zu tun. Nur benutzen, wenn das gewollt ist.</translation>
     </message>
     <message>
-        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. The shape comes back well; how deep it is you have to say.</source>
-        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Die Form kommt gut heraus; wie tief sie ist, muss angegeben werden.</translation>
+        <source>Dark is high: for light mortar between bricks or light sand between pebbles, in even light. On five measured surfaces the heights resembled the relief only in part, and on four of them less than the plain brightness did.</source>
+        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln, in gleichmäßigem Licht. Bei fünf vermessenen Oberflächen glichen die Höhen dem Relief nur zum Teil, und bei vier davon weniger als die bloße Helligkeit.</translation>
+    </message>
+    <message>
+        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. On five measured surfaces the heights resembled the relief only in part, and on four of them less than the plain brightness did. How deep the relief is, a photograph does not show: set it below.</source>
+        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen glichen die Höhen dem Relief nur zum Teil, und bei vier davon weniger als die bloße Helligkeit. Wie tief das Relief ist, zeigt ein Foto nicht: Geben Sie es unten an.</translation>
     </message>
 </context>
 <context>

@@ -180,9 +180,10 @@ void RecipePanel::show_refusal(const QString& why) {
 void RecipePanel::say_what_it_shows(int kind) {
   switch (kind) {
     case dark_high:
-      expectation_->setText(
-          tr("Dark is high: for light mortar between bricks or light sand "
-             "between pebbles. The shape comes back well in even light."));
+      expectation_->setText(tr(
+          "Dark is high: for light mortar between bricks or light sand between pebbles, in even "
+          "light. On five measured surfaces the heights resembled the relief only in part, and on "
+          "four of them less than the plain brightness did."));
       break;
     case side_light:
       expectation_->setText(
@@ -197,10 +198,11 @@ void RecipePanel::say_what_it_shows(int kind) {
              "the surface under it. Use it only if that is what you want."));
       break;
     default:
-      expectation_->setText(
-          tr("Bright is high: for a surface in even light, where grooves and "
-             "gaps are dark. The shape comes back well; how deep it is you "
-             "have to say."));
+      expectation_->setText(tr(
+          "Bright is high: for a surface in even light, where grooves and gaps are dark. On five "
+          "measured surfaces the heights resembled the relief only in part, and on four of them "
+          "less than the plain brightness did. How deep the relief is, a photograph does not "
+          "show: set it below."));
   }
 }
 
