@@ -335,6 +335,34 @@ TEST(RoughnessStroke, CrossesWithSpeedForThreeHands) {
   }
 }
 
+/// How much rougher a stroke at 100 mm/s is than one at 50 mm/s, of a hand with this hold of its tool.
+double faster_over_slower(double hold_N_per_m, double spacing_m) {
+  RoughnessStroke slow = stroke_of("pd_gradient");
+  slow.hand = {.stiffness_N_per_m = hold_N_per_m};
+  slow.speed_m_per_s = 0.05;
+  RoughnessStroke fast = slow;
+  fast.speed_m_per_s = 0.1;
+  return greatest_m_per_s2(fast, spacing_m) / greatest_m_per_s2(slow, spacing_m);
+}
+
+// √(k_h/m)/2π: 10 Hz, met at 5 mm by 50 mm/s, and 20 Hz, met at half of that.
+TEST(RoughnessStroke, CrossesWithSpeedWhereTheHandsOwnFrequencyIs) {
+  EXPECT_LT(faster_over_slower(200.0, 0.004), 0.9);
+  EXPECT_GT(faster_over_slower(200.0, 0.006), 1.05);
+  EXPECT_GT(faster_over_slower(800.0, 0.004), 1.5);
+}
+
+TEST(RoughnessStroke, DoesNotCrossBetween100And200MillimetresPerSecond) {
+  RoughnessStroke slow = stroke_of("pd_gradient");
+  slow.speed_m_per_s = 0.1;
+  RoughnessStroke fast = slow;
+  fast.speed_m_per_s = 0.2;
+  for (const double spacing_m : {0.0005, 0.0015, 0.003, 0.0054, 0.008}) {
+    EXPECT_LT(greatest_m_per_s2(fast, spacing_m), 0.99 * greatest_m_per_s2(slow, spacing_m))
+        << spacing_m;
+  }
+}
+
 // Elsewhere only the order in D is held; how far from the drop spacing the peaks are is printed.
 using Measures = std::map<std::string, double HeldToolRoughness::*>;
 
