@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "results_schema/analysis_use.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
@@ -18,9 +19,8 @@ namespace asperity {
 struct SessionAnswers {
   struct Trial {
     int trial = 0;
-    std::uint32_t phase = 0;
+    AnalysisUse use = AnalysisUse::counted;
     std::uint32_t factors_json = 0;
-    int repetition = 1;  ///< as TrialRow::repetition
   };
   struct Surface {
     std::uint32_t item = 0;
@@ -39,8 +39,8 @@ struct SessionAnswers {
   struct Attempt {
     int trial = 0;
     AttemptOutcome outcome = AttemptOutcome::answered;
-    bool valid = true;      ///< and not set aside
-    bool excluded = false;  ///< it, or its session
+    AnalysisUse use = AnalysisUse::counted;
+    bool valid = true;  ///< and not set aside
     bool flagged = false;
     std::size_t first_surface = 0;
     std::size_t surfaces = 0;

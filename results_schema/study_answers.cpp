@@ -46,14 +46,23 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
   std::int64_t session = 0;
   std::string phase;
   std::string factors_json;
+  int repetition = 1;
   while (statement.step()) {
     SessionAnswers::Trial trial{};
-    statement.read(session, trial.trial, phase, factors_json, trial.repetition);
+    statement.read(session, trial.trial, phase, factors_json, repetition);
     if (session != session_id) break;
-    trial.phase = words.place(phase);
+    trial.use = use_in_analyses(phase, repetition);
     trial.factors_json = words.place(factors_json);
     answers.trials.push_back(trial);
   }
+}
+
+/// A trial that the plan lacks, as in a damaged study, is not analysed.
+AnalysisUse use_of_trial(const std::vector<SessionAnswers::Trial>& plan, int trial) {
+  const auto found = std::lower_bound(
+      plan.begin(), plan.end(), trial,
+      [](const SessionAnswers::Trial& planned, int number) { return planned.trial < number; });
+  return found == plan.end() || found->trial != trial ? AnalysisUse::practice : found->use;
 }
 
 /// Attempts by their ids, and the rows that hang on them as these are read, attempt after attempt.
@@ -216,15 +225,19 @@ SessionAnswers Study::answers(std::int64_t session_id) const {
     answers.attempts.reserve(attempts.rows().size());
     Places places{};
     for (const AttemptRow& row : attempts.rows()) {
-      answers.attempts.push_back({.trial = row.trial,
-                                  .outcome = row.outcome,
-                                  .valid = row.valid,
-                                  .excluded = row.excluded.has_value(),
-                                  .flagged = row.flagged});
+      answers.attempts.push_back(
+          {.trial = row.trial, .outcome = row.outcome, .valid = row.valid, .flagged = row.flagged});
       places.emplace(row.id, &answers.attempts.back());
     }
     read_surfaces(database, session_id, answers, places, words);
     read_replies(database, session_id, answers, places, words);
+    for (const AttemptRow& row : attempts.rows()) {
+      SessionAnswers::Attempt& attempt = *places.at(row.id);
+      attempt.use = use_in_analyses(use_of_trial(answers.trials, row.trial),
+                                    {.valid = row.valid,
+                                     .answered = attempt.replies > 0,
+                                     .excluded = row.excluded.has_value()});
+    }
     // Those of a trial stand in the order of their attempts already.
     std::stable_sort(answers.attempts.begin(), answers.attempts.end(),
                      [](const auto& a, const auto& b) { return a.trial < b.trial; });

@@ -49,32 +49,27 @@ class Gathering {
     Session reading{.answers = answers,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
     reading.options = reading.factors = reading.words;
-    std::map<int, const SessionAnswers::Trial*> main_trials{};
-    std::set<int> anchors{};
+    std::map<int, std::uint32_t> factors_json{};  // of each trial
     for (const SessionAnswers::Trial& trial : answers.trials) {
-      if (answers.words[trial.phase] != text_of(Phase::main)) continue;
-      if (gathered.kind == kMagnitude && trial.repetition == 0) {
-        anchors.insert(trial.trial);
-      } else {
-        main_trials[trial.trial] = &trial;
-      }
+      factors_json[trial.trial] = trial.factors_json;
+      if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
     }
-    gathered.count.planned_trials += main_trials.size();
     for (const SessionAnswers::Attempt& attempt : answers.attempts) {
-      if (anchors.contains(attempt.trial) && attempt.valid && attempt.replies > 0) {
-        ++gathered.count.anchors;
-      }
-      const auto trial = main_trials.find(attempt.trial);
-      if (trial == main_trials.end()) continue;
-      if (!attempt.valid || attempt.replies == 0) {
-        const std::string outcome = text_of(attempt.outcome);
-        // An answer that does not count was given, but the machine failed.
-        ++gathered.count.not_counted[outcome == "answered" ? "answered but invalid" : outcome];
-      } else if (attempt.excluded) {
-        ++gathered.count.not_counted["excluded"];
-      } else {
-        if (attempt.flagged) ++gathered.count.flagged;
-        add_answer(reading, attempt, person(participant), trial->second->factors_json);
+      switch (attempt.use) {
+        case AnalysisUse::practice:
+          break;
+        case AnalysisUse::anchor:
+          if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
+          break;
+        case AnalysisUse::invalid:
+        case AnalysisUse::unanswered:
+        case AnalysisUse::excluded:
+          ++gathered.count.not_counted[fate_of(attempt.use, attempt.outcome)];
+          break;
+        case AnalysisUse::counted:
+          if (attempt.flagged) ++gathered.count.flagged;
+          add_answer(reading, attempt, person(participant), factors_json.at(attempt.trial));
+          break;
       }
     }
   }
@@ -252,6 +247,12 @@ const char* text_of(AnswerGroup group) noexcept {
 AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session) {
   if (participant.is_virtual) return AnswerGroup::virtual_participants;
   return session.mode == SessionMode::pilot ? AnswerGroup::pilot : AnswerGroup::people;
+}
+
+std::string fate_of(AnalysisUse use, AttemptOutcome outcome) {
+  if (use == AnalysisUse::excluded) return "excluded";
+  // An answer that does not count was given, but the machine failed.
+  return outcome == AttemptOutcome::answered ? "answered but invalid" : text_of(outcome);
 }
 
 std::uint32_t Words::place(const std::string& word) {

@@ -82,6 +82,10 @@ struct TextureForces {
   std::vector<double> achieved_N{};  ///< where the surface was felt for long enough
 };
 
+/// How attempts at analysed trials that do not count are named in counts: "excluded", "answered but invalid", or else
+/// their outcome.
+std::string fate_of(AnalysisUse use, AttemptOutcome outcome);
+
 /// What was left out, and what was kept although something was noticed.
 struct AnswerCount {
   std::size_t participants = 0;

@@ -275,8 +275,8 @@ void BidsDataset::finish() {
       (made_by_.sentence.empty() ? "" : made_by_.sentence + "\n\n") +
           "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
           "column in the .json file beside it.\n\n"
-          "Rows say whether they count: an analysis uses phase \"main\", valid 1, excluded 0; "
-          "flagged 1 counts, but is worth a look.\n"
+          "An analysis counts the rows with counts_in_analyses 1; one with flagged 1 is worth a "
+          "look.\n"
           "A text that a spreadsheet would take for a formula has an apostrophe before it, "
           "and so has a text that begins with an apostrophe: take one away.\n");
 }

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results_schema/analysis_use.h"
+
 namespace asperity {
 
 namespace {
@@ -320,7 +322,7 @@ Columns attempt_columns() {
              [](const Place& at) { return text_of(at.attempt->outcome); }),
       {"answered", "timed_out", "not_compliant", "aborted", "device_fault", "emergency_stop",
        "skipped"}));
-  add(column("valid", "boolean", "", "1: the attempt counts; at most one per trial",
+  add(column("valid", "boolean", "", "1: the valid attempt of its trial; there is one at most",
              [](const Place& at) { return boolean(at.attempt->valid); }));
   add(dropped(
       missing("the attempt is valid",
@@ -333,7 +335,13 @@ Columns attempt_columns() {
                                              "why, in that person's words", [](const Place& at) {
                                                return optional_cell(at.attempt->excluded);
                                              }))));
-  add(column("flagged", "boolean", "", "1: the attempt counts, but look at it",
+  add(column("counts_in_analyses", "boolean", "",
+             "1: analyses count the attempt: the trial belongs to the main phase and is not an "
+             "anchor, and the attempt is answered, valid and not excluded",
+             [](const Place& at) {
+               return boolean(use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted);
+             }));
+  add(column("flagged", "boolean", "", "1: look at the attempt; it is not left out for that",
              [](const Place& at) { return boolean(at.attempt->flagged); }));
   add(dropped(missing(
       "not flagged",

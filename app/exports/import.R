@@ -59,9 +59,9 @@ read_asperity_tables <- function(folder = asperity_folder) {
   read
 }
 
-# One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts:
-# main trials without anchors, valid, not excluded, and of people in a session that was run for results. `who` is "run",
-# "pilot" or "virtual"; `counted = FALSE` keeps everything else as well.
+# One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count in
+# analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
+# `counted = FALSE` keeps those that do not count as well.
 answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   if (!is.character(who) || length(who) != 1 || !(who %in% c("run", "pilot", "virtual"))) {
     stop("answered_trials: who is \"run\", \"pilot\" or \"virtual\"; tables of another export are answered_trials(read = ...)")
@@ -71,8 +71,7 @@ answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   answers <- merge(answers, read$trials, by = keys)
   group <- ifelse(answers$virtual, "virtual", as.character(answers$mode))
   kept <- group == who
-  # Repetition 0 is an anchor: asked to keep the scale in mind, not to be analysed.
-  if (counted) kept <- kept & answers$phase == "main" & answers$repetition > 0 & answers$valid & !answers$excluded
+  if (counted) kept <- kept & answers$counts_in_analyses
   answers <- answers[kept, ]
   answers[order(answers$participant, answers$session, answers$trial, answers$attempt, answers$item), ]
 }

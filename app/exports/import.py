@@ -88,9 +88,9 @@ def read_tables(folder=FOLDER):
 
 
 def answered_trials(tables, who="run", counted=True):
-    """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts: main
-    trials without anchors, valid, not excluded, and of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
-    `counted=False` keeps everything else as well."""
+    """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only those that count
+    in analyses (counts_in_analyses), of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
+    `counted=False` keeps those that do not count as well."""
     if who not in ("run", "pilot", "virtual"):
         raise ValueError(f'answered_trials: who is "run", "pilot" or "virtual", not {who!r}')
     keys = ["participant", "session", "trial", "virtual", "mode"]
@@ -99,8 +99,7 @@ def answered_trials(tables, who="run", counted=True):
     group = answers["mode"].astype("string").mask(answers["virtual"].astype(bool), "virtual")
     kept = group == who
     if counted:
-        # Repetition 0 is an anchor: asked to keep the scale in mind, not to be analysed.
-        kept &= (answers["phase"] == "main") & (answers["repetition"] > 0) & answers["valid"] & ~answers["excluded"]
+        kept &= answers["counts_in_analyses"]
     return answers[kept].sort_values(keys[:3] + ["attempt", "item"]).reset_index(drop=True)
 
 

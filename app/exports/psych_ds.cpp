@@ -66,9 +66,9 @@ void PsychDataset::finish() {
        (made_by_.sentence.empty() ? "" : made_by_.sentence + " ") +
            "Answers about haptic textures, one file per session, one row per answer. Empty is "
            "missing; "
-           "an analysis uses phase main, valid 1, excluded 0. A text that a spreadsheet would take "
-           "for "
-           "a formula has an apostrophe before it, and so has a text that begins with one."},
+           "an analysis counts the rows with counts_in_analyses 1. A text that a spreadsheet would "
+           "take for a formula has an apostrophe before it, and so has a text that begins with "
+           "one."},
       {"variableMeasured", std::move(variables)}};
   folder_.write(root_ + "dataset_description.json", description.dump(2) + "\n");
 }

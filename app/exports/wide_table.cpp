@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results_schema/analysis_use.h"
 #include "results_schema/sav_file.h"
 
 namespace asperity {
@@ -79,9 +80,10 @@ void WideTable::begin_participant(const ExportPlace& at) {
 }
 
 void WideTable::add_answer(const ExportPlace& at) {
-  if (at.trial->phase != "main") return;
+  const AnalysisUse use = use_in_analyses(*at.trial, *at.attempt);
+  if (use == AnalysisUse::practice || use == AnalysisUse::anchor) return;
   Person& person = people_.back();
-  if (!at.attempt->valid || at.attempt->excluded) {
+  if (use != AnalysisUse::counted) {
     ++person.left_out;
     return;
   }
@@ -139,8 +141,8 @@ WideTable::Made WideTable::make() const {
   count("answers", "answers that are counted in the columns of conditions", &Person::answers);
   count("answers_flagged", "of these: of attempts that were flagged", &Person::flagged);
   count("answers_left_out",
-        "answers of main trials that are not counted, because the attempt is not valid or was "
-        "excluded",
+        "answers of main trials, without anchors, that are not counted, because the attempt is not "
+        "valid or was excluded",
         &Person::left_out);
 
   const bool gives_numbers = std::any_of(people_.begin(), people_.end(), [](const Person& person) {

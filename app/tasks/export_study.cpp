@@ -519,8 +519,10 @@ std::string readme(const ExportOptions& options, const std::optional<Phrase>& re
   return text +
          "The .tsv files of this folder hold everything, also what does not count, what was "
          "excluded, pilots and virtual\n"
-         "participants; the columns virtual, mode, phase, valid, excluded and flagged say so. All "
-         "other files of this\n"
+         "participants; the columns virtual, mode, phase, valid, excluded and flagged state it, "
+         "and "
+         "counts_in_analyses\n"
+         "of attempts.tsv which attempts analyses count. All other files of this\n"
          "folder hold people's sessions alone. Pilots are in pilot/, virtual participants in "
          "virtual/. Rows that do not\n"
          "count are marked there too, but for wide.csv and wide.sav, which count only what "

@@ -39,27 +39,30 @@ void count_compliance(const ComplianceRow& row, ReportFacts& facts) {
   if (*row.passed) ++band.passed;
 }
 
-/// As `gather_answers` counts.
-void count_fate(const AttemptRow& attempt, ReportFacts& facts) {
-  ++facts.attempts;
-  if (!attempt.valid || attempt.responses.empty()) {
-    const std::string outcome = text_of(attempt.outcome);
-    ++facts.not_counted[outcome == "answered" ? "answered but invalid" : outcome]
-                       [attempt.invalid_reason.value_or("")];
-  } else if (attempt.excluded) {
-    ++facts.not_counted["excluded"][*attempt.excluded];
-  } else {
-    ++facts.counted;
-    if (attempt.flagged) ++facts.flagged[attempt.flag_reason.value_or("")];
+void count_use(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
+  switch (use) {
+    case AnalysisUse::practice:
+    case AnalysisUse::anchor:
+      ++facts.other_attempts;
+      return;
+    case AnalysisUse::invalid:
+    case AnalysisUse::unanswered:
+    case AnalysisUse::excluded: {
+      const std::optional<std::string>& reason =
+          use == AnalysisUse::excluded ? attempt.excluded : attempt.invalid_reason;
+      ++facts.not_counted[fate_of(use, attempt.outcome)][reason.value_or("")];
+      break;
+    }
+    case AnalysisUse::counted:
+      ++facts.counted;
+      if (attempt.flagged) ++facts.flagged[attempt.flag_reason.value_or("")];
+      break;
   }
+  ++facts.attempts;
 }
 
-void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) {
-  if (is_main) {
-    count_fate(attempt, facts);
-  } else {
-    ++facts.other_attempts;
-  }
+void count_attempt(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
+  count_use(attempt, use, facts);
   if (attempt.servo) count_servo(*attempt.servo, facts.servo);
   for (const ComplianceRow& row : attempt.compliance) count_compliance(row, facts);
   for (const PresentationRow& surface : attempt.presentations) {
@@ -92,15 +95,15 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
   }
-  std::set<int> main_trials{};
-  for (const PlannedTrialRow& trial : study.plan(row.id)) {
-    const bool is_anchor = facts.has_anchors() && trial.repetition == 0;
-    if (trial.phase == text_of(Phase::main) && !is_anchor) main_trials.insert(trial.trial);
+  std::map<int, PlannedTrialRow> plan{};
+  for (PlannedTrialRow& trial : study.plan(row.id)) {
+    if (use_in_analyses(trial) == AnalysisUse::counted) ++session.main_trials;
+    plan[trial.trial] = std::move(trial);
   }
-  session.main_trials = static_cast<int>(main_trials.size());
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
   for (const AttemptRow& attempt : attempts) {
-    count_attempt(attempt, main_trials.contains(attempt.trial), facts);
+    // Of a trial that a damaged study lacks, nothing is known: it is not of the main phase.
+    count_attempt(attempt, use_in_analyses(plan[attempt.trial], attempt), facts);
   }
   session.stretches = recorded_stretches(row, events, attempts);
 }

@@ -278,6 +278,30 @@ std::map<std::string, std::string> only_row_of(const std::filesystem::path& file
   return cells;
 }
 
+// 96, 91 and 110 after an anchor of 900: their mean is 99.
+TEST(WideExport, LeavesAnchorsOutOfConditions) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  std::vector<MadeUpTrial> trials(4);
+  const std::vector<double> numbers{900.0, 96.0, 91.0, 110.0};
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].surfaces = {surface_of("s", "sinusoid", "s")};
+    trials[i].answers = {text_of_number(numbers[i])};
+    trials[i].number = numbers[i];
+  }
+  trials[0].repetition = 0;
+  made.add_session("anna", made.add_protocol("rough", "magnitude"), trials);
+  export_to(made, made.beside("out"));
+  const auto anna = only_row_of(made.beside("out") / "wide.csv");
+  EXPECT_EQ(anna.at("rough_which_mean"), "99");
+  EXPECT_EQ(anna.at("rough_which_n"), "3");
+  EXPECT_EQ(anna.at("answers"), "3");
+  EXPECT_EQ(anna.at("answers_left_out"), "0");
+  const auto same = sav(made.beside("out") / "wide.sav").rows.at(0);
+  EXPECT_EQ(same.at("rough_which_mean"), "99");
+  EXPECT_EQ(same.at("rough_which_n"), "3");
+}
+
 TEST(WideExport, KeepsTheVersionsOfAProtocolApart) {
   MadeUpStudy made;
   fill(made);

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/analyses/analyze_study.h"
 #include "app/exports/export_folder.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
@@ -323,6 +324,54 @@ TEST(Export, TakesTheOwnScaleOfAPersonOutOfTheirEstimates) {
   EXPECT_NEAR(normalised(5), 100.0 / root, 1e-9);
   EXPECT_EQ(cell_of(responses, 10, "normalised_estimate"), Cell{});
   EXPECT_EQ(cell_of(responses, 10, "answer_number"), Cell{"3"});
+}
+
+// An anchor keeps the scale in mind and is no result, whichever file is read.
+TEST(Export, MarksTheAttemptsThatAnalysesCount) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  MadeUpTrial counted{};
+  counted.surfaces = {surface_of("s", "sinusoid", "s")};
+  counted.answers = {"7"};
+  counted.number = 7.0;
+  MadeUpTrial anchor = counted;
+  anchor.repetition = 0;
+  MadeUpTrial practice = counted;
+  practice.phase = "practice";
+  MadeUpTrial invalid = counted;
+  invalid.valid = false;
+  MadeUpTrial unanswered = counted;
+  unanswered.answers = {};
+  unanswered.outcome = AttemptOutcome::timed_out;
+  MadeUpTrial flagged = counted;
+  flagged.flagged = true;
+  const std::int64_t session =
+      made.add_session("anna", made.add_protocol("rough", "magnitude"),
+                       {anchor, counted, practice, invalid, unanswered, flagged, counted});
+  made.study().add_decision(
+      session, {.trial = 7, .attempt = 1, .verdict = Verdict::exclude, .reason = "the alarm rang"});
+  ExportOptions options{};
+  options.formats = {ExportFormat::bids};
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out, options);
+  const std::vector<Cell> expected{"0", "1", "0", "0", "0", "1", "0"};
+  for (const std::string name :
+       {"attempts.tsv", "bids/sub-anna/ses-01/beh/sub-anna_ses-01_task-rough_beh.tsv"}) {
+    const Table table = table_in(out, name);
+    std::vector<Cell> counts{};
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      counts.push_back(cell_of(table, row, "counts_in_analyses"));
+    }
+    EXPECT_EQ(counts, expected) << name;
+  }
+  EXPECT_EQ(analyze_study(made.study()).at(0).answers, 2U);
+  // Both scripts read that column; neither repeats the rule.
+  for (const char* const script : {"import.py", "import.R"}) {
+    const std::string text = read_file(out / script);
+    EXPECT_THAT(text, HasSubstr("counts_in_analyses")) << script;
+    EXPECT_THAT(text, Not(HasSubstr("excluded"))) << script;
+    EXPECT_THAT(text, Not(HasSubstr("repetition"))) << script;
+  }
 }
 
 // Textures have names; what roughness is drawn over is how far apart their elements are.

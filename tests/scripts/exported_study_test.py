@@ -117,7 +117,7 @@ def every_protocol(folder, study):
     assert any(name in ours for name in worths)
     compare({name: value for name, value in theirs.items() if name in ours or name not in worths}, ours)
     standard_library_reads(out)
-    pandas_reads(out)
+    pandas_reads(out, {outcome["protocol"]: outcome["answers"] for outcome in outcomes})
     r_reads_the_public_form(study, folder / "public")
     return protocols, len(theirs)
 
@@ -152,8 +152,8 @@ def standard_library_reads(out):
                     assert highest is None or cell <= highest, (name, column, cell, highest)
 
 
-def pandas_reads(out):
-    """import.py with pandas: the same cells, in columns of the codebook's types."""
+def pandas_reads(out, counted):
+    """import.py with pandas: the same cells, in columns of the codebook's types, and as many answered trials as the program counts."""
     script = script_of(out)
     columns = {"integer": "Int64", "number": "float64", "boolean": "boolean"}
     told = script.codebook()
@@ -170,6 +170,8 @@ def pandas_reads(out):
                 assert pandas.isna(cell) if row[column] is None else cell == row[column], (name, column, row[column], cell)
     answers = script.answered_trials(tables, who="virtual")
     assert len(answers) > 0 and answers["virtual"].all() and answers["valid"].all()
+    attempts = answers.drop_duplicates(["participant", "session", "trial"])
+    assert attempts["protocol"].astype("string").value_counts().to_dict() == counted
 
 
 with tempfile.TemporaryDirectory() as temporary:

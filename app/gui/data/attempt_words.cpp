@@ -4,14 +4,9 @@
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
 #include "app/gui/study/shown_text.h"
+#include "results_schema/analysis_use.h"
 
 namespace asperity {
-
-namespace {
-
-bool is_of_main_part(const AttemptDetail& detail) { return detail.planned.phase == "main"; }
-
-}  // namespace
 
 QString AttemptWords::of_verdict(Verdict verdict) {
   switch (verdict) {
@@ -85,11 +80,25 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   } else if (attempt.excluded) {
     said << tr("Excluded: %1").arg(text(*attempt.excluded));
   }
-  if (said.isEmpty() && !is_of_main_part(detail)) {
-    said << tr("Practice: takes no part in analyses");
-  } else if (said.isEmpty() && !attempt.flagged) {
-    said << (detail.session.mode == SessionMode::pilot ? tr("Counts among the pilots")
-                                                       : tr("Counts in the analyses"));
+  if (said.isEmpty()) {
+    switch (use_in_analyses(detail.planned, attempt)) {
+      case AnalysisUse::practice:
+        said << tr("Practice: takes no part in analyses");
+        break;
+      case AnalysisUse::anchor:
+        said << tr("Anchor: takes no part in analyses");
+        break;
+      case AnalysisUse::unanswered:
+        said << tr("Does not count: there is no answer");
+        break;
+      case AnalysisUse::invalid:
+      case AnalysisUse::excluded:
+        break;  // stated above, with the reason
+      case AnalysisUse::counted:
+        if (attempt.flagged) break;
+        said << (detail.session.mode == SessionMode::pilot ? tr("Counts among the pilots")
+                                                           : tr("Counts in the analyses"));
+    }
   }
   if (attempt.flagged) {
     said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
@@ -100,7 +109,9 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
 
 State AttemptWords::state(const AttemptDetail& detail) {
   if (!detail.attempt.valid || detail.attempt.excluded) return State::stop;
-  if (!is_of_main_part(detail)) return State::unknown;
+  if (use_in_analyses(detail.planned, detail.attempt) != AnalysisUse::counted) {
+    return State::unknown;
+  }
   return detail.attempt.flagged ? State::look : State::fine;
 }
 

@@ -1258,6 +1258,14 @@
         <translation>Übung: nimmt an Auswertungen nicht teil</translation>
     </message>
     <message>
+        <source>Anchor: takes no part in analyses</source>
+        <translation>Anker: nimmt an Auswertungen nicht teil</translation>
+    </message>
+    <message>
+        <source>Does not count: there is no answer</source>
+        <translation>Zählt nicht: ohne Antwort</translation>
+    </message>
+    <message>
         <source>Counts among the pilots</source>
         <translation>Zählt unter den Pilotsitzungen</translation>
     </message>

@@ -161,6 +161,7 @@ TEST_F(DataView, ZoomsAllPlotsWithTheAxisOfOne) {
 TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
   AttemptDetail detail{};
   detail.attempt.valid = true;
+  detail.attempt.responses.emplace_back();
   detail.planned.phase = "main";
   EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses");
   detail.session.mode = SessionMode::pilot;
@@ -171,6 +172,28 @@ TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
   detail.attempt.flagged = true;
   detail.attempt.flag_reason = "late";
   EXPECT_TRUE(AttemptWords::standing(detail).startsWith("Practice: takes no part in analyses; "));
+}
+
+TEST(AttemptWords, StateThatAnAnchorIsNotAnalysed) {
+  AttemptDetail detail{};
+  detail.attempt.valid = true;
+  detail.attempt.responses.emplace_back();
+  detail.planned.phase = "main";
+  detail.planned.repetition = 0;
+  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: takes no part in analyses");
+  EXPECT_EQ(AttemptWords::state(detail), State::unknown);
+  detail.attempt.flagged = true;
+  detail.attempt.flag_reason = "late";
+  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: takes no part in analyses; flagged: late");
+}
+
+TEST(AttemptWords, StateThatAnUnansweredAttemptIsNotAnalysed) {
+  AttemptDetail detail{};
+  detail.attempt.valid = true;
+  detail.attempt.outcome = AttemptOutcome::timed_out;
+  detail.planned.phase = "main";
+  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: there is no answer");
+  EXPECT_EQ(AttemptWords::state(detail), State::unknown);
 }
 
 TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
