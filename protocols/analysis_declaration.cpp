@@ -2,11 +2,6 @@
 
 #include <array>
 
-#include <nlohmann/json.hpp>
-
-#include "analysis/number_text.h"
-#include "protocols/protocol_from_json.h"
-
 namespace asperity {
 
 namespace {
@@ -34,68 +29,5 @@ constexpr std::array kTests{
 }  // namespace
 
 std::span<const TestName> test_names() { return kTests; }
-
-AnalysisDeclaration analysis_declared_in(const nlohmann::json& protocol) {
-  AnalysisDeclaration declared{};
-  if (!protocol.is_object()) return declared;
-  const auto found = protocol.find("analysis");
-  if (found == protocol.end() || !found->is_object()) return declared;
-  if (const auto target = found->find("target"); target != found->end() && target->is_string()) {
-    declared.target = target->get<std::string>();
-  }
-  const auto family = found->find("family");
-  if (family == found->end() || !family->is_array()) return declared;
-  for (const nlohmann::json& name : *family) {
-    if (name.is_string()) declared.family.push_back(name.get<std::string>());
-  }
-  return declared;
-}
-
-std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json& protocol) {
-  if (!protocol.is_object()) return {};
-  const auto found = protocol.find("estimation");
-  if (found == protocol.end() || !found->is_object()) return {};
-  const auto text_at = [&found](const char* key) {
-    const auto member = found->find(key);
-    return member == found->end() || !member->is_string() ? std::string{}
-                                                          : member->get<std::string>();
-  };
-  EstimationDeclaration declared{.spacing = text_at("spacing"), .condition = text_at("condition")};
-  const nlohmann::json none = nlohmann::json::object();
-  const auto member_of = [&none](const nlohmann::json& object,
-                                 const std::string& key) -> const nlohmann::json& {
-    const auto member = object.is_object() ? object.find(key) : object.end();
-    return member == object.end() ? none : *member;
-  };
-  const auto levels_of = [&](const std::string& factor) -> const nlohmann::json& {
-    return member_of(member_of(member_of(protocol, "factors"), factor), "levels");
-  };
-  for (const nlohmann::json& level : levels_of(declared.condition)) {
-    if (level.is_number()) {
-      declared.conditions.push_back(number_text(level.get<double>()));
-    } else if (level.is_string()) {
-      declared.conditions.push_back(level.get<std::string>());
-    }
-  }
-  const nlohmann::json& textures = member_of(protocol, "textures");
-  for (const nlohmann::json& level : levels_of(declared.spacing)) {
-    if (level.is_number()) {
-      declared.spacing_m.emplace(number_text(level.get<double>()), level.get<double>());
-    } else if (level.is_string()) {
-      const auto name = level.get<std::string>();
-      const nlohmann::json& spacing_m = member_of(member_of(textures, name), "spacing_m");
-      if (spacing_m.is_number()) declared.spacing_m.emplace(name, spacing_m.get<double>());
-    }
-  }
-  return declared;
-}
-
-AnalysisDeclaration declared_analysis(const std::string& source) {
-  return analysis_declared_in(nlohmann::json::parse(source, nullptr, false));
-}
-
-std::optional<EstimationDeclaration> declared_estimation(const std::string& source) {
-  return estimation_declared_in(nlohmann::json::parse(source, nullptr, false));
-}
 
 }  // namespace asperity

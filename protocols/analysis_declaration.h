@@ -43,11 +43,4 @@ struct EstimationDeclaration {
   std::map<std::string, double, std::less<>> spacing_m{};
 };
 
-/// Of the text of a protocol, which may be from another version of the program or no JSON at all;
-/// nothing where it declares nothing in this form. See also analysis_declared_in of
-/// protocol_from_json.h.
-AnalysisDeclaration declared_analysis(const std::string& source);
-/// Likewise; nothing where there is none.
-std::optional<EstimationDeclaration> declared_estimation(const std::string& source);
-
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/protocol.h"
+#include "protocols/stored_protocol.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -76,8 +77,8 @@ class Gathering {
 
   void declare(const ProtocolRow& protocol) {
     if (!sources_.insert(protocol.source_sha256).second) return;
-    AnalysisDeclaration declared = declared_analysis(protocol.source);
-    if (auto estimation = declared_estimation(protocol.source)) {
+    StoredProtocol specified = stored_protocol(protocol.source);
+    if (auto& estimation = specified.estimation) {
       gathered.estimation.spacing = estimation->spacing;
       gathered.estimation.condition = estimation->condition;
       gathered.estimation.spacing_m.merge(estimation->spacing_m);
@@ -89,8 +90,8 @@ class Gathering {
       }
     }
     if (sources_.size() == 1) {
-      gathered.declared = std::move(declared);
-    } else if (!(declared == gathered.declared)) {
+      gathered.declared = std::move(specified.analysis);
+    } else if (!(specified.analysis == gathered.declared)) {
       gathered.declared_alike = false;
     }
   }

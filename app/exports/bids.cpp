@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "app/tasks/attempt_detail.h"
+#include "protocols/stored_protocol.h"
 #include "results_schema/recording.h"
 
 namespace asperity {
@@ -177,11 +178,8 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{};
   sidecar["TaskName"] = task_name_;
-  const nlohmann::json source = nlohmann::json::parse(at.protocol->source, nullptr, false);
-  if (source.is_object()) {
-    const auto title = source.find("title");
-    if (title != source.end() && title->is_string()) sidecar["TaskDescription"] = *title;
-  }
+  const std::string title = stored_protocol(at.protocol->source).title;
+  if (!title.empty()) sidecar["TaskDescription"] = title;
   // Its release tells machines apart; what it is called is told to everybody.
   const std::string& os = at.session->os;
   sidecar["StimulusPresentation"] = Json{

@@ -5,79 +5,55 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/stored_protocol.h"
+
 namespace asperity {
 
 namespace {
-
-std::string text(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::optional<double> number(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) return std::nullopt;
-  return found->get<double>();
-}
-
-nlohmann::json member(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? *found : nlohmann::json::object();
-}
 
 std::string place_in(const ProtocolRow& protocol, const std::string& pointer) {
   return "protocol " + protocol.name + " " + protocol.version + ": " + pointer;
 }
 
-void learn_questions(const ProtocolRow& protocol, const nlohmann::json& source,
+void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specified,
                      StudyVocabulary& vocabulary) {
-  const nlohmann::json questions = member(source, "questions");
-  for (const auto& [name, declaration] : questions.items()) {
-    if (!declaration.is_object()) continue;
+  for (const auto& [name, asked] : specified.questions) {
     StudyVocabulary::AnswerMeaning meaning{};
-    meaning.prompt = text(declaration, "prompt");
-    meaning.free_text = text(declaration, "form") == "text";
-    meaning.minimum = number(declaration, "minimum");
-    meaning.maximum = number(declaration, "maximum");
+    meaning.prompt = asked.prompt;
+    meaning.free_text = asked.form == "text";
+    meaning.minimum = asked.minimum;
+    meaning.maximum = asked.maximum;
+    meaning.options = asked.options;
     meaning.source = place_in(protocol, "/questions/" + name);
-    for (const nlohmann::json& option : declaration.value("options", nlohmann::json::array())) {
-      if (option.is_string()) meaning.options.push_back(option.get<std::string>());
-    }
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
     const bool free_text = meaning.free_text;
     const auto [question, is_new] = vocabulary.questions.insert({name, std::move(meaning)});
     question->second.questionnaire = true;  // also where a trial of another protocol asks the same
     if (!is_new && free_text) question->second.free_text = true;
   }
-  const nlohmann::json blocks = member(source, "blocks");
-  for (const auto& [name, block] : blocks.items()) {
-    if (!block.is_object()) continue;
-    const nlohmann::json asked = member(block, "question");
-    const std::string called = text(asked, "name");
-    if (called.empty()) continue;
+  for (const auto& [block, asked] : specified.trial_questions) {
+    if (asked.name.empty()) continue;
     StudyVocabulary::AnswerMeaning meaning{};
-    meaning.prompt = text(asked, "prompt");
+    meaning.prompt = asked.prompt;
     meaning.free_text = false;
     meaning.questionnaire = false;
-    meaning.source = place_in(protocol, "/blocks/" + name + "/question");
-    vocabulary.questions.insert({called, std::move(meaning)});
+    meaning.source = place_in(protocol, "/blocks/" + block + "/question");
+    vocabulary.questions.insert({asked.name, std::move(meaning)});
   }
 }
 
 void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabulary) {
-  const nlohmann::json source = nlohmann::json::parse(protocol.source, nullptr, false);
-  if (!source.is_object()) return;
-  const nlohmann::json factors = member(source, "factors");
-  for (const auto& [name, declaration] : factors.items()) {
+  StoredProtocol specified = stored_protocol(protocol.source);
+  for (const auto& [name, declared] : specified.factors) {
     const auto factor = vocabulary.factors.find(name);
-    if (factor == vocabulary.factors.end() || !declaration.is_object()) continue;
-    factor->second.meaning = text(declaration, "meaning");
-    factor->second.unit = text(declaration, "unit");
+    if (factor == vocabulary.factors.end()) continue;
+    factor->second.meaning = declared.meaning;
+    factor->second.unit = declared.unit;
     factor->second.source = place_in(protocol, "/factors/" + name);
   }
-  learn_questions(protocol, source, vocabulary);
-  if (std::optional<EstimationDeclaration> estimation = declared_estimation(protocol.source)) {
-    vocabulary.estimations.insert({protocol.source_sha256, *std::move(estimation)});
+  learn_questions(protocol, specified, vocabulary);
+  if (specified.estimation) {
+    vocabulary.estimations.insert({protocol.source_sha256, *std::move(specified.estimation)});
   }
 }
 

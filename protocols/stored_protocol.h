@@ -1,0 +1,45 @@
+// What the stored text of a protocol specifies, read leniently.
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/analysis_declaration.h"
+
+namespace asperity {
+
+/// A study keeps the protocols of all its sessions, also those of other versions of the program, which `read_protocol`
+/// may refuse. This is what can be read of any of them: what is not there in the expected form is absent.
+struct StoredProtocol {
+  struct Factor {
+    std::string meaning{};
+    std::string unit{};
+  };
+  /// Of a questionnaire.
+  struct Question {
+    std::string prompt{};
+    std::string form{};  ///< "choice", "number", "text"
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
+    std::vector<std::string> options{};
+  };
+  struct TrialQuestion {
+    std::string name{};
+    std::string prompt{};
+  };
+
+  std::string title{};
+  std::map<std::string, Factor> factors{};
+  std::map<std::string, Question> questions{};
+  std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
+  AnalysisDeclaration analysis{};
+  std::optional<EstimationDeclaration> estimation{};
+};
+
+/// Of any text, also of one that is not JSON: then nothing is specified.
+StoredProtocol stored_protocol(const std::string& source);
+
+}  // namespace asperity
