@@ -62,6 +62,8 @@ const CellWords& words_of_reasons() {
   static const CellWords kWords{
       {"no_maximum", phrase("CellWords", "the curve does not bend down")},
       {"outside_range", phrase("CellWords", "not within the tested spacings")},
+      {"not every trial presents every model",
+       phrase("CellWords", "not every trial presents every model")},
       {"too_few_to_say", phrase("CellWords", "too few participants to say")},
       {"there are no answers of which this could be tested",
        phrase("CellWords", "there are no answers of which this could be tested")}};

@@ -375,43 +375,56 @@ struct Confusion {
   double share() const { return static_cast<double>(times) / static_cast<double>(answers); }
 };
 
-/// The one whose share is the largest; of equal ones the first by name.
-Confusion largest_confusion(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
-                            const Pictures& pictures) {
+/// Those whose share is the largest.
+std::vector<Confusion> largest_confusions(const GatheredAnswers& gathered,
+                                          const std::vector<Judged>& judged,
+                                          const Pictures& pictures) {
   ConfusionTally confusions{};
   std::vector<std::size_t> answers(gathered.words.size());
   for (const Judged& one : judged) {
     confusions.count(one.felt, one.chosen);
     ++answers[one.felt];
   }
-  Confusion most{};
+  std::vector<Confusion> most{};
   for (const std::string& felt : pictures.felt) {
     for (const std::string& called : pictures.all) {
       const auto a = gathered.words.find(felt);
       const auto b = gathered.words.find(called);
       if (felt == called || !a || !b) continue;
       const std::size_t times = confusions.at(*a, *b);
-      if (times * std::max<std::size_t>(most.answers, 1) <= most.times * answers[*a]) continue;
-      most = {.felt = felt, .called = called, .times = times, .answers = answers[*a]};
+      if (times == 0) continue;
+      // Whole numbers: equal shares of different numbers of answers are equal.
+      const std::size_t own = most.empty() ? 0 : times * most.front().answers;
+      const std::size_t others = most.empty() ? 0 : most.front().times * answers[*a];
+      if (own < others) continue;
+      if (own > others) most.clear();
+      most.push_back({.felt = felt, .called = called, .times = times, .answers = answers[*a]});
     }
   }
   return most;
 }
 
-/// What the pairs do not show: a confusion in one direction that is larger than theirs.
-Phrase with_larger_confusion(const Phrase& answer, const std::vector<ConfusedPair>& pairs,
-                             const Confusion& largest) {
-  const bool is_told =
-      std::any_of(pairs.begin(), pairs.end(), [&largest](const ConfusedPair& pair) {
-        return pair.key == largest.felt + '|' + largest.called ||
-               pair.key == largest.called + '|' + largest.felt;
-      });
-  if (largest.times == 0 || is_told || largest.share() <= pairs.front().share()) return answer;
+/// What the pairs do not show: confusions in one direction that are larger than theirs.
+Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPair>& pairs,
+                              std::vector<Confusion> largest) {
+  std::erase_if(largest, [&pairs](const Confusion& one) {
+    return std::any_of(pairs.begin(), pairs.end(), [&one](const ConfusedPair& pair) {
+      return pair.key == one.felt + '|' + one.called || pair.key == one.called + '|' + one.felt;
+    });
+  });
+  if (largest.empty() || largest.front().share() <= pairs.front().share()) return answer;
+  const Confusion& first = largest.front();
+  if (largest.size() > 1) {
+    return phrase("Analysis",
+                  "%1 Counted in one direction only, %2 confusions were equally frequent and more "
+                  "frequent still: each in %3 of the answers.")
+        .with(answer, std::to_string(largest.size()), percent(first.share()));
+  }
   return phrase("Analysis",
                 "%1 Counted in one direction only, %2 was called %3 more often still: in %4 of %5 "
                 "answers.")
-      .with(answer, largest.felt, largest.called, std::to_string(largest.times),
-            std::to_string(largest.answers));
+      .with(answer, first.felt, first.called, std::to_string(first.times),
+            std::to_string(first.answers));
 }
 
 void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
@@ -451,7 +464,7 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
                  .with(std::to_string(most.size()), percent(first.share()));
   }
   add_question(outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
-               with_larger_confusion(answer, most, largest_confusion(gathered, judged, pictures)),
+               with_larger_confusions(answer, most, largest_confusions(gathered, judged, pictures)),
                phrase("Analysis",
                       "Of the answers to either of two textures, those that name the other one. "
                       "There is no interval: it is the largest of several."),

@@ -1,93 +1,17 @@
 // Selection: which of several renderings of one texture is the most realistic.
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <tuple>
 #include <utility>
 
 #include "app/analyses/families.h"
+#include "app/analyses/selection_choices.h"
+#include "app/analyses/selection_questions.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
 
 namespace asperity {
 
 namespace {
-
-constexpr std::size_t kNoLabel = LabelColumn::kMissing;
-
-/// The answers of a selection as choices among items.
-struct Selection {
-  const GatheredAnswers& gathered;
-  std::vector<std::string> items{};     ///< by name
-  std::vector<std::string> textures{};  ///< by name
-  std::vector<std::size_t> item_of_word{};
-  std::vector<std::size_t> texture_of_word{};
-  std::size_t positions = 0;  ///< of the largest trial
-  bool all_offered = true;    ///< every item in every trial
-  bool two_offered = true;    ///< in every trial
-  bool can_abstain = false;   ///< cannot_tell was an answer
-  std::size_t abstained = 0;
-
-  explicit Selection(const GatheredAnswers& answers);
-
-  /// kNoLabel for cannot_tell, and for what was not felt.
-  std::size_t chosen(const GatheredAnswer& answer) const {
-    return item_of_word[gathered.reply_of(answer).answer];
-  }
-  std::size_t item(const FeltSurface& surface) const { return item_of_word[surface.item]; }
-  /// Of the first surface: all of a trial show the same one.
-  std::size_t texture(const GatheredAnswer& answer) const {
-    return answer.surface_count == 0 ? kNoLabel
-                                     : texture_of_word[gathered.surfaces_of(answer)[0].texture];
-  }
-  std::size_t position(const GatheredAnswer& answer) const {
-    const auto surfaces = gathered.surfaces_of(answer);
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      if (surfaces[i].item == gathered.reply_of(answer).answer) return i;
-    }
-    return kNoLabel;
-  }
-  /// What is in question: declared, or else the first.
-  const std::string& target() const {
-    const auto& declared = gathered.declared.target;
-    const bool is_known =
-        declared && std::find(items.begin(), items.end(), *declared) != items.end();
-    return is_known ? *declared : items.front();
-  }
-  bool has_target() const { return gathered.declared.target == target(); }
-};
-
-void sort_names(const GatheredAnswers& gathered, const std::set<std::uint32_t>& words,
-                std::vector<std::string>& names, std::vector<std::size_t>& place_of_word) {
-  for (const std::uint32_t word : words) names.push_back(gathered.word(word));
-  std::sort(names.begin(), names.end());
-  place_of_word.assign(gathered.words.size(), kNoLabel);
-  for (const std::uint32_t word : words) {
-    place_of_word[word] = static_cast<std::size_t>(
-        std::lower_bound(names.begin(), names.end(), gathered.word(word)) - names.begin());
-  }
-}
-
-Selection::Selection(const GatheredAnswers& answers) : gathered(answers) {
-  std::set<std::uint32_t> item_words{};
-  std::set<std::uint32_t> texture_words{};
-  for (const FeltSurface& surface : gathered.surfaces) {
-    item_words.insert(surface.item);
-    texture_words.insert(surface.texture);
-  }
-  sort_names(gathered, item_words, items, item_of_word);
-  sort_names(gathered, texture_words, textures, texture_of_word);
-  for (const std::vector<std::string>& options : gathered.option_lists) {
-    can_abstain = can_abstain || std::count(options.begin(), options.end(), kCannotTell) > 0;
-  }
-  for (const GatheredAnswer& answer : gathered.answers) {
-    positions = std::max<std::size_t>(positions, answer.surface_count);
-    all_offered = all_offered && answer.surface_count == items.size();
-    two_offered = two_offered && answer.surface_count == 2;
-    abstained += chosen(answer) == kNoLabel ? 1 : 0;
-  }
-}
 
 /// Everything that is counted, in one walk over the answers.
 struct SelectionCounts {
@@ -117,10 +41,10 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
     choices.count(answer.person, true, surfaces.size());
     for (std::size_t i = columns[0] == columns[1] ? 1 : 0; i < 2; ++i) {
       const std::size_t column = columns[i];
-      if (chosen != kNoLabel || selection.can_abstain) {
-        ++table_1.at(chosen == kNoLabel ? items : chosen, column);
+      if (chosen != kNoChoice || selection.can_abstain) {
+        ++table_1.at(chosen == kNoChoice ? items : chosen, column);
       }
-      if (chosen == kNoLabel) continue;
+      if (chosen == kNoChoice) continue;
       for (const FeltSurface& surface : surfaces) {
         const std::size_t item = selection.item(surface);
         shares[column * items + item].count(answer.person, item == chosen, surfaces.size());
@@ -130,7 +54,7 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
         pairs[(column * items + first) * items + second].count(answer.person, chosen == first, 2);
       }
     }
-    if (chosen == kNoLabel) continue;
+    if (chosen == kNoChoice) continue;
     for (std::size_t place = 0; place < surfaces.size(); ++place) {
       const std::size_t item = selection.item(surfaces[place]);
       textures[selection.texture(answer) * items + item].count(answer.person, item == chosen,
@@ -213,98 +137,6 @@ void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
   add_shares(positions, outcome);
 }
 
-LabelColumn labels_of_people(const GatheredAnswers& gathered) {
-  LabelColumn people{};
-  for (const AnsweringPerson& person : gathered.people) people.names.push_back(person.label);
-  return people;
-}
-
-std::vector<std::string> numbers_up_to(std::size_t count) {
-  std::vector<std::string> numbers{};
-  for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
-  return numbers;
-}
-
-/// What is chosen by each answer: an item, a position, a texture.
-using ChoiceOf = std::function<std::size_t(const GatheredAnswer&)>;
-
-TidyInput choices_table(const Selection& selection, const std::vector<std::string>& names,
-                        const ChoiceOf& choice, const std::string& target) {
-  LabelColumn people = labels_of_people(selection.gathered);
-  LabelColumn samples{.names = selection.textures};
-  LabelColumn choices{.names = names};
-  for (const GatheredAnswer& answer : selection.gathered.answers) {
-    people.codes.push_back(answer.person);
-    samples.codes.push_back(selection.texture(answer));
-    choices.codes.push_back(choice(answer));
-  }
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
-                                                           {"sample", std::move(samples)},
-                                                           {"choice", std::move(choices)}},
-                            "the choices");
-  input.options.add("renderers", json_list(names));
-  input.options.add("target", json_text(target));
-  return input;
-}
-
-/// A table of counted choices: of each participant, how often from which items which one.
-using CountedChoices =
-    std::map<std::tuple<std::size_t, std::vector<std::size_t>, std::size_t>, std::uint64_t>;
-
-CountedChoices count_choices(const Selection& selection) {
-  CountedChoices counted{};
-  std::tuple<std::size_t, std::vector<std::size_t>, std::size_t> key{};
-  for (const GatheredAnswer& answer : selection.gathered.answers) {
-    std::get<0>(key) = answer.person;
-    std::get<1>(key).clear();
-    for (const FeltSurface& surface : selection.gathered.surfaces_of(answer)) {
-      std::get<1>(key).push_back(selection.item(surface));
-    }
-    // The order in which two are felt is part of the comparison; of more it is not looked at.
-    if (!selection.two_offered) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
-    std::get<2>(key) = selection.chosen(answer);
-    ++counted[key];
-  }
-  return counted;
-}
-
-/// Comparisons of two for Bradley–Terry; "cannot tell" is a tie.
-TidyInput comparisons_of(const Selection& selection) {
-  std::string text = "subject,first,second,winner,times\n";
-  for (const auto& [key, times] : count_choices(selection)) {
-    const auto& [person, offered, chosen] = key;
-    text += selection.gathered.people[person].label + ',' + selection.items[offered[0]] + ',' +
-            selection.items[offered[1]] + ',' +
-            (chosen == kNoLabel ? "tie" : selection.items[chosen]) + ',' + std::to_string(times) +
-            '\n';
-  }
-  TidyInput input{};
-  input.tables.emplace_back(text, "the comparisons");
-  input.options.add("items", json_list(selection.items));
-  return input;
-}
-
-/// The best of several, as rankings of which only the first place is known.
-TidyInput first_places_of(const Selection& selection) {
-  std::string text = "subject,trial,item,rank,times\n";
-  std::size_t trial = 0;
-  for (const auto& [key, times] : count_choices(selection)) {
-    const auto& [person, offered, chosen] = key;
-    if (chosen == kNoLabel) continue;
-    ++trial;
-    for (const std::size_t item : offered) {
-      text += selection.gathered.people[person].label + ',' + std::to_string(trial) + ',' +
-              selection.items[item] + ',' + (item == chosen ? "1" : "") + ',' +
-              std::to_string(times) + '\n';
-    }
-  }
-  TidyInput input{};
-  input.tables.emplace_back(text, "the first places");
-  input.options.add("items", json_list(selection.items));
-  return input;
-}
-
 void add_scale_table(const Selection& selection, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
   const bool paired = selection.two_offered;
@@ -337,151 +169,6 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
   outcome.tables.push_back(std::move(made));
 }
 
-void ask_preference(const Selection& selection, const FoundNumbers& found, const StudyTests& tests,
-                    AnalysisOutcome& outcome) {
-  const Finding* most = nullptr;
-  std::string item{};
-  for (const std::string& name : selection.items) {
-    const Finding* mean = found.find("subj.mean", name);
-    if (mean != nullptr && mean->value && (most == nullptr || *mean->value > *most->value)) {
-      most = mean;
-      item = name;
-    }
-  }
-  const Phrase question = phrase("Analysis", "Which rendering is the most realistic?");
-  const Phrase method =
-      phrase("Analysis",
-             "The share of each participant's own choices, averaged over the participants, with "
-             "Student's interval. That all models mean the same is tested by exchanging the models "
-             "within each participant's choices at random (relabelling), which holds however the "
-             "choices of a participant depend on each other.");
-  const StudyTests::Test* test = tests.find("preference");
-  if (most == nullptr || test == nullptr) {
-    add_question(outcome, "preference", question,
-                 selection.all_offered
-                     ? phrase("Analysis", "Nobody has chosen one yet.")
-                     : phrase("Analysis",
-                              "Not every trial offers every model, so that shares of all choices "
-                              "would compare nothing; the scale below joins the trials."),
-                 method, "shares", nullptr);
-    return;
-  }
-  const Phrase answer =
-      test->p
-          ? phrase("Analysis",
-                   "%1 was chosen most often: in %2 of a participant's choices on average (%3), "
-                   "where chance is %4; that all are chosen equally often has %5.")
-                .with(item, percent(*most->value), interval_text(*most),
-                      percent(1.0 / static_cast<double>(selection.items.size())), p_text(*test))
-          : phrase("Analysis",
-                   "%1 was chosen most often: in %2 of a participant's choices on average "
-                   "(%3), where chance is %4.")
-                .with(item, percent(*most->value), interval_text(*most),
-                      percent(1.0 / static_cast<double>(selection.items.size())));
-  add_question(outcome, "preference", question, answer, method, "persons", most);
-}
-
-void ask_pairs(const std::string& name, const StudyTests& tests, const FoundNumbers& found,
-               AnalysisOutcome& outcome) {
-  Phrase differ{};
-  const StudyTests::Test* least = nullptr;
-  for (const StudyTests::Test& test : tests.tests()) {
-    if (test.name != name || !test.p) continue;
-    const double p = test.adjusted.value_or(*test.p);
-    if (least == nullptr || p < least->adjusted.value_or(*least->p)) least = &test;
-    if (!test.shows()) continue;
-    const std::size_t bar = test.about.find('|');
-    std::string more = test.about.substr(0, bar);
-    std::string less = test.about.substr(bar + 1);
-    if (found.value("signflip.diff", test.about).value_or(0.0) < 0.0) std::swap(more, less);
-    const Phrase one = phrase("Analysis", "%1 over %2 (%3)").with(more, less, p_text(test));
-    differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
-  }
-  const Phrase question = phrase("Analysis", "Is one rendering preferred to another?");
-  const Phrase method = phrase(
-      "Analysis",
-      "For each pair the difference of both counts in every participant, against all patterns of "
-      "signs (both names exchanged within a participant). Choices of a third model say nothing "
-      "about the two.");
-  if (least == nullptr) {
-    add_question(outcome, "pairs", question,
-                 phrase("Analysis", "There are no choices in which two models could be compared."),
-                 method, "pairs", nullptr);
-    return;
-  }
-  const std::string closest = least->about.substr(0, least->about.find('|')) + " / " +
-                              least->about.substr(least->about.find('|') + 1);
-  const Sayings sayings{
-      phrase("Analysis", "Chosen more often: %1.").with(differ),
-      phrase("Analysis",
-             "No pair can be told apart: the smallest of all is that of %1, %2. That does not "
-             "show that they are equal.")
-          .with(closest, p_text(*least)),
-      phrase("Analysis", "Of all pairs %1 has the smallest p (%2).").with(closest, p_text(*least))};
-  add_question(outcome, "pairs", question, said_of(*least, sayings), method, "pairs",
-               found.find("signflip.p.two", least->about));
-}
-
-/// The position whose mean share is the largest, with its number; of equal ones the first.
-std::pair<std::string, const Finding*> most_chosen_position(std::size_t positions,
-                                                            const FoundNumbers& found) {
-  std::pair<std::string, const Finding*> most{};
-  for (const std::string& position : numbers_up_to(positions)) {
-    const Finding* mean = found.find("subj.mean", position);
-    if (mean == nullptr || !mean->value) continue;
-    if (most.second == nullptr || *mean->value > *most.second->value) most = {position, mean};
-  }
-  return most;
-}
-
-void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
-                  AnalysisOutcome& outcome) {
-  const StudyTests::Test* test = tests.find("position");
-  const Finding* first = found.find("subj.mean", "1");
-  if (test == nullptr || !test->p || first == nullptr || !first->value) return;
-  const auto [name, most] = most_chosen_position(positions, found);
-  const Phrase chance = percent(1.0 / static_cast<double>(positions));
-  const auto of_first = [&](const Phrase& words) {
-    return words.with(percent(*first->value), interval_text(*first), chance, p_text(*test));
-  };
-  const auto of_most = [&, &name = name, &most = most](const Phrase& words) {
-    return words.with(name, percent(*most->value), interval_text(*most), percent(*first->value),
-                      interval_text(*first), chance, p_text(*test));
-  };
-  const Sayings sayings =
-      most == first
-          ? Sayings{of_first(phrase("Analysis",
-                                    "The position matters: what was felt first was chosen most "
-                                    "often, in %1 of a participant's choices on average (%2), "
-                                    "where chance is %3; %4.")),
-                    of_first(phrase("Analysis",
-                                    "Nothing shows that the position matters: what was felt first "
-                                    "was chosen most often, in %1 of a participant's choices on "
-                                    "average (%2), where chance is %3; %4.")),
-                    of_first(phrase("Analysis",
-                                    "What was felt first was chosen most often, in %1 of a "
-                                    "participant's choices on average (%2), where chance is %3; "
-                                    "%4."))}
-          : Sayings{of_most(phrase("Analysis",
-                                   "The position matters: what was felt at position %1 was chosen "
-                                   "most often, in %2 of a participant's choices on average (%3), "
-                                   "and what was felt first in %4 (%5), where chance is %6; %7.")),
-                    of_most(phrase("Analysis",
-                                   "Nothing shows that the position matters: what was felt at "
-                                   "position %1 was chosen most often, in %2 of a participant's "
-                                   "choices on average (%3), and what was felt first in %4 (%5), "
-                                   "where chance is %6; %7.")),
-                    of_most(phrase("Analysis",
-                                   "What was felt at position %1 was chosen most often, in %2 of "
-                                   "a participant's choices on average (%3), and what was felt "
-                                   "first in %4 (%5), where chance is %6; %7."))};
-  add_question(
-      outcome, "position", phrase("Analysis", "Does it matter what is felt first?"),
-      said_of(*test, sayings),
-      phrase("Analysis", "As the preference, with the positions in the place of the models."),
-      "positions", most);
-}
-
 /// Whether every participant felt every texture equally often, so that textures can be exchanged.
 bool is_balanced(const Selection& selection) {
   std::vector<std::size_t> trials(selection.gathered.people.size() * selection.textures.size());
@@ -494,10 +181,6 @@ bool is_balanced(const Selection& selection) {
   return true;
 }
 
-bool asks_about_textures(const Selection& selection) {
-  return selection.has_target() && selection.textures.size() > 1 && selection.all_offered;
-}
-
 void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcome& outcome) {
   if (!asks_about_textures(selection) || !is_balanced(selection)) return;
   const auto target = static_cast<std::size_t>(
@@ -508,7 +191,7 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
       choices_table(
           selection, selection.textures,
           [&](const GatheredAnswer& answer) {
-            return selection.chosen(answer) == target ? selection.texture(answer) : kNoLabel;
+            return selection.chosen(answer) == target ? selection.texture(answer) : kNoChoice;
           },
           selection.textures.front()));
   tests.add("textures", "", FoundNumbers(findings).find("relabel.exact.p"));
@@ -517,44 +200,63 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
   });
 }
 
-void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome) {
-  if (!asks_about_textures(selection)) return;
-  const std::string& target = selection.target();
-  const StudyTests::Test* test = tests.find("textures");
-  const Phrase question =
-      phrase("Analysis", "Does the preference for %1 depend on the texture?").with(target);
-  const Phrase method = phrase(
-      "Analysis",
-      "How often each participant chose the target with each texture, against exchanging the "
-      "textures within each participant at random; where each texture was judged once, this "
-      "is the exact form of Cochran's test.");
-  if (test == nullptr || !test->p) {
-    add_question(outcome, "textures", question,
-                 phrase("Analysis",
-                        "This cannot be tested: the participants have not judged every texture "
-                        "equally often."),
-                 method, "shares_by_texture", nullptr);
+/// What the family `selection` finds of the choices. Where trials offer different items, of each pair alone and of the
+/// trials that offered both: their names together are the keys, of a proportion that of the item itself first.
+std::vector<Finding> choice_findings(const Selection& selection) {
+  constexpr const char* kName = "choice";
+  constexpr const char* kFamily = "selection";
+  if (selection.items.size() < 2) return {};
+  if (selection.all_offered) {
+    return analysis_of(kName, kFamily,
+                       choices_table(
+                           selection, selection.items,
+                           [&](const GatheredAnswer& answer) { return selection.chosen(answer); },
+                           selection.target()));
+  }
+  std::vector<Finding> of_pairs{};
+  for (const ItemPair& pair : pairs_offered(selection)) {
+    const std::string& first = selection.items[pair.first];
+    const std::string& second = selection.items[pair.second];
+    for (Finding& finding : analysis_of(kName, kFamily, choices_between(selection, pair))) {
+      const std::string& quantity = finding.quantity;
+      const bool is_of_pair =
+          quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");
+      const bool is_of_one = quantity.starts_with("subj.") && !finding.key.empty();
+      if (!is_of_one && !is_of_pair) continue;
+      if (quantity.ends_with(".holm"))
+        continue;  // over the one pair: over all of them, the table of tests has it
+      if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
+      finding.method += "; of the trials that presented both";
+      of_pairs.push_back(std::move(finding));
+    }
+  }
+  return of_pairs;
+}
+
+/// Each participant's own proportions: of every item, or of the first of every pair.
+void add_shares_of_persons(const Selection& selection, const FoundNumbers& found,
+                           AnalysisOutcome& outcome) {
+  std::vector<PersonsRow> rows{};
+  if (selection.all_offered) {
+    for (const std::string& item : selection.items) rows.push_back({item, item});
+    add_persons(found, rows, "item", "share_chosen", outcome);
     return;
   }
-  Finding finding{};
-  finding.quantity = "p";
-  finding.key = "test=textures";
-  finding.value = test->p;
-  finding.n = test->n;
-  finding.method = test->method;
-  finding.unit = "1";
-  finding.analysis = "tests";
-  const auto with_numbers = [&](const Phrase& words) { return words.with(target, p_text(*test)); };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "It does: that %1 is chosen equally often with every texture has %2.")),
-      with_numbers(phrase("Analysis",
-                          "Nothing shows that it does: that %1 is chosen equally often with every "
-                          "texture has %2.")),
-      with_numbers(
-          phrase("Analysis", "That %1 is chosen equally often with every texture has %2."))};
-  add_question(outcome, "textures", question, said_of(*test, sayings), method, "shares_by_texture",
-               &finding);
+  for (const ItemPair& pair : pairs_offered(selection)) {
+    const std::string key = both(selection.items[pair.first], selection.items[pair.second]);
+    rows.push_back({key, key});
+  }
+  add_persons(found, rows, "pair", "share_of_pair", outcome, "persons_by_pair");
+}
+
+/// Tests of a declared family that compare all choices.
+void add_untestable(StudyTests& tests) {
+  for (const char* const name : {"preference", "textures"}) {
+    if (!tests.is_in_family(name)) continue;
+    Finding none{};
+    none.status = "not every trial presents every model";
+    tests.add(name, "", &none);
+  }
 }
 
 }  // namespace
@@ -572,43 +274,41 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   counts.table_1.title = phrase("Analysis", "Chosen as the most realistic (counts)");
   counts.table_1.label_column = "item";
   counts.table_1.note = chance_note(
-      counts.choices, phrase("Analysis", "By chance: 1/%1 of the choices for each model."));
+      counts.choices,
+      selection.all_offered
+          ? phrase("Analysis", "By chance: 1/%1 of the choices for each model.")
+          : phrase("Analysis",
+                   "By chance: each model in 1/%1 of the choices of the trials that presented "
+                   "it."));
   add_counts(counts.table_1, outcome);
   add_share_tables(selection, counts, cells, outcome);
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
-  std::vector<Finding> choice{};
-  if (selection.all_offered && selection.items.size() > 1) {
-    choice = analysis_of("choice", "selection",
-                         choices_table(
-                             selection, selection.items,
-                             [&](const GatheredAnswer& answer) { return selection.chosen(answer); },
-                             selection.target()));
-  } else {
-    outcome.remarks.push_back(phrase(
-        "Analysis",
-        "Not every trial offers every model: tests that compare all choices are left out, and the "
-        "models are compared on the scale."));
+  const std::vector<Finding> choice = choice_findings(selection);
+  if (!selection.all_offered) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Not every trial presents every model: each pair is tested on the trials that "
+               "presented both, and the scale joins all trials."));
   }
   const FoundNumbers found(choice);
   keep_findings(choice, outcome);
-  std::vector<PersonsRow> rows{};
-  for (const std::string& item : selection.items) rows.push_back({item, item});
-  add_persons(found, rows, "item", "share_chosen", outcome);
+  add_shares_of_persons(selection, found, outcome);
 
   const bool only_target = tests.is_in_family("target_pairs");
-  const std::string pairs = only_target ? "target_pairs" : "pairs";
-  for (std::size_t a = 0; a < selection.items.size() && selection.all_offered; ++a) {
-    for (std::size_t b = a + 1; b < selection.items.size(); ++b) {
-      const std::string& first = selection.items[a];
-      const std::string& second = selection.items[b];
-      const bool of_target = first == selection.target() || second == selection.target();
-      tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second,
-                found.find("signflip.p.two", first + '|' + second));
-    }
+  for (const ItemPair& pair : pairs_offered(selection)) {
+    const std::string& first = selection.items[pair.first];
+    const std::string& second = selection.items[pair.second];
+    const bool of_target = first == selection.target() || second == selection.target();
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second,
+              found.find("signflip.p.two", first + '|' + second));
   }
-  if (!choice.empty()) tests.add("preference", "", found.find("relabel.exact.p"));
+  if (selection.all_offered) {
+    if (!choice.empty()) tests.add("preference", "", found.find("relabel.exact.p"));
+  } else {
+    add_untestable(tests);
+  }
 
   const bool same_size = counts.choices.outcomes().has_value() && selection.positions > 1;
   std::vector<Finding> position{};
@@ -640,8 +340,12 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (selection.items.size() > 1) add_scale_table(selection, FoundNumbers(scale), outcome);
   tests.finish(outcome);
 
-  ask_preference(selection, found, tests, outcome);
-  ask_pairs(pairs, tests, found, outcome);
+  const std::string pairs = only_target ? "target_pairs" : "pairs";
+  const FoundNumbers found_scale(scale);
+  // What a design is about comes first: the pairs, where trials present different models.
+  if (selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
+  ask_pairs(selection, pairs, tests, found, outcome);
+  if (!selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
   ask_position(selection.positions, found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
   add_texture_force(gathered, outcome);

@@ -25,6 +25,7 @@ testing::Matcher<const Phrase&> says(const std::string& words) {
   return testing::Property(&Phrase::english, testing::HasSubstr(words));
 }
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -551,9 +552,10 @@ TEST(Selection, SaysTheIntervalOfAShareInSentenceAndTableAsFarAsSharesGo) {
   // The position that stands out is named, not the first one alone.
   const AnsweredQuestion& position = question_of(outcome, "position");
   EXPECT_THAT(position.answer.english(),
-              testing::StartsWith("What was felt at position 2 was chosen most often, in 92 % of a "
-                                  "participant's choices on average (95 % interval 70 % to 100 %), "
-                                  "and what was felt first in 8 % ("));
+              AllOf(testing::StartsWith("Test against equal proportions: p "),
+                    HasSubstr("what was felt at position 2 was chosen in 92 % of a participant's "
+                              "choices on average (95 % interval 70 % to 100 %), and what was felt "
+                              "first in 8 % (")));
   EXPECT_EQ(position.finding.key, "2");
 }
 
@@ -763,6 +765,22 @@ TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) 
             "answers.");
 }
 
+TEST(Recognition, CountsTheConfusionsInOneDirectionThatAreEquallyFrequent) {
+  const AnalysisOutcome outcome = analyze_answers({{"stone", "metal"},
+                                                   {"stone", "stone"},
+                                                   {"metal", "metal"},
+                                                   {"metal", "metal"},
+                                                   {"brick", "gravel"},
+                                                   {"brick", "brick"},
+                                                   {"wood", "grass"},
+                                                   {"wood", "grass"},
+                                                   {"wood", "wood"},
+                                                   {"wood", "wood"}});
+  EXPECT_THAT(question_of(outcome, "confusions").answer.english(),
+              testing::EndsWith("Counted in one direction only, 2 confusions were equally frequent "
+                                "and more frequent still: each in 50 % of the answers."));
+}
+
 // Of every texture everything is taken for something else: no pair is told by its letters.
 TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
   std::vector<std::pair<std::string, std::string>> answers{};
@@ -956,7 +974,7 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   EXPECT_THAT(all_alike.remarks, testing::Contains(says("no scale of the models")));
   EXPECT_THAT(question_of(all_alike, "preference").answer.english(), HasSubstr("no interval"));
   EXPECT_THAT(outcomes["s_sets"].remarks,
-              testing::Contains(says("Not every trial offers every model")));
+              testing::Contains(says("Not every trial presents every model")));
   EXPECT_THAT(question_of(outcomes["s_sets"], "preference").finding.status, HasSubstr("scale"));
   EXPECT_THAT(question_of(outcomes["r_wrong"], "right").answer.english(),
               testing::StartsWith("Nothing shows that they are: 0 %"));

@@ -69,6 +69,7 @@ constexpr std::array kHeadings{
     Word{"other_as_felt", QT_TRANSLATE_NOOP("AnalysisWords", "the other taken for it")},
     Word{"p", QT_TRANSLATE_NOOP("AnalysisWords", "p")},
     Word{"p_holm", QT_TRANSLATE_NOOP("AnalysisWords", "p, Holm")},
+    Word{"pair", QT_TRANSLATE_NOOP("AnalysisWords", "pair")},
     Word{"partial_eta_squared", QT_TRANSLATE_NOOP("AnalysisWords", "partial η²")},
     Word{"peak_m 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "peak, m, 95 %")},
     Word{"peak_m", QT_TRANSLATE_NOOP("AnalysisWords", "peak, m")},

@@ -320,18 +320,6 @@
         <translation>Noch hat niemand eine gewählt.</translation>
     </message>
     <message>
-        <source>Not every trial offers every model, so that shares of all choices would compare nothing; the scale below joins the trials.</source>
-        <translation>Nicht jeder Durchgang bietet jedes Modell an, so dass Anteile an allen Wahlen nichts vergleichen würden; die Skala unten verbindet die Durchgänge.</translation>
-    </message>
-    <message>
-        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4; that all are chosen equally often has %5.</source>
-        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe; dass alle gleich häufig gewählt werden, hat %5.</translation>
-    </message>
-    <message>
-        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4.</source>
-        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe.</translation>
-    </message>
-    <message>
         <source>%1 over %2 (%3)</source>
         <translation>%1 vor %2 (%3)</translation>
     </message>
@@ -342,14 +330,6 @@
     <message>
         <source>For each pair the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant). Choices of a third model say nothing about the two.</source>
         <translation>Für jedes Paar die Differenz beider Anzahlen bei jeder Person, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Person vertauscht). Wahlen eines dritten Modells sagen nichts über die beiden.</translation>
-    </message>
-    <message>
-        <source>There are no choices in which two models could be compared.</source>
-        <translation>Es gibt keine Wahlen, in denen zwei Modelle verglichen werden könnten.</translation>
-    </message>
-    <message>
-        <source>No pair can be told apart: the smallest of all is that of %1, %2. That does not show that they are equal.</source>
-        <translation>Kein Paar lässt sich unterscheiden: der kleinste Wert ist der von %1, %2. Das zeigt nicht, dass sie gleich sind.</translation>
     </message>
     <message>
         <source>Chosen more often: %1.</source>
@@ -386,10 +366,6 @@
     <message>
         <source>No surface was felt before these answers: there is nothing to compare.</source>
         <translation>Vor diesen Antworten wurde keine Oberfläche gefühlt: es gibt nichts zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>Not every trial offers every model: tests that compare all choices are left out, and the models are compared on the scale.</source>
-        <translation>Nicht jeder Durchgang bietet jedes Modell an: Tests, die alle Wahlen vergleichen, entfallen, und die Modelle werden auf der Skala verglichen.</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -446,10 +422,6 @@
     <message>
         <source>Of the answers to either of two textures, those that name the other one. There is no interval: it is the largest of several.</source>
         <translation>Von den Antworten auf eine von zwei Texturen jene, die die andere nennen. Ein Intervall gibt es nicht: Es ist der größte von mehreren Werten.</translation>
-    </message>
-    <message>
-        <source>Of all pairs %1 has the smallest p (%2).</source>
-        <translation>Von allen Paaren hat %1 das kleinste p (%2).</translation>
     </message>
     <message>
         <source>That %1 is chosen equally often with every texture has %2.</source>
@@ -696,30 +668,6 @@
         <translation>Nach den Gipfeln der Kurven: %1.</translation>
     </message>
     <message>
-        <source>The position matters: what was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
-        <translation>Der Platz spielt eine Rolle: Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that the position matters: what was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
-        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
-    </message>
-    <message>
-        <source>What was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
-        <translation>Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
-    </message>
-    <message>
-        <source>The position matters: what was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
-        <translation>Der Platz spielt eine Rolle: Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that the position matters: what was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
-        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
-    </message>
-    <message>
-        <source>What was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
-        <translation>Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
-    </message>
-    <message>
         <source>95 % interval after Welch %1 to %2</source>
         <translation>95-%-Intervall nach Welch %1 bis %2</translation>
     </message>
@@ -814,6 +762,126 @@
     <message>
         <source>Most alike are %1: one was taken for the other in %2 of %3 answers.</source>
         <translation>Am ähnlichsten sind %1: Die eine wurde in %2 von %3 Antworten für die andere gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 Counted in one direction only, %2 confusions were equally frequent and more frequent still: each in %3 of the answers.</source>
+        <translation>%1 In nur einer Richtung gezählt, waren %2 Verwechslungen gleich häufig und noch häufiger: jeweils in %3 der Antworten.</translation>
+    </message>
+    <message>
+        <source>By chance: each model in 1/%1 of the choices of the trials that presented it.</source>
+        <translation>Durch Zufall: jedes Modell in 1/%1 der Wahlen der Durchgänge, die es darboten.</translation>
+    </message>
+    <message>
+        <source>Not every trial presents every model: each pair is tested on the trials that presented both, and the scale joins all trials.</source>
+        <translation>Nicht jeder Durchgang bietet jedes Modell dar: jedes Paar wird in den Durchgängen geprüft, die beide darboten, und die Skala verbindet alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average</source>
+        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person</translation>
+    </message>
+    <message>
+        <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where chance is %3</source>
+        <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Person, wo der Zufall %3 gäbe</translation>
+    </message>
+    <message>
+        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4</source>
+        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe</translation>
+    </message>
+    <message>
+        <source>%1, 95 % CI [%2, %3]</source>
+        <translation>%1, 95-%-KI [%2, %3]</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model of all choices: log worths with the mean 0; intervals with the participants as clusters.</source>
+        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittel 0; Intervalle mit den Personen als Clustern.</translation>
+    </message>
+    <message>
+        <source>Plackett–Luce model of all choices: log worths with the mean 0; intervals with the participants as clusters.</source>
+        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittel 0; Intervalle mit den Personen als Clustern.</translation>
+    </message>
+    <message>
+        <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models.</source>
+        <translation>Die Skala lässt sich nicht schätzen: ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle.</translation>
+    </message>
+    <message>
+        <source>Log worths, in decreasing order: %1.</source>
+        <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
+    </message>
+    <message>
+        <source>the smallest p is that of %1 pairs (each %2)</source>
+        <translation>das kleinste p haben %1 Paare (jeweils %2)</translation>
+    </message>
+    <message>
+        <source>the smallest p is that of %1 (%2)</source>
+        <translation>das kleinste p hat %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the smallest p is that of %1 (each %2)</source>
+        <translation>das kleinste p haben %1 (jeweils %2)</translation>
+    </message>
+    <message>
+        <source>%1 over %2 (in %3 of a participant&apos;s choices on average, %4; %5)</source>
+        <translation>%1 vor %2 (im Mittel in %3 der Wahlen einer Person, %4; %5)</translation>
+    </message>
+    <message>
+        <source>all positions were chosen equally often, each in %1 of a participant&apos;s choices on average</source>
+        <translation>alle Plätze wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Person</translation>
+    </message>
+    <message>
+        <source>what was felt at the positions %1 was chosen equally often, each in %2 of a participant&apos;s choices on average, where chance is %3</source>
+        <translation>was an den Plätzen %1 gefühlt wurde, wurde gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, wo der Zufall %3 gäbe</translation>
+    </message>
+    <message>
+        <source>what was felt at the positions %1 was chosen equally often, each in %2 of a participant&apos;s choices on average, and what was felt first in %3 (%4), where chance is %5</source>
+        <translation>was an den Plätzen %1 gefühlt wurde, wurde gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, und das zuerst Gefühlte in %3 (%4), wo der Zufall %5 gäbe</translation>
+    </message>
+    <message>
+        <source>what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), where chance is %3</source>
+        <translation>das zuerst Gefühlte wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), wo der Zufall %3 gäbe</translation>
+    </message>
+    <message>
+        <source>what was felt at position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6</source>
+        <translation>was an Platz %1 gefühlt wurde, wurde im Mittel in %2 der Wahlen einer Person gewählt (%3), und das zuerst Gefühlte in %4 (%5), wo der Zufall %6 gäbe</translation>
+    </message>
+    <message>
+        <source>%1. Test against equal proportions, not of the study&apos;s family: %2.</source>
+        <translation>%1. Test gegen gleiche Anteile, nicht aus der Familie der Studie: %2.</translation>
+    </message>
+    <message>
+        <source>%1. The choices differ significantly from equal proportions (%2).</source>
+        <translation>%1. Die Wahlen unterscheiden sich signifikant von gleichen Anteilen (%2).</translation>
+    </message>
+    <message>
+        <source>%1. The choices do not differ significantly from equal proportions (%2).</source>
+        <translation>%1. Die Wahlen unterscheiden sich nicht signifikant von gleichen Anteilen (%2).</translation>
+    </message>
+    <message>
+        <source>For each pair the trials that presented both: the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant).</source>
+        <translation>Für jedes Paar die Durchgänge, die beide darboten: die Differenz beider Anzahlen bei jeder Person, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Person vertauscht).</translation>
+    </message>
+    <message>
+        <source>No choice was made between two models.</source>
+        <translation>Zwischen zwei Modellen wurde nie gewählt.</translation>
+    </message>
+    <message>
+        <source>No pair differs significantly: %1.</source>
+        <translation>Kein Paar unterscheidet sich signifikant: %1.</translation>
+    </message>
+    <message>
+        <source>Of all pairs, %1.</source>
+        <translation>Von allen Paaren gilt: %1.</translation>
+    </message>
+    <message>
+        <source>The position has a significant effect (%1): %2.</source>
+        <translation>Der Platz hat einen signifikanten Einfluss (%1): %2.</translation>
+    </message>
+    <message>
+        <source>The position has no significant effect (%1): %2.</source>
+        <translation>Der Platz hat keinen signifikanten Einfluss (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Test against equal proportions: %1; %2.</source>
+        <translation>Test gegen gleiche Anteile: %1; %2.</translation>
     </message>
 </context>
 <context>
@@ -1154,6 +1222,10 @@
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
+    <message>
+        <source>pair</source>
+        <translation>Paar</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1431,6 +1503,10 @@
     <message>
         <source>too few participants to say</source>
         <translation>zu wenige Versuchspersonen für eine Aussage</translation>
+    </message>
+    <message>
+        <source>not every trial presents every model</source>
+        <translation>nicht jeder Durchgang bietet jedes Modell dar</translation>
     </message>
 </context>
 <context>

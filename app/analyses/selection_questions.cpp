@@ -1,0 +1,352 @@
+#include "app/analyses/selection_questions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+/// "a, b, c"
+Phrase listed_names(std::span<const std::string> names) {
+  Phrase all{};
+  for (const std::string& name : names) {
+    all = all.empty() ? Phrase(name) : phrase("Analysis", "%1, %2").with(all, name);
+  }
+  return all;
+}
+
+/// The greatest mean of participants' proportions: several names where means are equal.
+struct GreatestMean {
+  std::vector<std::string> names{};
+  const Finding* mean = nullptr;  ///< of the first of them; null where there is none
+};
+
+GreatestMean greatest_mean(std::span<const std::string> names, const FoundNumbers& found) {
+  constexpr double kRounding = 1e-12;  // sums of the same proportions in another order
+  GreatestMean greatest{};
+  for (const std::string& name : names) {
+    const Finding* mean = found.find("subj.mean", name);
+    if (mean == nullptr || !mean->value) continue;
+    const double more = greatest.mean == nullptr ? 1.0 : *mean->value - *greatest.mean->value;
+    if (more > kRounding) greatest = {.mean = mean};
+    if (more >= -kRounding) greatest.names.push_back(name);
+  }
+  return greatest;
+}
+
+/// "height_map was chosen most often: in 60 % of a participant's choices on average (…), where chance is 33 %"
+Phrase most_often(const GreatestMean& most, std::size_t items) {
+  const Phrase share = percent(*most.mean->value);
+  const Phrase chance = percent(1.0 / static_cast<double>(items));
+  if (most.names.size() == items && items > 1) {
+    return phrase("Analysis",
+                  "All were chosen equally often: each in %1 of a participant's choices on average")
+        .with(share);
+  }
+  if (most.names.size() > 1) {
+    return phrase("Analysis",
+                  "%1 were chosen equally often, and most often: each in %2 of a participant's "
+                  "choices on average, where chance is %3")
+        .with(listed_names(most.names), share, chance);
+  }
+  return phrase("Analysis",
+                "%1 was chosen most often: in %2 of a participant's choices on average (%3), where "
+                "chance is %4")
+      .with(most.names.front(), share, interval_text(*most.mean), chance);
+}
+
+/// With a minus that is as broad as a plus.
+std::string log_worth(double value) {
+  const std::string text = fixed(std::abs(value), 2);
+  return (value < 0.0 && text != "0.00" ? "−" : "") + text;
+}
+
+const char* scale_quantity(const Selection& selection) {
+  return selection.two_offered ? "bt.ability.sumzero" : "pl.logworth.sumzero";
+}
+
+/// The log worths of all items, the greatest first; none where there is no scale.
+std::vector<std::pair<std::string, const Finding*>> worths_in_order(const Selection& selection,
+                                                                    const FoundNumbers& scale) {
+  std::vector<std::pair<std::string, const Finding*>> order{};
+  for (const std::string& item : selection.items) {
+    const Finding* worth = scale.find(scale_quantity(selection), item);
+    if (worth == nullptr || !worth->value) return {};
+    order.emplace_back(item, worth);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return *a.second->value > *b.second->value;
+  });
+  return order;
+}
+
+/// "a 0.52, 95 % CI [0.10, 0.94]; b …"
+Phrase scale_text(std::span<const std::pair<std::string, const Finding*>> order,
+                  const std::string& clustered, const FoundNumbers& scale) {
+  Phrase all{};
+  for (const auto& [item, worth] : order) {
+    const Finding* with_interval = scale.find(clustered, item);
+    Phrase one = phrase("Analysis", "%1 %2").with(item, log_worth(*worth->value));
+    if (with_interval != nullptr && with_interval->low && with_interval->high) {
+      one = phrase("Analysis", "%1, 95 % CI [%2, %3]")
+                .with(one, log_worth(*with_interval->low), log_worth(*with_interval->high));
+    }
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
+  }
+  return all;
+}
+
+void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phrase& question,
+               AnalysisOutcome& outcome) {
+  const Phrase method =
+      selection.two_offered
+          ? phrase("Analysis",
+                   "Bradley–Terry model of all choices: log worths with the mean 0; intervals with "
+                   "the participants as clusters.")
+          : phrase("Analysis",
+                   "Plackett–Luce model of all choices: log worths with the mean 0; intervals with "
+                   "the participants as clusters.");
+  const auto order = worths_in_order(selection, scale);
+  if (order.empty()) {
+    add_question(outcome, "preference", question,
+                 phrase("Analysis",
+                        "The scale cannot be estimated: a model was always or never chosen, or the "
+                        "trials do not link all models."),
+                 method, "shares", nullptr);
+    return;
+  }
+  const std::string clustered = std::string(scale_quantity(selection)) + ".cluster";
+  add_question(outcome, "preference", question,
+               phrase("Analysis", "Log worths, in decreasing order: %1.")
+                   .with(scale_text(order, clustered, scale)),
+               method, "scale", order.front().second);
+}
+
+/// The p that is reported: adjusted within the family.
+double reported_p(const StudyTests::Test& test) {
+  return test.adjusted.value_or(test.p.value_or(1.0));
+}
+
+/// The tests of a name with the smallest p: several where p is equal.
+std::vector<const StudyTests::Test*> smallest_p(const std::string& name, const StudyTests& tests) {
+  std::vector<const StudyTests::Test*> smallest{};
+  for (const StudyTests::Test& test : tests.tests()) {
+    if (test.name != name || !test.p) continue;
+    if (!smallest.empty() && reported_p(test) > reported_p(*smallest.front())) continue;
+    if (!smallest.empty() && reported_p(test) < reported_p(*smallest.front())) smallest.clear();
+    smallest.push_back(&test);
+  }
+  return smallest;
+}
+
+/// "the smallest p is that of a / b (p = .012 after Holm)"
+Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
+  constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
+  const Phrase p = p_text(*smallest.front());
+  if (smallest.size() > kMostNamed) {
+    return phrase("Analysis", "the smallest p is that of %1 pairs (each %2)")
+        .with(std::to_string(smallest.size()), p);
+  }
+  std::vector<std::string> names{};
+  for (const StudyTests::Test* test : smallest) {
+    const std::size_t bar = test->about.find('|');
+    names.push_back(test->about.substr(0, bar) + " / " + test->about.substr(bar + 1));
+  }
+  return (names.size() == 1 ? phrase("Analysis", "the smallest p is that of %1 (%2)")
+                            : phrase("Analysis", "the smallest p is that of %1 (each %2)"))
+      .with(listed_names(names), p);
+}
+
+/// "a over b (p = .012 after Holm)"; with the proportion among the choices between the two, where `found` has it.
+Phrase preference_in(const StudyTests::Test& test, const FoundNumbers& found) {
+  const std::size_t bar = test.about.find('|');
+  std::string more = test.about.substr(0, bar);
+  std::string less = test.about.substr(bar + 1);
+  if (found.value("signflip.diff", test.about).value_or(0.0) < 0.0) std::swap(more, less);
+  const Finding* mean = found.find("subj.mean", more + '|' + less);
+  if (mean == nullptr || !mean->value) {
+    return phrase("Analysis", "%1 over %2 (%3)").with(more, less, p_text(test));
+  }
+  return phrase("Analysis", "%1 over %2 (in %3 of a participant's choices on average, %4; %5)")
+      .with(more, less, percent(*mean->value), interval_text(*mean), p_text(test));
+}
+
+/// What was chosen how often, by position: "what was felt first was chosen in 33 % of …".
+Phrase positions_text(const GreatestMean& most, std::size_t positions, const Finding& first) {
+  const Phrase share = percent(*most.mean->value);
+  const Phrase chance = percent(1.0 / static_cast<double>(positions));
+  const bool is_first = most.names.front() == "1";
+  if (most.names.size() == positions && positions > 1) {
+    return phrase("Analysis",
+                  "all positions were chosen equally often, each in %1 of a participant's choices "
+                  "on average")
+        .with(share);
+  }
+  if (most.names.size() > 1 && is_first) {
+    return phrase("Analysis",
+                  "what was felt at the positions %1 was chosen equally often, each in %2 of a "
+                  "participant's choices on average, where chance is %3")
+        .with(listed_names(most.names), share, chance);
+  }
+  if (most.names.size() > 1) {
+    return phrase("Analysis",
+                  "what was felt at the positions %1 was chosen equally often, each in %2 of a "
+                  "participant's choices on average, and what was felt first in %3 (%4), where "
+                  "chance is %5")
+        .with(listed_names(most.names), share, percent(*first.value), interval_text(first), chance);
+  }
+  if (is_first) {
+    return phrase("Analysis",
+                  "what was felt first was chosen in %1 of a participant's choices on average "
+                  "(%2), where chance is %3")
+        .with(share, interval_text(first), chance);
+  }
+  return phrase("Analysis",
+                "what was felt at position %1 was chosen in %2 of a participant's choices on "
+                "average (%3), and what was felt first in %4 (%5), where chance is %6")
+      .with(most.names.front(), share, interval_text(*most.mean), percent(*first.value),
+            interval_text(first), chance);
+}
+
+}  // namespace
+
+void ask_preference(const Selection& selection, const FoundNumbers& choice,
+                    const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome) {
+  const Phrase question = phrase("Analysis", "Which rendering is the most realistic?");
+  if (!selection.all_offered) {
+    ask_scale(selection, scale, question, outcome);
+    return;
+  }
+  const GreatestMean most = greatest_mean(selection.items, choice);
+  const Phrase method =
+      phrase("Analysis",
+             "The share of each participant's own choices, averaged over the participants, with "
+             "Student's interval. That all models mean the same is tested by exchanging the models "
+             "within each participant's choices at random (relabelling), which holds however the "
+             "choices of a participant depend on each other.");
+  const StudyTests::Test* test = tests.find("preference");
+  if (most.mean == nullptr || test == nullptr) {
+    add_question(outcome, "preference", question, phrase("Analysis", "Nobody has chosen one yet."),
+                 method, "shares", nullptr);
+    return;
+  }
+  const Phrase shares = most_often(most, selection.items.size());
+  const Phrase tested =
+      !test->p ? phrase("Analysis", "%1.")
+      : !test->adjusted
+          ? phrase("Analysis", "%1. Test against equal proportions, not of the study's family: %2.")
+      : test->shows()
+          ? phrase("Analysis", "%1. The choices differ significantly from equal proportions (%2).")
+          : phrase("Analysis",
+                   "%1. The choices do not differ significantly from equal proportions (%2).");
+  add_question(outcome, "preference", question,
+               test->p ? tested.with(shares, p_text(*test)) : tested.with(shares), method,
+               "persons", most.mean);
+}
+
+void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
+               const FoundNumbers& found, AnalysisOutcome& outcome) {
+  Phrase differ{};
+  for (const StudyTests::Test& test : tests.tests()) {
+    if (test.name != name || !test.shows()) continue;
+    const Phrase one = preference_in(test, found);
+    differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
+  }
+  const Phrase question = phrase("Analysis", "Is one rendering preferred to another?");
+  const Phrase method =
+      selection.all_offered
+          ? phrase("Analysis",
+                   "For each pair the difference of both counts in every participant, against all "
+                   "patterns of signs (both names exchanged within a participant). Choices of a "
+                   "third model say nothing about the two.")
+          : phrase("Analysis",
+                   "For each pair the trials that presented both: the difference of both counts in "
+                   "every participant, against all patterns of signs (both names exchanged within "
+                   "a participant).");
+  const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
+  if (smallest.empty()) {
+    add_question(outcome, "pairs", question,
+                 phrase("Analysis", "No choice was made between two models."), method, "pairs",
+                 nullptr);
+    return;
+  }
+  const Phrase of_smallest = smallest_text(smallest);
+  const Sayings sayings{phrase("Analysis", "Chosen more often: %1.").with(differ),
+                        phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
+                        phrase("Analysis", "Of all pairs, %1.").with(of_smallest)};
+  const StudyTests::Test& least = *smallest.front();
+  add_question(outcome, "pairs", question, said_of(least, sayings), method, "pairs",
+               found.find("signflip.p.two", least.about));
+}
+
+void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
+                  AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find("position");
+  const Finding* first = found.find("subj.mean", "1");
+  if (test == nullptr || !test->p || first == nullptr || !first->value) return;
+  const std::vector<std::string> names = numbers_up_to(positions);
+  const GreatestMean most = greatest_mean(names, found);
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(p_text(*test), positions_text(most, positions, *first));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis", "The position has a significant effect (%1): %2.")),
+      with_numbers(phrase("Analysis", "The position has no significant effect (%1): %2.")),
+      with_numbers(phrase("Analysis", "Test against equal proportions: %1; %2."))};
+  add_question(
+      outcome, "position", phrase("Analysis", "Does it matter what is felt first?"),
+      said_of(*test, sayings),
+      phrase("Analysis", "As the preference, with the positions in the place of the models."),
+      "positions", most.mean);
+}
+
+bool asks_about_textures(const Selection& selection) {
+  return selection.has_target() && selection.textures.size() > 1 && selection.all_offered;
+}
+
+void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome) {
+  if (!asks_about_textures(selection)) return;
+  const std::string& target = selection.target();
+  const StudyTests::Test* test = tests.find("textures");
+  const Phrase question =
+      phrase("Analysis", "Does the preference for %1 depend on the texture?").with(target);
+  const Phrase method = phrase(
+      "Analysis",
+      "How often each participant chose the target with each texture, against exchanging the "
+      "textures within each participant at random; where each texture was judged once, this "
+      "is the exact form of Cochran's test.");
+  if (test == nullptr || !test->p) {
+    add_question(outcome, "textures", question,
+                 phrase("Analysis",
+                        "This cannot be tested: the participants have not judged every texture "
+                        "equally often."),
+                 method, "shares_by_texture", nullptr);
+    return;
+  }
+  Finding finding{};
+  finding.quantity = "p";
+  finding.key = "test=textures";
+  finding.value = test->p;
+  finding.n = test->n;
+  finding.method = test->method;
+  finding.unit = "1";
+  finding.analysis = "tests";
+  const auto with_numbers = [&](const Phrase& words) { return words.with(target, p_text(*test)); };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "It does: that %1 is chosen equally often with every texture has %2.")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that it does: that %1 is chosen equally often with every "
+                          "texture has %2.")),
+      with_numbers(
+          phrase("Analysis", "That %1 is chosen equally often with every texture has %2."))};
+  add_question(outcome, "textures", question, said_of(*test, sayings), method, "shares_by_texture",
+               &finding);
+}
+
+}  // namespace asperity

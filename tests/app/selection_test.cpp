@@ -1,0 +1,217 @@
+// Selections whose trials present two of several models, and whose counts are equal.
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == name) return table;
+  }
+  throw std::runtime_error("no table " + name);
+}
+
+bool has_table(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == name) return true;
+  }
+  return false;
+}
+
+std::string answer_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const AnsweredQuestion& question : outcome.questions) {
+    if (question.name == name) return question.answer.english();
+  }
+  throw std::runtime_error("no question " + name);
+}
+
+/// Everything that is said: questions with their answers, remarks, notes.
+std::string words_of(const AnalysisOutcome& outcome) {
+  std::string words{};
+  for (const AnsweredQuestion& question : outcome.questions) {
+    words += question.question.english() + ' ' + question.answer.english() + '\n';
+  }
+  for (const Phrase& remark : outcome.remarks) words += remark.english() + '\n';
+  for (const NamedTable& table : outcome.tables) words += table.note.english() + '\n';
+  return words;
+}
+
+MadeUpTrial trial_of(const std::vector<std::string>& offered, const std::string& chosen) {
+  MadeUpTrial trial{};
+  trial.options = offered;
+  for (const std::string& model : offered) {
+    trial.surfaces.push_back(surface_of(model, model, "wood"));
+  }
+  trial.answers = {chosen};
+  return trial;
+}
+
+std::string label_of(int number) { return "p" + std::to_string(100 + number); }
+
+/// A study of so many people with the same protocol; `trials_of`: of one of them.
+template <class TrialsOf>
+AnalysisOutcome analysed(int people, const std::string& source, const TrialsOf& trials_of) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("pairs", "selection", source);
+  for (int i = 0; i < people; ++i) {
+    made.add_person(label_of(i), "F");
+    made.add_session(label_of(i), protocol, trials_of(i));
+  }
+  return analyze_study(made.study()).at(0);
+}
+
+const std::vector<std::string> kFour{"a", "b", "c", "d"};
+
+/// Everybody prefers a to b, both times; of every other pair half of the people prefer the one and half the other.
+std::vector<MadeUpTrial> all_pairs_of(int person) {
+  std::vector<MadeUpTrial> trials{};
+  for (std::size_t i = 0; i < kFour.size(); ++i) {
+    for (std::size_t j = i + 1; j < kFour.size(); ++j) {
+      const bool first = (i == 0 && j == 1) || person % 2 == 0;
+      const std::string& chosen = first ? kFour[i] : kFour[j];
+      trials.push_back(trial_of({kFour[i], kFour[j]}, chosen));
+      trials.push_back(trial_of({kFour[j], kFour[i]}, chosen));
+    }
+  }
+  return trials;
+}
+
+const AnalysisOutcome& all_pairs() {
+  static const AnalysisOutcome kOutcome = analysed(10, "{}", all_pairs_of);
+  return kOutcome;
+}
+
+// Ten people of one mind: 2 of 1024 patterns of signs. Holm over six pairs.
+TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
+  const Table& tests = table_of(all_pairs(), "tests").table;
+  ASSERT_THAT(tests.columns, ElementsAre("test", "about", "n", "unit", "p", "p_holm", "family"));
+  std::vector<std::string> abouts{};
+  for (const std::vector<Cell>& row : tests.rows) {
+    if (row[0] != Cell{"pairs"}) continue;
+    abouts.push_back(std::get<std::string>(row[1]));
+    EXPECT_EQ(row[2], Cell{std::int64_t{10}});
+    EXPECT_EQ(row[3], Cell{"participants"});
+    EXPECT_EQ(row[6], Cell{"pairs"});
+    const bool is_of_one_mind = abouts.back() == "a|b";
+    EXPECT_DOUBLE_EQ(std::get<double>(row[4]), is_of_one_mind ? 2.0 / 1024.0 : 1.0);
+    EXPECT_DOUBLE_EQ(std::get<double>(row[5]), is_of_one_mind ? 12.0 / 1024.0 : 1.0);
+  }
+  EXPECT_THAT(abouts, ElementsAre("a|b", "a|c", "a|d", "b|c", "b|d", "c|d"));
+  EXPECT_THAT(table_of(all_pairs(), "tests").note.english(), HasSubstr("over the 6 tests"));
+}
+
+TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
+  std::vector<std::string> names{};
+  for (const AnsweredQuestion& question : all_pairs().questions) names.push_back(question.name);
+  EXPECT_THAT(names, ElementsAre("pairs", "preference", "position"));
+  EXPECT_THAT(answer_of(all_pairs(), "pairs"),
+              StartsWith("Chosen more often: a over b (in 100 % of a participant's choices on "
+                         "average, all participants alike, which gives no interval; p = .012"));
+  EXPECT_THAT(answer_of(all_pairs(), "preference"),
+              AllOf(StartsWith("Log worths, in decreasing order: a "), HasSubstr("95 % CI [")));
+  EXPECT_EQ(all_pairs().questions[1].finding.quantity, "bt.ability.sumzero");
+  // Each of the two orders of a pair was chosen from once.
+  EXPECT_THAT(answer_of(all_pairs(), "position"),
+              HasSubstr("all positions were chosen equally often, each in 50 %"));
+}
+
+TEST(PairedSelection, StatesNothingThatOnlyACompleteDesignCouldLack) {
+  const std::string words = words_of(all_pairs());
+  EXPECT_THAT(words, Not(HasSubstr("no choices in which two models could be compared")));
+  EXPECT_THAT(words, Not(HasSubstr("compare nothing")));
+  EXPECT_THAT(words, Not(HasSubstr("1/2 of the choices for each model")));
+  EXPECT_THAT(words, Not(HasSubstr("single test")));
+  EXPECT_FALSE(has_table(all_pairs(), "persons"));
+  const Table& persons = table_of(all_pairs(), "persons_by_pair").table;
+  ASSERT_EQ(persons.rows.size(), 6U);
+  EXPECT_EQ(persons.rows[0][0], Cell{"a|b"});
+  EXPECT_EQ(persons.rows[0][2], Cell{1.0});
+  EXPECT_EQ(persons.rows[1][2], Cell{0.5});
+}
+
+// A declared test that needs every model in every trial keeps its place in the family, with the reason.
+TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
+  const AnalysisOutcome outcome =
+      analysed(2, R"({"analysis": {"family": ["pairs", "preference"]}})", all_pairs_of);
+  const NamedTable& tests = table_of(outcome, "tests");
+  EXPECT_THAT(tests.note.english(), HasSubstr("over the 7 tests"));
+  const auto row = std::find_if(tests.table.rows.begin(), tests.table.rows.end(),
+                                [](const auto& each) { return each[0] == Cell{"preference"}; });
+  ASSERT_NE(row, tests.table.rows.end());
+  EXPECT_EQ(row->back(), Cell{"not every trial presents every model"});
+}
+
+// Of three the third does not matter to the pair: it was chosen, and neither of the two.
+TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
+  const AnalysisOutcome outcome = analysed(6, "{}", [](int) {
+    return std::vector<MadeUpTrial>{trial_of({"a", "b", "c"}, "a"), trial_of({"a", "b", "d"}, "d"),
+                                    trial_of({"b", "c", "d"}, "c")};
+  });
+  std::map<std::string, double> differences{};
+  for (const Finding& finding : outcome.findings) {
+    if (finding.analysis == "choice" && finding.quantity == "signflip.diff") {
+      differences[finding.key] = finding.value.value();
+    }
+  }
+  EXPECT_EQ(differences.at("a|b"), 6.0);
+  EXPECT_EQ(differences.at("b|d"), -6.0);
+}
+
+TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {
+  const std::vector<std::string> three{"a", "b", "c"};
+  const AnalysisOutcome outcome = analysed(2, "{}", [&](int person) {
+    return std::vector<MadeUpTrial>{trial_of(three, person == 0 ? "c" : "b"),
+                                    trial_of(three, person == 0 ? "b" : "c")};
+  });
+  EXPECT_THAT(answer_of(outcome, "preference"),
+              StartsWith("b, c were chosen equally often, and most often: each in 50 % of"));
+}
+
+// Each person chooses once at every position: nothing was chosen most often.
+TEST(SelectionTies, NameNoPositionWhereAllAreChosenEquallyOften) {
+  const AnalysisOutcome outcome = analysed(3, "{}", [](int) {
+    return std::vector<MadeUpTrial>{trial_of({"a", "b", "c"}, "a"), trial_of({"b", "a", "c"}, "a"),
+                                    trial_of({"b", "c", "a"}, "a")};
+  });
+  EXPECT_THAT(answer_of(outcome, "position"),
+              AllOf(HasSubstr("all positions were chosen equally often, each in 33 %"),
+                    Not(HasSubstr("most often"))));
+}
+
+// Two people choose what is first in two of three trials. The test decides, and the family holds it.
+TEST(SelectionTies, AnswerWhetherThePositionMattersByTheTest) {
+  const AnalysisOutcome outcome = analysed(2, R"({"analysis": {"family": ["position"]}})", [](int) {
+    return std::vector<MadeUpTrial>{trial_of({"a", "b"}, "a"), trial_of({"a", "b"}, "b"),
+                                    trial_of({"b", "a"}, "b")};
+  });
+  EXPECT_THAT(answer_of(outcome, "position"),
+              AllOf(StartsWith("The position has no significant effect (p "),
+                    HasSubstr("what was felt first was chosen in 67 % of")));
+}
+
+TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
+  const AnalysisOutcome outcome = analysed(1, "{}", all_pairs_of);
+  EXPECT_THAT(
+      answer_of(outcome, "pairs"),
+      StartsWith("No pair differs significantly: the smallest p is that of 6 pairs (each p"));
+}
+
+}  // namespace
+}  // namespace asperity
