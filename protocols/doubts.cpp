@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "protocols/json_document.h"
+#include "protocols/stored_protocol.h"
 #include "protocols/wording.h"
 
 namespace asperity {
@@ -35,6 +36,7 @@ class Doubts final {
       doubt_strokes(exploration, pointer);
     }
     doubt_words();
+    doubt_comparison();
     return std::move(found_);
   }
 
@@ -151,6 +153,22 @@ class Doubts final {
         look(screen->text, pointer_to("/flow", i) + "/screen");
       }
     }
+  }
+
+  /// A selection whose analysis answers another question than levels of one parameter suggest.
+  void doubt_comparison() {
+    const std::optional<std::string> parameter =
+        stored_protocol(protocol_.source).compared_parameter;
+    if (!parameter) return;
+    const auto block =
+        std::find_if(protocol_.blocks.begin(), protocol_.blocks.end(),
+                     [](const auto& named) { return named.second.phase == Phase::main; });
+    if (block == protocol_.blocks.end()) return;
+    doubt(pointer_to("/blocks", block->first) + "/presented",
+          "the alternatives differ in " + in_quotes(*parameter) +
+              " alone: a selection analyses which level is preferred as the most realistic, not "
+              "whether levels can be discriminated; for a threshold, export the answers and fit "
+              "them with analyze --table FILE --as psyfit");
   }
 
   const Protocol& protocol_;

@@ -1,5 +1,7 @@
 #include "protocols/stored_protocol.h"
 
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -66,6 +68,66 @@ void for_each_object(const Json& object, const Use& use) {
   }
 }
 
+/// A stimulus as one surface of a block presents it: with the levels that are fixed for this surface.
+Json presented_stimulus(const Json& protocol, const Json& surface) {
+  Json stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
+  const Json& fixed = member_of(surface, "with");
+  Json flat = stimulus.is_object() ? stimulus.flatten() : Json::object();
+  for (auto& [place, value] : flat.items()) {
+    if (!place.ends_with("/factor") || !value.is_string()) continue;
+    const Json& level = member_of(fixed, value.get<std::string>());
+    if (!level.is_null()) value = level;
+  }
+  return flat;
+}
+
+/// "friction" of "/parameters/friction" and "/parameters/friction/factor"; nothing of what is not a parameter.
+std::optional<std::string> parameter_at(const std::string& place) {
+  for (const std::string_view of : {"/parameters/", "/equal_force/"}) {
+    if (!place.starts_with(of)) continue;
+    const std::string name = place.substr(of.size());
+    return name.substr(0, name.find('/'));
+  }
+  return std::nullopt;
+}
+
+/// The parameters in which the surfaces of a block differ; nothing where they differ in anything else.
+std::optional<std::set<std::string>> parameters_compared(const Json& protocol, const Json& block) {
+  const Json& surfaces = member_of(block, "presented");
+  std::map<std::string, std::set<Json>> values{};
+  std::map<std::string, std::size_t> present{};
+  if (!surfaces.is_array()) return std::nullopt;
+  for (const Json& surface : surfaces) {
+    const Json stimulus = presented_stimulus(protocol, surface);
+    for (const auto& [place, value] : stimulus.items()) {
+      values[place].insert(value);
+      ++present[place];
+    }
+  }
+  std::set<std::string> parameters{};
+  for (const auto& [place, different] : values) {
+    if (different.size() == 1 && present[place] == surfaces.size()) continue;
+    const std::optional<std::string> parameter = parameter_at(place);
+    if (!parameter) return std::nullopt;
+    parameters.insert(*parameter);
+  }
+  return parameters;
+}
+
+std::optional<std::string> parameter_compared_in(const Json& protocol) {
+  if (text_in(protocol, "kind") != "selection") return std::nullopt;
+  std::set<std::string> parameters{};
+  bool are_alone = true;
+  for_each_object(member_of(protocol, "blocks"), [&](const std::string&, const Json& block) {
+    const std::string phase = text_in(block, "phase");
+    if (!phase.empty() && phase != "main") return;
+    const auto own = parameters_compared(protocol, block);
+    if (own) parameters.insert(own->begin(), own->end());
+    are_alone = are_alone && own;
+  });
+  return are_alone && parameters.size() == 1 ? std::optional(*parameters.begin()) : std::nullopt;
+}
+
 }  // namespace
 
 AnalysisDeclaration analysis_declared_in(const Json& protocol) {
@@ -96,7 +158,8 @@ StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.title = text_in(root, "title"),
                       .analysis = analysis_declared_in(root),
-                      .estimation = estimation_declared_in(root)};
+                      .estimation = estimation_declared_in(root),
+                      .compared_parameter = parameter_compared_in(root)};
   for_each_object(member_of(root, "factors"), [&](const std::string& name, const Json& factor) {
     read.factors[name] = {.meaning = text_in(factor, "meaning"), .unit = text_in(factor, "unit")};
   });

@@ -37,6 +37,8 @@ struct StoredProtocol {
   std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
+  /// Of a selection whose alternatives differ in nothing but the level of one parameter: its name.
+  std::optional<std::string> compared_parameter{};
 };
 
 /// Of any text, also of one that is not JSON: then nothing is specified.

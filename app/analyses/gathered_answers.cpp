@@ -91,8 +91,12 @@ class Gathering {
     }
     if (sources_.size() == 1) {
       gathered.declared = std::move(specified.analysis);
-    } else if (!(specified.analysis == gathered.declared)) {
-      gathered.declared_alike = false;
+      gathered.compared_parameter = std::move(specified.compared_parameter);
+      return;
+    }
+    if (!(specified.analysis == gathered.declared)) gathered.declared_alike = false;
+    if (specified.compared_parameter != gathered.compared_parameter) {
+      gathered.compared_parameter.reset();
     }
   }
 

@@ -106,6 +106,8 @@ struct GatheredAnswers {
   std::size_t sources = 0;  ///< different files that carry this name and version
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
+  /// Of a selection: what alone its alternatives differ in, by all of those files.
+  std::optional<std::string> compared_parameter{};
   bool declared_alike = true;  ///< by all of those files; otherwise nothing counts as declared
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};

@@ -8,6 +8,7 @@
 #include "app/analyses/selection_questions.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
+#include "app/analyses/tidy/finding_list.h"
 
 namespace asperity {
 
@@ -223,8 +224,7 @@ std::vector<Finding> choice_findings(const Selection& selection) {
           quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");
       const bool is_of_one = quantity.starts_with("subj.") && !finding.key.empty();
       if (!is_of_one && !is_of_pair) continue;
-      if (quantity.ends_with(".holm"))
-        continue;  // over the one pair: over all of them, the table of tests has it
+      if (quantity.ends_with(".holm")) continue;  // over one pair; the table of tests has all
       if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
       finding.method += "; of the trials that presented both";
       of_pairs.push_back(std::move(finding));
@@ -271,8 +271,17 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const ChapterCells cells(gathered);
   SelectionCounts counts(selection, cells);
   counts.table_1.name = "table_1";
-  counts.table_1.title = phrase("Analysis", "Chosen as the most realistic (counts)");
+  counts.table_1.title = gathered.compared_parameter
+                             ? phrase("Analysis", "Chosen (counts)")
+                             : phrase("Analysis", "Chosen as the most realistic (counts)");
   counts.table_1.label_column = "item";
+  if (gathered.compared_parameter) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The alternatives differ in %1 alone: these results are preferences and do not show "
+               "whether the levels can be discriminated.")
+            .with(*gathered.compared_parameter));
+  }
   counts.table_1.note = chance_note(
       counts.choices,
       selection.all_offered

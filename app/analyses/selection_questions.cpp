@@ -217,7 +217,10 @@ Phrase positions_text(const GreatestMean& most, std::size_t positions, const Fin
 
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome) {
-  const Phrase question = phrase("Analysis", "Which rendering is the most realistic?");
+  const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
+  const Phrase question =
+      parameter ? phrase("Analysis", "Which level of %1 is preferred?").with(*parameter)
+                : phrase("Analysis", "Which rendering is the most realistic?");
   if (!selection.all_offered) {
     ask_scale(selection, scale, question, outcome);
     return;
@@ -257,7 +260,10 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
     const Phrase one = preference_in(test, found);
     differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
   }
-  const Phrase question = phrase("Analysis", "Is one rendering preferred to another?");
+  const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
+  const Phrase question =
+      parameter ? phrase("Analysis", "Is one level of %1 preferred to another?").with(*parameter)
+                : phrase("Analysis", "Is one rendering preferred to another?");
   const Phrase method =
       selection.all_offered
           ? phrase("Analysis",

@@ -7,6 +7,7 @@
 #include "app/analyses/reading_number.h"
 #include "app/tasks/report_sections.h"
 #include "protocols/plan.h"
+#include "protocols/stored_protocol.h"
 
 namespace asperity {
 
@@ -18,6 +19,10 @@ std::string quoted(const std::string& text) { return "“" + text + "”"; }
 std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
     case ProtocolKind::selection: {
+      if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
+        return "Task: each trial presents surfaces that differ in " + *parameter +
+               " alone, and one of them is to be chosen.";
+      }
       const std::string text =
           "Task: each trial presents several renderings of one texture, and the most realistic one "
           "is to be chosen";

@@ -174,6 +174,21 @@ TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
   EXPECT_EQ(differences.at("b|d"), -6.0);
 }
 
+TEST(ComparedLevels, ArePreferredAndNotRealistic) {
+  const AnalysisOutcome outcome =
+      analysed(3, R"({"kind": "selection",
+      "stimuli": {"a": {"model": "m", "parameters": {"friction": 0.2}}, "b": {"model": "m"}},
+      "blocks": {"main": {"presented": [{"stimulus": "a"}, {"stimulus": "b"}]}}})",
+               [](int) {
+                 return std::vector<MadeUpTrial>{trial_of({"weak", "strong"}, "strong")};
+               });
+  const std::string words = words_of(outcome);
+  EXPECT_THAT(words, HasSubstr("Which level of friction is preferred?"));
+  EXPECT_THAT(words, HasSubstr("do not show whether the levels can be discriminated"));
+  EXPECT_THAT(words, Not(HasSubstr("realistic")));
+  EXPECT_EQ(table_of(outcome, "table_1").title.english(), "Chosen (counts)");
+}
+
 TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {
   const std::vector<std::string> three{"a", "b", "c"};
   const AnalysisOutcome outcome = analysed(2, "{}", [&](int person) {

@@ -627,6 +627,30 @@ TEST(Doubts, AreAboutAnExplorationThatNoBlockAsksFor) {
   EXPECT_EQ(doubts[0].pointer, "/explorations/spare");
 }
 
+TEST(Doubts, AreAboutASelectionAmongLevelsOfOneParameter) {
+  std::string text = test::example_selection();
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_TRUE(
+      doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json").empty());
+  replace(R"("levels": ["height_map", "sinusoid", "stochastic"])", R"("levels": [0.1, 0.2, 0.3])");
+  replace(R"("model": {"factor": "model"},)",
+          R"("model": "height_map", "parameters": {"height_scale": {"factor": "model"}},)");
+  replace(R"("texture": {"factor": "texture"},
+      "equal_force": {"to_model": "height_map"})",
+          R"("texture": {"factor": "texture"})");
+  replace(R"({"model": "height_map"}})", R"({"model": 0.1}, "item": "weak"})");
+  replace(R"({"model": "sinusoid"}})", R"({"model": 0.2}, "item": "middle"})");
+  replace(R"({"model": "stochastic"}})", R"({"model": 0.3}, "item": "strong"})");
+  const auto doubts = doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].pointer, "/blocks/main/presented");
+  EXPECT_NE(doubts[0].message.find("differ in \"height_scale\" alone"), std::string::npos)
+      << doubts[0].message;
+  EXPECT_NE(doubts[0].message.find("not whether levels can be discriminated"), std::string::npos);
+}
+
 TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {
   const auto problems = problems_of("{\"ä\": 1, \"ö\": x}");
   ASSERT_EQ(problems.size(), 1U);

@@ -52,6 +52,51 @@ TEST(StoredProtocol, ReadsSpacingsOfTexturesAndOfNumbers) {
   EXPECT_THAT(spacings("[0.002, 0.004]"), ElementsAre(Pair("0.002", 0.002), Pair("0.004", 0.004)));
 }
 
+/// A selection among two surfaces of these stimuli.
+std::string selection_among(const std::string& stimuli, const std::string& presented) {
+  return R"({"kind": "selection", "stimuli": )" + stimuli +
+         R"(, "blocks": {"warm_up": {"phase": "practice", "presented": []}, "main": {"presented": )" +
+         presented + "}}}";
+}
+
+TEST(StoredProtocol, NamesTheOneParameterThatASelectionCompares) {
+  const auto compared = [](const std::string& stimuli, const std::string& presented) {
+    return stored_protocol(selection_among(stimuli, presented)).compared_parameter;
+  };
+  const std::string of_factor = R"({"wave": {"model": "sinusoid", "texture": {"factor": "texture"},
+                                             "parameters": {"amplitude_m": {"factor": "amplitude"}}}})";
+  EXPECT_EQ(compared(of_factor,
+                     R"([{"stimulus": "wave", "with": {"amplitude": 0.001}, "item": "standard"},
+                                    {"stimulus": "wave", "with": {"amplitude": 0.002}, "item": "comparison"}])"),
+            "amplitude_m");
+  EXPECT_EQ(compared(R"({"a": {"model": "m", "equal_force": {"rms_N": 0.2}},
+                         "b": {"model": "m", "equal_force": {"rms_N": 0.3}}})",
+                     R"([{"stimulus": "a"}, {"stimulus": "b"}])"),
+            "rms_N");
+  // A parameter that one leaves to its default is another level.
+  EXPECT_EQ(
+      compared(R"({"a": {"model": "m", "parameters": {"friction": 0.2}}, "b": {"model": "m"}})",
+               R"([{"stimulus": "a"}, {"stimulus": "b"}])"),
+      "friction");
+}
+
+TEST(StoredProtocol, NamesNoParameterWhereMoreDiffers) {
+  const auto compared = [](const std::string& stimuli) {
+    return stored_protocol(selection_among(stimuli, R"([{"stimulus": "a"}, {"stimulus": "b"}])"))
+        .compared_parameter;
+  };
+  EXPECT_FALSE(compared(R"({"a": {"model": "m"}, "b": {"model": "n"}})"));
+  EXPECT_FALSE(compared(R"({"a": {"model": "m", "parameters": {"friction": 0.2}},
+                            "b": {"model": "n", "parameters": {"friction": 0.3}}})"));
+  EXPECT_FALSE(compared(R"({"a": {"model": "m", "parameters": {"friction": 0.2, "gain": 1}},
+                            "b": {"model": "m", "parameters": {"friction": 0.3, "gain": 2}}})"));
+  EXPECT_FALSE(compared(R"({"a": {"model": "m"}, "b": {"model": "m"}})")) << "nothing differs";
+  EXPECT_FALSE(stored_protocol(R"({"kind": "matching", "stimuli": {"a": {"parameters": {"x": 1}},
+                                   "b": {"parameters": {"x": 2}}},
+                                   "blocks": {"m": {"presented": [{"stimulus": "a"}, {"stimulus": "b"}]}}})")
+                   .compared_parameter);
+}
+
 TEST(StoredProtocol, ReadsNothingOfWhatHasAnotherForm) {
   for (const char* const source :
        {"", "not JSON", "[]", "3", R"({"title": 3, "factors": [], "questions": {"a": "b"}})",

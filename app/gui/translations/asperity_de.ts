@@ -883,6 +883,22 @@
         <source>Test against equal proportions: %1; %2.</source>
         <translation>Test gegen gleiche Anteile: %1; %2.</translation>
     </message>
+    <message>
+        <source>Chosen (counts)</source>
+        <translation>Gewählt (Anzahlen)</translation>
+    </message>
+    <message>
+        <source>The alternatives differ in %1 alone: these results are preferences and do not show whether the levels can be discriminated.</source>
+        <translation>Die Alternativen unterscheiden sich nur in %1: diese Ergebnisse sind Bevorzugungen und zeigen nicht, ob sich die Stufen unterscheiden lassen.</translation>
+    </message>
+    <message>
+        <source>Which level of %1 is preferred?</source>
+        <translation>Welche Stufe von %1 wird bevorzugt?</translation>
+    </message>
+    <message>
+        <source>Is one level of %1 preferred to another?</source>
+        <translation>Wird eine Stufe von %1 einer anderen vorgezogen?</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
