@@ -8,7 +8,9 @@
 
 #include "app/height_field_files.h"
 #include "protocols/library_protocols.h"
+#include "results_schema/part_folder.h"
 #include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
 #include "stimuli/synthetic_photograph.h"
 #include "stimuli/synthetic_surface.h"
 #include "stimuli/texture_from_photograph.h"
@@ -131,15 +133,8 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
   save_height_field(folder / (name + ".png"), recovered.field, provenance, Overwrite::refuse);
 }
 
-}  // namespace
-
-void new_study(const std::filesystem::path& folder) {
-  Study::create(folder, folder.filename().string());
-}
-
-void new_demo_study(const std::filesystem::path& folder,
-                    const std::function<void(double)>& progress) {
-  new_study(folder);
+void fill_demo_study(const std::filesystem::path& folder,
+                     const std::function<void(double)>& progress) {
   for (const LibraryProtocol& protocol : library_protocols()) {
     // What the demo data come from, a session that shows what goes without sight, one with tools in six
     // degrees of freedom, and those of numbers.
@@ -159,6 +154,26 @@ void new_demo_study(const std::filesystem::path& folder,
     make_texture(textures[i], folder / "stimuli");
   }
   progress(1.0);
+}
+
+}  // namespace
+
+void new_study(const std::filesystem::path& folder) {
+  Study::create(folder, folder.filename().string());
+}
+
+void new_demo_study(const std::filesystem::path& folder,
+                    const std::function<void(double)>& progress) {
+  const std::string name = folder.filename().string();
+  if (std::filesystem::exists(folder)) {
+    Study::create(folder, name);
+    fill_demo_study(folder, progress);
+    return;
+  }
+  PartFolder part(folder, kOwnersFolder);
+  Study::create(part.content(), name);
+  fill_demo_study(part.content(), progress);
+  part.take_place();
 }
 
 bool is_of_demonstration(const std::string& study_path) {

@@ -16,8 +16,8 @@ void new_study(const std::filesystem::path& folder);
 /// height field made from that photograph, which is what is rendered; of the distractors only the
 /// first two.
 ///
-/// Works without a network, and gives the same files everywhere. `progress` may throw to end it;
-/// what was made until then stays.
+/// Works without a network, and gives the same files everywhere. `progress` may throw to end it. A folder that was not
+/// there before appears when it is complete, or not at all.
 void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress);
 

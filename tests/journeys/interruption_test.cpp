@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <set>
 #include <sstream>
@@ -14,6 +15,7 @@
 
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/support/eventually.h"
 
 namespace asperity::test {
 namespace {
@@ -204,6 +206,24 @@ TEST(StoppedProgram, RepeatsTheTrialInWhoseContactItStoodStill) {
   EXPECT_TRUE(program.read_until(is_repeated)) << program.err();
   EXPECT_NE(program.err().find(" 1 device_fault\n"), std::string::npos) << program.err();
   EXPECT_EQ(done_lines(program.err()).front(), "done standin1 1 1 1");
+}
+
+// Some forty files: wherever it is killed, nothing has the name of the study yet.
+TEST(KilledNewStudy, IsNotInTheWayOfTheNext) {
+  const TemporaryFolder folder;
+  const fs::path study = folder / "study";
+  Program making(Invocation{.arguments = {"new", study, "--demo"}});
+  const auto has_begun = [&] {
+    return fs::exists(study / "study.sqlite") ||
+           fs::exists(folder / "study.part/content/study.sqlite");
+  };
+  ASSERT_TRUE(eventually(has_begun));
+  making.send(SIGKILL);
+  making.finish();
+  EXPECT_FALSE(fs::exists(study));
+  const Outcome next = asperity({"new", study});
+  EXPECT_EQ(next.status, 0) << next.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
 }  // namespace

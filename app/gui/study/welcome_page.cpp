@@ -38,7 +38,7 @@ std::filesystem::path demo_folder(const std::filesystem::path& parent) {
   return folder;
 }
 
-/// A demo study that is cancelled or fails leaves nothing behind.
+/// Empty when it was cancelled.
 std::filesystem::path made_demo_study(const std::filesystem::path& folder,
                                       const std::stop_token& stop,
                                       const BackgroundTask::Progress& progress) {
@@ -53,8 +53,6 @@ std::filesystem::path made_demo_study(const std::filesystem::path& folder,
       progress(fraction);
     });
   } catch (...) {
-    std::error_code ignored{};
-    std::filesystem::remove_all(folder, ignored);
     if (stop.stop_requested()) return {};
     throw;
   }
