@@ -18,12 +18,14 @@
 #include "app/cli/driver_options.h"
 #include "app/cli/terminal.h"
 #include "app/conductor/clock.h"
+#include "app/shell_word.h"
 #include "app/tasks/compared_device.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/texture_doubts.h"
 #include "device/drivers.h"
 #include "protocols/doubts.h"
 #include "protocols/json_document.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
@@ -130,6 +132,14 @@ void add_check(CLI::App& program, Job& job) {
       const ModelRegistry models = built_in_models();
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};
+      if (options->study && is_readable_by_others(*options->study)) {
+        const std::string warning =
+            *options->study +
+            ": warning: every user of this computer can read the study; to keep " +
+            "other users out, run: chmod o-rwx " + shell_word(*options->study);
+        say(warning);
+        if (options->json) json["study_warning"] = warning;
+      }
       bool acceptable = true;
       // Looked for once, for the first to be compared with it.
       std::optional<SoughtDevice> device{};

@@ -8,13 +8,16 @@
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
 void add_new(CLI::App& program, Job& job) {
   struct Options {
     std::filesystem::path folder{};
+    std::string group{};
     bool demo = false;
+    bool shared = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("new", "Make a study.");
@@ -22,15 +25,28 @@ void add_new(CLI::App& program, Job& job) {
       ->required();
   command->add_flag("--demo", options->demo,
                     "The demonstration study, with textures and protocols");
+  CLI::Option* const shared = command->add_flag(
+      "--shared", options->shared,
+      "For the group of the folder: its members can read and change the study and run sessions. "
+      "Without it a new folder is for its owner only");
+  command
+      ->add_option("--group", options->group,
+                   "With --shared: the group, one that you are a member of")
+      ->needs(shared);
   command->callback([options, &job] {
     job = [options] {
+      require_group(options->group);
       if (options->demo) {
         Progress progress("making textures");
         new_demo_study(options->folder, [&progress](double fraction) { progress.show(fraction); });
       } else {
         new_study(options->folder);
       }
-      std::cout << "made the study " << options->folder.string() << '\n';
+      std::cout << "made the study " << options->folder.string();
+      if (options->shared) {
+        std::cout << ", shared with the group " << share_study(options->folder, options->group);
+      }
+      std::cout << '\n';
       return 0;
     };
   });

@@ -3,6 +3,7 @@
 #include "analysis/number_text.h"
 #include "app/device_kind.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 namespace {
@@ -50,7 +51,7 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
   if (stop.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
   if (order.study) {
     const std::filesystem::path file = profile_path(*order.study, measured.profile);
-    std::filesystem::create_directories(file.parent_path());
+    make_folders(file.parent_path());
     write_file(file, json_text_of(measured.profile), Overwrite::refuse);
     measured.file = file;
   }

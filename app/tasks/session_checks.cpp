@@ -15,6 +15,7 @@
 #include "app/conductor/session_setup.h"
 #include "app/conductor/stimulus_builder.h"
 #include "app/device_remarks.h"
+#include "app/shell_word.h"
 #include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
@@ -23,6 +24,7 @@
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
@@ -159,10 +161,20 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   return check;
 }
 
+SessionCheck readable_study_check(const std::filesystem::path& study) {
+  return {.state = State::look,
+          .text = phrase(
+              "SessionChecks",
+              "On a local disk, and can be written. Every user of this computer can read it."),
+          .remedy = phrase("SessionChecks", "To keep other users out, run: %1")
+                        .with("chmod o-rwx " + shell_word(study.string()))};
+}
+
 SessionCheck study_check(const CheckInputs& inputs) {
   try {
     // Takes what a session takes: a lock that can be trusted, in a folder that can be written.
     const StudyLock lock(inputs.study, kStudyCheckLock);
+    if (is_readable_by_others(inputs.study)) return readable_study_check(inputs.study);
     return fine(phrase("SessionChecks", "On a local disk, and can be written."));
   } catch (const ResultsError& error) {
     return {.state = State::stop,

@@ -638,6 +638,23 @@ TEST_F(SessionChecks, ReadTheNoiseThatAProtocolDeclares) {
   EXPECT_EQ(noise.declared_dBA, 65.0);
 }
 
+TEST_F(SessionChecks, WarnWhereOtherUsersCanReadTheStudy) {
+  using std::filesystem::perms;
+  const perms open = perms::owner_all | perms::others_read | perms::others_exec;
+  EXPECT_EQ(check("study").state, State::fine);
+  std::filesystem::permissions(folder.path(), open);
+  std::filesystem::permissions(study, open);
+  const SessionCheck warning = check("study");
+  EXPECT_EQ(warning.state, State::look);
+  EXPECT_NE(warning.text.english().find("Every user of this computer can read it"),
+            std::string::npos)
+      << warning.text.english();
+  EXPECT_EQ(warning.remedy.english(),
+            "To keep other users out, run: chmod o-rwx " + study.string());
+  std::filesystem::permissions(study, perms::owner_all);
+  EXPECT_EQ(check("study").state, State::fine);
+}
+
 TEST_F(SessionChecks, RefuseAStudyThatCannotBeWritten) {
   // A file where the folder of the locks has to be: refused to every user, root included.
   std::filesystem::remove_all(study / "locks");

@@ -45,6 +45,36 @@ class Mount final {
   bool mounted_ = false;
 };
 
+fs::perms permissions_of(const fs::path& path) { return fs::status(path).permissions(); }
+
+TEST(NewStudy, IsItsOwnersUnlessItIsSharedAndACheckWarnsOfOthers) {
+  const SmallStudy small(1);
+  const fs::path own = small.place() / "own";
+  ASSERT_EQ(asperity({"new", own}).status, 0);
+  EXPECT_EQ(permissions_of(own), fs::perms::owner_all);
+  const fs::path shared = small.place() / "shared";
+  const Outcome made = asperity({"new", shared, "--shared"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("shared with the group "), std::string::npos) << made.out;
+  EXPECT_EQ(permissions_of(shared),
+            fs::perms::owner_all | fs::perms::group_all | fs::perms::set_gid);
+  const Outcome nobody = asperity({"new", small.place() / "n", "--shared", "--group", "no such"});
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_NE(nobody.err.find("there is no group no such"), std::string::npos) << nobody.err;
+  EXPECT_FALSE(fs::exists(small.place() / "n"));
+  EXPECT_EQ(asperity({"new", small.place() / "n", "--group", "x"}).status, 2) << "without --shared";
+
+  const auto warning = [&] {
+    return asperity({"check", small.selection(), "--study", small.study()}).err;
+  };
+  const std::string sentence = "every user of this computer can read the study";
+  EXPECT_EQ(warning().find(sentence), std::string::npos);
+  constexpr auto kOpen = fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec;
+  fs::permissions(small.place(), kOpen);
+  fs::permissions(small.study(), kOpen);
+  EXPECT_NE(warning().find(sentence), std::string::npos);
+}
+
 TEST(ReadOnlyStudy, IsRefusedForWritingAndStillRead) {
   const SmallStudy small(1);
   ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 1, 3)).status, 0);

@@ -24,10 +24,12 @@
 #include "app/gui/study/navigation_list.h"
 #include "app/gui/study/new_study_dialog.h"
 #include "app/gui/study/settings.h"
+#include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
@@ -120,6 +122,7 @@ void StudyWindow::make_pages() {
   navigation_->setVisible(open);
   line_->setVisible(open);
   close_action_->setEnabled(open);
+  share_action_->setEnabled(open && Study::can_be_written(study_->folder()));
   if (!open) {
     setWindowTitle(tr("Asperity"));
     pages_->setCurrentWidget(welcome_);
@@ -323,6 +326,8 @@ void StudyWindow::make_study_menu() {
   QMenu* recent = menu->addMenu(tr("&Recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent_menu(*recent); });
   menu->addSeparator();
+  share_action_ = menu->addAction(tr("S&hare…"), this, &StudyWindow::ask_whom_to_share_with);
+  share_action_->setObjectName("menu_share_study");
   close_action_ = menu->addAction(tr("&Close"), QKeySequence::Close, this, [this] {
     if (!must_stay([this] { close_study(); })) close_study();
   });
@@ -401,6 +406,27 @@ void StudyWindow::ask_for_new_study() {
   auto* dialog = new NewStudyDialog(place_of_studies(), this);
   connect(dialog, &NewStudyDialog::wanted, this, &StudyWindow::make_new_study);
   dialog->open();
+}
+
+void StudyWindow::ask_whom_to_share_with() {
+  if (study_ == nullptr || refuse_to_cover()) return;
+  auto* dialog = new ShareStudyDialog(study_->folder(), this);
+  connect(dialog, &ShareStudyDialog::wanted, this, &StudyWindow::share_with);
+  dialog->open();
+}
+
+void StudyWindow::share_with(const QString& group) {
+  if (study_ == nullptr) return;
+  try {
+    share_study(study_->folder(), group.toStdString());
+    banner_->show_news(
+        State::fine,
+        tr("The study is shared with the group %1. Other users cannot read it.").arg(group));
+  } catch (const std::exception& error) {
+    banner_->show_news(
+        State::stop,
+        tr("The study could not be shared: %1").arg(QString::fromStdString(error.what())));
+  }
 }
 
 void StudyWindow::make_new_study(const std::filesystem::path& folder) {

@@ -102,6 +102,8 @@ class StudyWindow final : public QMainWindow {
   void ask_for_new_study();
   void ask_for_study();
   void open_demo();
+  void ask_whom_to_share_with();
+  void share_with(const QString& group);
   void make_new_study(const std::filesystem::path& folder);
   void watch_folder();
   void look_whether_changed();
@@ -114,6 +116,7 @@ class StudyWindow final : public QMainWindow {
   std::map<QString, std::function<QWidget*()>> for_later_{};  ///< pages that nobody has wanted yet
   WelcomePage* welcome_ = nullptr;
   QAction* close_action_ = nullptr;
+  QAction* share_action_ = nullptr;
   QFileSystemWatcher* watcher_ = nullptr;
   std::unique_ptr<OpenStudy> study_{};
   BackgroundTask make_task_{};

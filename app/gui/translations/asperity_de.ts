@@ -3616,6 +3616,14 @@
         <source>For sessions that begin now choose a device with motors.</source>
         <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
     </message>
+    <message>
+        <source>On a local disk, and can be written. Every user of this computer can read it.</source>
+        <translation>Auf einem lokalen Datenträger und beschreibbar. Jeder Benutzer dieses Computers kann sie lesen.</translation>
+    </message>
+    <message>
+        <source>To keep other users out, run: %1</source>
+        <translation>Um andere Benutzer auszuschließen: %1</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -7810,6 +7818,29 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
 </context>
 <context>
+    <name>asperity::ShareStudyDialog</name>
+    <message>
+        <source>Share the study</source>
+        <translation>Studie freigeben</translation>
+    </message>
+    <message>
+        <source>Members of the group can read and change everything in %1 and run sessions. Other users of this computer cannot read it.</source>
+        <translation>Mitglieder der Gruppe können alles in %1 lesen und ändern und Sitzungen durchführen. Andere Benutzer dieses Computers können es nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Freigeben</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ShownText</name>
     <message>
         <source>today %1</source>
@@ -8366,6 +8397,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>An earlier version of Asperity made this study. It is read as it is. The first thing that is stored brings it up to date: the earlier version cannot open it any more then, and finds what it was in the file %1.</source>
         <translation>Eine frühere Version von Asperity hat diese Studie angelegt. Sie wird gelesen, wie sie ist. Das erste Speichern bringt sie auf den neuen Stand: Die frühere Version kann sie dann nicht mehr öffnen und findet den alten Stand in der Datei %1.</translation>
+    </message>
+    <message>
+        <source>S&amp;hare…</source>
+        <translation>Fr&amp;eigeben…</translation>
+    </message>
+    <message>
+        <source>The study is shared with the group %1. Other users cannot read it.</source>
+        <translation>Die Studie ist für die Gruppe %1 freigegeben. Andere Benutzer können sie nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The study could not be shared: %1</source>
+        <translation>Die Studie konnte nicht freigegeben werden: %1</translation>
     </message>
 </context>
 <context>

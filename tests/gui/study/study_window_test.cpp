@@ -29,6 +29,7 @@
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/study_sharing.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
@@ -237,6 +238,27 @@ TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
   click(another, "welcome_recent_open");
   ASSERT_NE(another.study(), nullptr);
   EXPECT_EQ(another.windowTitle(), "Asperity ─ second");
+}
+
+TEST_F(StudyWindowTest, SharesTheStudyWithAGroup) {
+  const std::filesystem::path folder = home() / "mine";
+  new_study(folder);
+  StudyWindow window{};
+  auto& share = child<QAction>(window, "menu_share_study");
+  EXPECT_FALSE(share.isEnabled());
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(folder).permissions(), perms::owner_all);
+  share.trigger();
+  auto& dialog = child<QDialog>(window, "share_study_dialog");
+  EXPECT_EQ(child<QComboBox>(dialog, "share_study_group").currentText().toStdString(),
+            group_of(folder));
+  click(window, "share_study_share");
+  EXPECT_EQ(std::filesystem::status(folder).permissions(),
+            perms::owner_all | perms::group_all | perms::set_gid);
+  EXPECT_EQ(std::filesystem::status(folder / "study.sqlite").permissions(),
+            perms::owner_read | perms::owner_write | perms::group_read | perms::group_write);
 }
 
 TEST_F(StudyWindowTest, SaysWhenTheStudyDisappears) {

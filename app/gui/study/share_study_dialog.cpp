@@ -1,0 +1,62 @@
+#include "app/gui/study/share_study_dialog.h"
+
+#include <string>
+
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QFormLayout>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/shown_text.h"
+#include "results_schema/study_sharing.h"
+
+namespace asperity {
+
+ShareStudyDialog::ShareStudyDialog(const std::filesystem::path& study, QWidget* parent)
+    : QDialog(parent) {
+  setObjectName("share_study_dialog");
+  setWindowTitle(tr("Share the study"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(560);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Share the study"), this));
+  layout->addWidget(make_text(
+      tr("Members of the group can read and change everything in %1 and run sessions. Other "
+         "users of this computer cannot read it.")
+          .arg(text_of_path(study)),
+      this, true));
+
+  group_ = new QComboBox(this);
+  group_->setObjectName("share_study_group");
+  for (const std::string& name : own_groups()) group_->addItem(QString::fromStdString(name));
+  const QString now = QString::fromStdString(group_of(study));
+  if (group_->findText(now) < 0) group_->addItem(now);
+  group_->setCurrentText(now);
+  auto* form = new QFormLayout();
+  form->setHorizontalSpacing(kMargin);
+  form->addRow(tr("Group"), group_);
+  layout->addLayout(form);
+  layout->addStretch(1);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  QPushButton* share = make_button(tr("Share"), ButtonRole::primary, this);
+  share->setObjectName("share_study_share");
+  share->setDefault(true);
+  buttons->addStretch(1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(share);
+  layout->addLayout(buttons);
+
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(share, &QPushButton::clicked, this, [this] {
+    emit wanted(group_->currentText());
+    accept();
+  });
+}
+
+}  // namespace asperity
+
+#include "moc_share_study_dialog.cpp"
