@@ -2,6 +2,7 @@
 // written.
 
 #include <functional>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -505,6 +506,26 @@ TEST(BadName, OfAPictureIsRefusedBeforeTheWork) {
                   "--path", place / "path.tsv", "--out", place / "f.tsv"},
                  {"photo.png is a picture, not a height field: there is no ", "photo.png.json",
                   "asperity texture"});
+}
+
+// A pipe that nobody writes to has no beginning, and a device may have no end.
+TEST(BadFile, ThatIsNoRegularFileIsRefusedAtOnce) {
+  const TemporaryFolder place{};
+  const TemporaryFolder elsewhere{};  // the test reads all files of `place`
+  ASSERT_EQ(mkfifo((elsewhere / "pipe").c_str(), 0600), 0);
+  write_text(place / "t.csv", "subject,item,score\nA,a,6\n");
+  for (const fs::path& file : {elsewhere / "pipe", fs::path("/dev/zero")}) {
+    const std::vector<std::vector<std::string>> commands{
+        {"check", file},
+        {"texture", file, "--width-m", "0.1", "--out", place / "o.png"},
+        {"bake", file, "--triangles", "100", "--out", place / "o.mesh"},
+        {"analyze", "--table", file, "--as", "rating"},
+        {"analyze", "--table", place / "t.csv", "--as", "rating", "--options", file},
+        {"render", "--model", "stochastic", "--path", file, "--out", place / "o.tsv"}};
+    for (const std::vector<std::string>& command : commands) {
+      expect_refused(place.path(), command, {file.string(), "only regular files are read"});
+    }
+  }
 }
 
 TEST(Help, IsThereForEverything) {
