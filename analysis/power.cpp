@@ -11,7 +11,6 @@
 #include <string>
 #include <utility>
 
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
@@ -53,11 +52,6 @@ void refuse_fewer(std::size_t number, std::size_t least, const char* name) {
   }
 }
 
-double binomial_probability(std::size_t trials, double p, std::size_t hits) {
-  return boost::math::pdf(boost::math::binomial(static_cast<double>(trials), p),
-                          static_cast<double>(hits));
-}
-
 // Of the sum of n independent counts, each with these probabilities of 0, 1, 2, …, from 0 on.
 std::vector<double> sum_distribution(const std::vector<double>& one, std::size_t n) {
   const IntegerDistribution sum = repeated_sum({.lowest = 0, .probability = one}, n);
@@ -67,17 +61,23 @@ std::vector<double> sum_distribution(const std::vector<double>& one, std::size_t
   return all;
 }
 
+// The first number from `begin` on that is so, where all after it are as well; `end` where none is.
+template <typename Predicate>
+std::size_t first_that(std::size_t begin, std::size_t end, const Predicate& is_so) {
+  while (begin < end) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    const bool found = is_so(middle);
+    (found ? end : begin) = found ? middle : middle + 1;
+  }
+  return begin;
+}
+
 // The least number of hits whose upper tail under chance is at most the error; one more than there are trials where
 // even that of all hits is not.
 std::size_t least_rejected(std::size_t trials, double chance, double error) {
-  std::size_t begin = 0;
-  std::size_t end = trials + 1;
-  while (begin < end) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    const bool rejects = binomial_upper_tail({.hits = middle, .trials = trials}, chance) <= error;
-    (rejects ? end : begin) = rejects ? middle : middle + 1;
-  }
-  return begin;
+  return first_that(0, trials + 1, [=](std::size_t hits) {
+    return binomial_upper_tail({.hits = hits, .trials = trials}, chance) <= error;
+  });
 }
 
 // Consecutive weights around their largest, which is 1: those that are not below `least`.
@@ -256,14 +256,26 @@ ExactPower binomial_two_sided_power(const BinomialPlan& plan) {
   refuse_unless_probability(plan.chance, "chance");
   refuse_unless_probability(plan.truth, "truth");
   refuse_error(plan.error);
-  ExactPower answer;
-  for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
-    if (binomial_test({.hits = hits, .trials = plan.trials}, plan.chance) <= plan.error) {
-      answer.actual_error += binomial_probability(plan.trials, plan.chance, hits);
-      answer.power += binomial_probability(plan.trials, plan.truth, hits);
-    }
-  }
-  return answer;
+  // Away from what is expected, p falls on either side.
+  const double expected = static_cast<double>(plan.trials) * plan.chance;
+  const auto rejects = [&plan](std::size_t hits) {
+    return binomial_test({.hits = hits, .trials = plan.trials}, plan.chance) <= plan.error;
+  };
+  const std::size_t below = first_that(0, static_cast<std::size_t>(std::ceil(expected)),
+                                       [&rejects](std::size_t hits) { return !rejects(hits); });
+  const std::size_t above =
+      first_that(static_cast<std::size_t>(std::floor(expected)) + 1, plan.trials + 1, rejects);
+  const auto rejected = [&](double probability) {
+    const double low =
+        below == 0 ? 0.0
+                   : binomial_lower_tail({.hits = below - 1, .trials = plan.trials}, probability);
+    const double high =
+        above > plan.trials
+            ? 0.0
+            : binomial_upper_tail({.hits = above, .trials = plan.trials}, probability);
+    return std::min(1.0, low + high);
+  };
+  return {.actual_error = rejected(plan.chance), .power = rejected(plan.truth)};
 }
 
 UniformPower uniform_power(const UniformPlan& plan) {

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/proportion.h"
 #include "analysis/two_by_two.h"
 #include "tests/support/refusal.h"
 
@@ -58,6 +59,34 @@ TEST(Power, RefusesWhatIsNoPlan) {
   EXPECT_THROW(binomial_power({.trials = 4, .error = 0.0}), std::invalid_argument);
   EXPECT_THROW(uniform_power({.choices = 4, .truth = {0.5, 0.6}}), std::invalid_argument);
   EXPECT_THROW(known_items_power({.assignments = 2, .items = 4}, 5), std::invalid_argument);
+}
+
+TEST(Power, OfTheTwoSidedBinomialTestIsThatOfTheCountsThatItRejects) {
+  for (const std::size_t trials : {1U, 2U, 7U, 20U, 61U}) {
+    for (const double chance : {0.0, 0.04, 0.25, 0.5, 0.9, 1.0}) {
+      for (const double truth : {0.0, 0.3, 0.97, 1.0}) {
+        for (const double error : {0.001, 0.05, 0.6}) {
+          ExactPower counted;
+          for (std::size_t hits = 0; hits <= trials; ++hits) {
+            if (binomial_test({.hits = hits, .trials = trials}, chance) > error) continue;
+            const double ways = std::exp(std::lgamma(static_cast<double>(trials) + 1.0) -
+                                         std::lgamma(static_cast<double>(hits) + 1.0) -
+                                         std::lgamma(static_cast<double>(trials - hits) + 1.0));
+            const auto probability = [&](double p) {
+              return ways * std::pow(p, static_cast<double>(hits)) *
+                     std::pow(1.0 - p, static_cast<double>(trials - hits));
+            };
+            counted.actual_error += probability(chance);
+            counted.power += probability(truth);
+          }
+          const ExactPower power = binomial_two_sided_power(
+              {.trials = trials, .chance = chance, .truth = truth, .error = error});
+          EXPECT_NEAR(power.actual_error, counted.actual_error, 1e-12) << trials << ' ' << chance;
+          EXPECT_NEAR(power.power, counted.power, 1e-12) << trials << ' ' << chance << ' ' << truth;
+        }
+      }
+    }
+  }
 }
 
 // All tables of two groups, each judged by the test itself.
