@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kAssumedMass_kg = 0.05;
 /// What arithmetic may add to a limit that is just met.
-constexpr double kRounding = 1e-6;
+constexpr double kJustMet = 1e-6;
 constexpr const char* kFrictionSpeed = "friction_speed_m_per_s";
 
 /// What a stimulus asks of the loop.
@@ -36,11 +36,11 @@ struct FrictionDamper {
 /// To two digits, up for a least value and down for a greatest one: a remedy that is rounded the other way is none.
 double two_digits_up(double value) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return digit * std::ceil(value / digit - kRounding);
+  return digit * std::ceil(value / digit - kJustMet);
 }
 double two_digits_down(double value) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return digit * std::floor(value / digit + kRounding);
+  return digit * std::floor(value / digit + kJustMet);
 }
 
 std::optional<FrictionDamper> damper_of(const StimulusDescription& stimulus,
@@ -102,7 +102,7 @@ std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const auto asked = damper_of(planned.stimulus, exploration_of(protocol, trial), models);
-      if (!asked || asked->damper_N_s_per_m() <= (1.0 + kRounding) * steepest_N_s_per_m) continue;
+      if (!asked || asked->damper_N_s_per_m() <= (1.0 + kJustMet) * steepest_N_s_per_m) continue;
       if (!seen.emplace(planned.stimulus.name, asked->force_N, asked->damper_N_s_per_m()).second) {
         continue;
       }
