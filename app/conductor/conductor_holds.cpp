@@ -162,7 +162,6 @@ bool Conductor::outlives(const Interruption& interruption) {
 /// A standstill is over when the loop sees it, and nobody has to do anything: the fault is lifted and the device checked.
 /// Nothing when that is done, and otherwise the sentence of what is wrong now.
 std::optional<std::string> Conductor::trouble_after_standstill() {
-  course_.event("fault", name_of(Fault::standstill));
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
   const Fault fault = rig_.loop().status().fault;
@@ -190,6 +189,7 @@ void Conductor::forget_surface() {
 
 bool Conductor::wait_out_fault(std::string what) {
   if (rig_.loop().status().fault == Fault::standstill) {
+    course_.event("fault", name_of(Fault::standstill));
     if (++standstills_ == kMostStandstills) {
       stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)).english());
       return false;

@@ -97,6 +97,9 @@ TEST_F(Standstill, EndsTheSessionTheThirdTimeAndItCanBeResumed) {
   EXPECT_THAT(end.reason, HasSubstr("the servo loop stood still for more than 50 ms, 3 times"));
   ASSERT_EQ(attempts().size(), 4U);
   EXPECT_TRUE(attempts()[2].valid);
+  EXPECT_THAT(kinds_of_events(),
+              ElementsAre("fault standstill", "fault_cleared ", "fault standstill",
+                          "fault_cleared ", "fault standstill"));
   make_rig({});
   rig_->move_clock_to(1'000'000'000'000);
   session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
