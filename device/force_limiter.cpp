@@ -44,8 +44,8 @@ struct VectorLimit {
 };
 
 // `wanted`, shortened to the limit, and to its change from `last`.
-glm::dvec3 within(const VectorLimit& limit, const glm::dvec3& wanted, const glm::dvec3& last,
-                  LimitedWrench& limited) noexcept {
+glm::dvec3 limited_to(const VectorLimit& limit, const glm::dvec3& wanted, const glm::dvec3& last,
+                      LimitedWrench& limited) noexcept {
   const glm::dvec3 aim = no_longer_than(limit.length, wanted);
   if (aim != wanted) add(limit.too_long, limited);
   const glm::dvec3 wanted_change = aim - last;
@@ -76,11 +76,11 @@ LimitedWrench ForceLimiter::limit(const Wrench& wanted, double dt_s) noexcept {
   // Written so that a dt that is not a number allows no change.
   const double elapsed_s = dt_s > 0.0 ? dt_s : 0.0;
   limited.wrench.force_N =
-      within({limits_.force_N, limits_.slew_N_per_s * elapsed_s, LimitReason::force},
-             wanted.force_N, last_.force_N, limited);
+      limited_to({limits_.force_N, limits_.slew_N_per_s * elapsed_s, LimitReason::force},
+                 wanted.force_N, last_.force_N, limited);
   limited.wrench.torque_N_m =
-      within({limits_.torque_N_m, limits_.slew_N_m_per_s * elapsed_s, LimitReason::torque},
-             wanted.torque_N_m, last_.torque_N_m, limited);
+      limited_to({limits_.torque_N_m, limits_.slew_N_m_per_s * elapsed_s, LimitReason::torque},
+                 wanted.torque_N_m, last_.torque_N_m, limited);
   last_ = limited.wrench;
   return limited;
 }

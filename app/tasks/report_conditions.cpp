@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-using Source = RecordedNoise::Source;
+using NoiseSource = RecordedNoise::Source;
 
 std::string levels_dBA_text(const std::set<double>& levels_dBA) {
   const std::string lowest = reading_number(*levels_dBA.begin());
@@ -25,7 +25,7 @@ std::string played_level_text(const ReportFacts& facts, const SessionShare& play
   std::set<double> levels_dBA{};
   const SessionShare measured =
       share_of_sessions(facts, [&levels_dBA](const RecordedStretch& stretch) {
-        const bool is = stretch.noise.source == Source::program && stretch.noise.measured_dBA;
+        const bool is = stretch.noise.source == NoiseSource::program && stretch.noise.measured_dBA;
         if (is) levels_dBA.insert(*stretch.noise.measured_dBA);
         return is;
       });
@@ -41,7 +41,7 @@ std::string attested_text(const ReportFacts& facts) {
   std::set<double> levels_dBA{};
   for (const ReportedSession& session : facts.sessions) {
     for (const RecordedStretch& stretch : session.stretches) {
-      if (stretch.noise.source != Source::elsewhere) continue;
+      if (stretch.noise.source != NoiseSource::elsewhere) continue;
       people.insert(stretch.noise.verified_by);
       levels_dBA.insert(*stretch.noise.measured_dBA);
     }
@@ -60,23 +60,23 @@ std::string requested_noise_text(const Protocol& protocol) {
 }
 
 std::string noise_text(const ReportFacts& facts) {
-  const auto share = [&facts](Source source) {
+  const auto share = [&facts](NoiseSource source) {
     return share_of_sessions(
         facts, [source](const RecordedStretch& stretch) { return stretch.noise.source == source; });
   };
   std::vector<std::string> sentences{};
-  if (const SessionShare played = share(Source::program); played.is_any()) {
+  if (const SessionShare played = share(NoiseSource::program); played.is_any()) {
     sentences.push_back("The program played masking noise " + played.text() +
                         played_level_text(facts, played) + '.');
   }
-  if (const SessionShare elsewhere = share(Source::elsewhere); elsewhere.is_any()) {
+  if (const SessionShare elsewhere = share(NoiseSource::elsewhere); elsewhere.is_any()) {
     sentences.push_back("Masking noise came from another source " + elsewhere.text() + ": " +
                         attested_text(facts) + '.');
   }
-  if (const SessionShare silent = share(Source::not_played); silent.is_any()) {
+  if (const SessionShare silent = share(NoiseSource::not_played); silent.is_any()) {
     sentences.push_back("No masking noise was played " + silent.text_after_not() + '.');
   }
-  if (const SessionShare unknown = share(Source::not_recorded); unknown.is_any()) {
+  if (const SessionShare unknown = share(NoiseSource::not_recorded); unknown.is_any()) {
     sentences.push_back("Whether masking noise was played is not recorded " +
                         unknown.text_after_not() + '.');
   }

@@ -39,16 +39,16 @@ RecordedNoise noise_of(const std::string& data_json) {
   noise.verified_by = stored_value<std::string>(data, "verified_by").value_or("");
   const auto kind = stored_value<std::string>(data, "kind");
   const auto heard = stored_value<bool>(data, "heard");
-  using Source = RecordedNoise::Source;
+  using NoiseSource = RecordedNoise::Source;
   if (!kind || !heard) {
-    noise.source = Source::not_recorded;
+    noise.source = NoiseSource::not_recorded;
   } else if (*kind == "none") {
-    noise.source = Source::not_played;
+    noise.source = NoiseSource::not_played;
   } else if (*heard) {
-    noise.source = Source::program;
+    noise.source = NoiseSource::program;
   } else {
-    noise.source =
-        noise.measured_dBA && !noise.verified_by.empty() ? Source::elsewhere : Source::not_played;
+    noise.source = noise.measured_dBA && !noise.verified_by.empty() ? NoiseSource::elsewhere
+                                                                    : NoiseSource::not_played;
   }
   return noise;
 }
