@@ -54,10 +54,9 @@ SessionEnd Conductor::run(OpenSession session) {
     begin();
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
-    stop(is_fault(interruption.outcome)
-             ? fault_sentence(interruption, {}) + "; " +
-                   phrase_of(Reason::every_trial_stored).english()
-             : interruption.reason);
+    stop(is_fault(interruption.outcome) ? fault_sentence(interruption, {}) + "; " +
+                                              phrase_of(Reason::every_trial_stored).english()
+                                        : interruption.reason);
   } catch (const RespondentGone& gone) {
     stop(gone.what());
   } catch (const std::exception& error) {

@@ -317,11 +317,10 @@ Columns attempt_columns() {
   add(at_least(
       1, column("segment", "integer", "", "which stretch of the session between interruptions",
                 [](const Place& at) { return integer(at.attempt->segment); })));
-  add(with_levels(
-      column("outcome", "text", "", "how the attempt ended",
-             [](const Place& at) { return text_of(at.attempt->outcome); }),
-      {"answered", "timed_out", "not_compliant", "aborted", "device_fault", "emergency_stop",
-       "skipped"}));
+  add(with_levels(column("outcome", "text", "", "how the attempt ended",
+                         [](const Place& at) { return text_of(at.attempt->outcome); }),
+                  {"answered", "timed_out", "not_compliant", "aborted", "device_fault",
+                   "emergency_stop", "skipped"}));
   add(column("valid", "boolean", "", "1: the valid attempt of its trial; there is one at most",
              [](const Place& at) { return boolean(at.attempt->valid); }));
   add(dropped(

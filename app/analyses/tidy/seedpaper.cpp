@@ -30,9 +30,9 @@ namespace {
 constexpr const char* kPooled = "POOLED";
 constexpr const char* kTarget = "image";
 constexpr double kConfidence = 0.95;
-constexpr std::size_t kTextures = 4;  ///< that were matched
+constexpr std::size_t kTextures = 4;               ///< that were matched
 constexpr std::uint64_t kMostChoices = 1'000'000;  ///< in a cell; one by one they are put in rows
-constexpr std::size_t kPictures = 6;  ///< that were recognised among
+constexpr std::size_t kPictures = 6;               ///< that were recognised among
 
 /// Share with both intervals, in the names of a table.
 void add_share(const std::string& table, const std::string& key, const HitCount& count,

@@ -53,8 +53,8 @@ QString NameVeil::veiled(const QString& text) const {
   return hidden.replace(names_, "▒▒▒");
 }
 
-QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
-                            const int to_come, const QString& condition, double in_phase_s) {
+QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial, const int to_come,
+                            const QString& condition, double in_phase_s) {
   const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::idle:

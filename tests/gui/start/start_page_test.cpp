@@ -736,16 +736,14 @@ TEST(StartPagePictures, ShowEveryMode) {
     StartPage page(study);
     page.show();
     page.choose(folder / "protocols" / "chapter_recognition.json", std::nullopt, {});
-    const auto settle =
-        [&page] {
-          EXPECT_TRUE(eventually([&page] {
-            const auto reasons = page.reasons();
-            return page.is_read() &&
-                   std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
-                     return reason.contains("The checklist");
-                   });
-          }));
-        };
+    const auto settle = [&page] {
+      EXPECT_TRUE(eventually([&page] {
+        const auto reasons = page.reasons();
+        return page.is_read() &&
+               std::none_of(reasons.begin(), reasons.end(),
+                            [](const QString& reason) { return reason.contains("The checklist"); });
+      }));
+    };
     settle();
     take_screenshot(page, "start-page" + suffix);
     page.set_mode(SessionMode::pilot);
