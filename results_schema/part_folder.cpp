@@ -62,8 +62,15 @@ bool PartFolder::claim() {
     fail_on_file(lock_path_, "made", errno);
   }
   try {
-    // On a network file system a lock may not be had; nothing is taken for a leftover there.
-    if (!take_lock(lock_, lock_path_) && network_file_system_at(part_).empty()) {
+    // Where a lock cannot be had, on a network file system, nothing was taken for a leftover.
+    const bool is_local = network_file_system_at(part_).empty();
+    bool is_locked = false;
+    try {
+      is_locked = take_lock(lock_, lock_path_);
+    } catch (const ResultsError&) {
+      if (is_local) throw;
+    }
+    if (!is_locked && is_local) {
       throw ResultsError("the folder " + target_.string() + " is being made by " +
                              holder_in_lock(lock_) +
                              "; wait until it has finished, or stop it there",
