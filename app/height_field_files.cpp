@@ -74,7 +74,9 @@ HeightFieldProvenance provenance_of(const std::filesystem::path& png) {
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
                        HeightFieldProvenance provenance, Overwrite overwrite,
                        const std::vector<PictureFile>& pictures) {
-  refuse_existing({png}, overwrite);
+  std::vector<std::filesystem::path> made{png};
+  for (const PictureFile& one : pictures) made.push_back(one.png);
+  refuse_existing(made, overwrite);
   provenance.program_version = version_line();
   const std::vector<std::byte> content = encode_height_field_png(field);
   const std::string text =

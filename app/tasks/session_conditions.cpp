@@ -39,16 +39,16 @@ RecordedNoise noise_of(const std::string& data_json) {
   noise.verified_by = stored_value<std::string>(data, "verified_by").value_or("");
   const auto kind = stored_value<std::string>(data, "kind");
   const auto heard = stored_value<bool>(data, "heard");
-  using NoiseSource = RecordedNoise::Source;
+  using Origin = RecordedNoise::Source;
   if (!kind || !heard) {
-    noise.source = NoiseSource::not_recorded;
+    noise.source = Origin::not_recorded;
   } else if (*kind == "none") {
-    noise.source = NoiseSource::not_played;
+    noise.source = Origin::not_played;
   } else if (*heard) {
-    noise.source = NoiseSource::program;
+    noise.source = Origin::program;
   } else {
-    noise.source = noise.measured_dBA && !noise.verified_by.empty() ? NoiseSource::elsewhere
-                                                                    : NoiseSource::not_played;
+    noise.source =
+        noise.measured_dBA && !noise.verified_by.empty() ? Origin::elsewhere : Origin::not_played;
   }
   return noise;
 }

@@ -364,6 +364,7 @@ class RehearsedChecks : public SessionChecks {
     inputs.device = "falcon:A7";
     inputs.tried = tried_falcon();
     inputs.rehearsal = std::make_shared<RehearsalMemory>();
+    ask_for("");
   }
   /// `days` ago.
   void measure(double days, double friction_N, const std::string& in_place_of = "",
@@ -389,9 +390,11 @@ class RehearsedChecks : public SessionChecks {
     std::erase_if(lines, [](const SessionCheck& line) { return line.id != "rehearsal"; });
     return lines;
   }
+  /// Of surfaces without friction: that of the others is beyond what a Falcon renders.
   void ask_for(const std::string& of_device) {
     std::string text = small_protocol();
-    text.insert(text.find("\"textures\""), "\"device\": {" + of_device + "}, ");
+    text.insert(text.find("\"textures\""),
+                "\"material\": {\"friction\": 0}, \"device\": {" + of_device + "}, ");
     write_protocol(text);
   }
 

@@ -178,7 +178,7 @@ TEST(StudyDocumentation, HasAReaderThatReadsTheFixture) {
   write_file(folder / "reader.py", python_of(formats / "study.md"), Overwrite::refuse);
   EXPECT_EQ(output_of("python3 '" + (folder / "reader.py").string() + "' '" +
                       (kFixtures / "study_version_3").string() + "'"),
-            "P01 1 1 2 which B 1\nP01 1 1 2 confidence sure None\n");
+            "P01 1 1 2 confidence sure None\nP01 1 1 2 which B 1\n");
 }
 
 /// Every table and column of the schema is explained.

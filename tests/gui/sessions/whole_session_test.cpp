@@ -71,6 +71,7 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
 
   click_row(*window, "protocols_table", "small");
   click(*window, "protocol_start");
+  click(*window, "mode_pilot");  // on the simulated device
   agree();
   press_start();
   std::vector<std::size_t> pressed{};

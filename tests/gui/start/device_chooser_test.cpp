@@ -420,7 +420,7 @@ TEST_F(TheDeviceChooser, ShowsTheProfilesAgeAndWhatIsBeyondTheDevice) {
     show_device();
     take_screenshot(*page, "start-page-device-question" + suffix);
     pick("mouse");
-    require([this] { return has_line("check_device", "gives no force"); }, "line of the mouse");
+    require([this] { return has_line("check_device", "no motors"); }, "line of the mouse");
     show_device();
     take_screenshot(*page, "start-page-mouse" + suffix);
   }
