@@ -28,7 +28,7 @@ Family family_of(const std::string& kind) {
 /// With a place for how many. `what` as AnswerCount has it.
 Phrase attempts_that_were(const std::string& what) {
   static const std::map<std::string, Phrase> kKnown{
-      {"aborted", phrase("Analysis", "%1 aborted")},
+      {"aborted", phrase("Analysis", "%1 interrupted")},
       {"answered but invalid", phrase("Analysis", "%1 answered but invalid")},
       {"device_fault", phrase("Analysis", "%1 stopped by a fault")},
       {"emergency_stop", phrase("Analysis", "%1 ended by the emergency stop")},
@@ -49,8 +49,9 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
                "about people."));
   }
   if (gathered.group == AnswerGroup::pilot) {
-    outcome.remarks.push_back(
-        phrase("Analysis", "These sessions are pilots and stand apart from those that count."));
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "These sessions are pilots: they are analysed apart from sessions of mode \"run\"."));
   }
   if (gathered.sources > 1) {
     outcome.remarks.push_back(

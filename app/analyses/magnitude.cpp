@@ -438,9 +438,10 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
   if (counts[0] + counts[1] + counts[2] <= 0.0) return;
   add_question(
       outcome, "types", phrase("Analysis", "Which shapes do the participants' own curves have?"),
-      phrase("Analysis",
-             "Of the participants' curves, all conditions together, %1 descend, %2 are an inverted "
-             "U, and %3 are neither.")
+      phrase(
+          "Analysis",
+          "Shapes of the participants' curves, all conditions together: descending %1, inverted U "
+          "%2, neither %3.")
           .with(fixed(counts[0], 0), fixed(counts[1], 0), fixed(counts[2], 0)),
       phrase("Analysis",
              "By the slopes of each participant's own parabola at the smallest and the largest "

@@ -185,7 +185,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   if (sizes.size() != 1) {
     cells.resize(table.table.columns.size());
     finding.status = sizes.empty()
-                         ? "nobody has answered yet"
+                         ? "there is no answer that counts here"
                          : "the number of items differs between the trials, and chance with it";
     outcome.findings.push_back(std::move(finding));
     return;
@@ -391,7 +391,9 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
   share.confidence = 0.95;
   add_question(
       outcome, "whole", phrase("Analysis", "How often is a whole go right?"),
-      phrase("Analysis", "%1 of %2 goes are wholly right, %3 (%4); %5 against random permutations.")
+      phrase("Analysis",
+             "Assignments with every item correct: %1 of %2, %3 (%4); %5 against random "
+             "permutations.")
           .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
                 percent(*share.value), interval_text(share), p_text(*test)),
       phrase(

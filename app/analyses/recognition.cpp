@@ -404,32 +404,51 @@ std::vector<Confusion> largest_confusions(const GatheredAnswers& gathered,
   return most;
 }
 
-/// What the pairs do not show: confusions in one direction that are larger than theirs.
+/// "brick called gravel, brick called wood"
+Phrase confusions_text(const std::vector<Confusion>& confusions) {
+  Phrase all{};
+  for (const Confusion& one : confusions) {
+    const Phrase text = phrase("Analysis", "%1 called %2").with(one.felt, one.called);
+    all = all.empty() ? text : phrase("Analysis", "%1, %2").with(all, text);
+  }
+  return all;
+}
+
+constexpr std::size_t kMostNamed = 3;  // more pairs or confusions are read in the table
+
+/// What the pairs do not show: the most frequent confusions in one direction, where one of them belongs to no pair that
+/// is reported.
 Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPair>& pairs,
-                              std::vector<Confusion> largest) {
-  std::erase_if(largest, [&pairs](const Confusion& one) {
+                              const std::vector<Confusion>& largest) {
+  const auto is_in_a_pair = [&pairs](const Confusion& one) {
     return std::any_of(pairs.begin(), pairs.end(), [&one](const ConfusedPair& pair) {
       return pair.key == one.felt + '|' + one.called || pair.key == one.called + '|' + one.felt;
     });
-  });
-  if (largest.empty() || largest.front().share() <= pairs.front().share()) return answer;
+  };
+  if (std::all_of(largest.begin(), largest.end(), is_in_a_pair)) return answer;
   const Confusion& first = largest.front();
-  if (largest.size() > 1) {
+  if (first.share() <= pairs.front().share()) return answer;
+  if (largest.size() > kMostNamed) {
     return phrase("Analysis",
-                  "%1 Counted in one direction only, %2 confusions were equally frequent and more "
-                  "frequent still: each in %3 of the answers.")
+                  "%1 Counted in one direction only, %2 confusions are the most frequent: each in "
+                  "%3 of the answers to the texture felt.")
         .with(answer, std::to_string(largest.size()), percent(first.share()));
   }
+  if (largest.size() > 1) {
+    return phrase("Analysis",
+                  "%1 Counted in one direction only, these confusions are the most frequent: %2, "
+                  "each in %3 of the answers to the texture felt.")
+        .with(answer, confusions_text(largest), percent(first.share()));
+  }
   return phrase("Analysis",
-                "%1 Counted in one direction only, %2 was called %3 more often still: in %4 of %5 "
+                "%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 "
                 "answers.")
-      .with(answer, first.felt, first.called, std::to_string(first.times),
+      .with(answer, confusions_text(largest), std::to_string(first.times),
             std::to_string(first.answers));
 }
 
 void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
                           const Pictures& pictures, AnalysisOutcome& outcome) {
-  constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
   const std::vector<ConfusedPair> most = most_confused(gathered, judged, pictures.felt);
   if (most.empty()) return;
   const ConfusedPair& first = most.front();
@@ -455,12 +474,12 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
     }
     answer = phrase("Analysis",
                     "Equally alike are %1: one was taken for the other in %2 of the answers to "
-                    "each.")
+                    "the two textures of each pair.")
                  .with(names, percent(first.share()));
   } else {
     answer = phrase("Analysis",
                     "%1 pairs of textures are equally alike, and none more: one was taken for the "
-                    "other in %2 of the answers to each.")
+                    "other in %2 of the answers to the two textures of each pair.")
                  .with(std::to_string(most.size()), percent(first.share()));
   }
   add_question(outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),

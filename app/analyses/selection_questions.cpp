@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -41,12 +42,18 @@ GreatestMean greatest_mean(std::span<const std::string> names, const FoundNumber
 
 /// "height_map was chosen most often: in 60 % of a participant's choices on average (…), where chance is 33 %"
 Phrase most_often(const GreatestMean& most, std::size_t items) {
+  constexpr std::size_t kBoth = 2;
   const Phrase share = percent(*most.mean->value);
   const Phrase chance = percent(1.0 / static_cast<double>(items));
   if (most.names.size() == items && items > 1) {
-    return phrase("Analysis",
-                  "All were chosen equally often: each in %1 of a participant's choices on average")
-        .with(share);
+    return (items == kBoth
+                ? phrase("Analysis",
+                         "Both were chosen equally often: each in %1 of a participant's choices on "
+                         "average, where chance is %2")
+                : phrase("Analysis",
+                         "All were chosen equally often: each in %1 of a participant's choices on "
+                         "average, where chance is %2"))
+        .with(share, chance);
   }
   if (most.names.size() > 1) {
     return phrase("Analysis",
@@ -144,21 +151,24 @@ std::vector<const StudyTests::Test*> smallest_p(const std::string& name, const S
   return smallest;
 }
 
+/// "a / b"
+std::string pair_text(const StudyTests::Test& test) {
+  const std::size_t bar = test.about.find('|');
+  return test.about.substr(0, bar) + " / " + test.about.substr(bar + 1);
+}
+
 /// "the smallest p is that of a / b (p = .012 after Holm)"
 Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
   constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
   const Phrase p = p_text(*smallest.front());
   if (smallest.size() > kMostNamed) {
-    return phrase("Analysis", "the smallest p is that of %1 pairs (each %2)")
+    return phrase("Analysis", "the smallest p is shared by %1 pairs (each %2)")
         .with(std::to_string(smallest.size()), p);
   }
   std::vector<std::string> names{};
-  for (const StudyTests::Test* test : smallest) {
-    const std::size_t bar = test->about.find('|');
-    names.push_back(test->about.substr(0, bar) + " / " + test->about.substr(bar + 1));
-  }
+  for (const StudyTests::Test* test : smallest) names.push_back(pair_text(*test));
   return (names.size() == 1 ? phrase("Analysis", "the smallest p is that of %1 (%2)")
-                            : phrase("Analysis", "the smallest p is that of %1 (each %2)"))
+                            : phrase("Analysis", "the smallest p is shared by %1 (each %2)"))
       .with(listed_names(names), p);
 }
 
@@ -211,6 +221,25 @@ Phrase positions_text(const GreatestMean& most, std::size_t positions, const Fin
                 "average (%3), and what was felt first in %4 (%5), where chance is %6")
       .with(most.names.front(), share, interval_text(*most.mean), percent(*first.value),
             interval_text(first), chance);
+}
+
+/// How many participants answered, and how many of them ever chose the target.
+struct TargetChoosers {
+  std::size_t participants = 0;
+  std::size_t choosers = 0;
+};
+
+TargetChoosers target_choosers(const Selection& selection) {
+  std::set<std::uint32_t> participants{};
+  std::set<std::uint32_t> choosers{};
+  for (const GatheredAnswer& answer : selection.gathered.answers) {
+    participants.insert(answer.person);
+    const std::size_t chosen = selection.chosen(answer);
+    if (chosen != kNoChoice && selection.items[chosen] == selection.target()) {
+      choosers.insert(answer.person);
+    }
+  }
+  return {.participants = participants.size(), .choosers = choosers.size()};
 }
 
 }  // namespace
@@ -281,11 +310,21 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
                  nullptr);
     return;
   }
-  const Phrase of_smallest = smallest_text(smallest);
-  const Sayings sayings{phrase("Analysis", "Chosen more often: %1.").with(differ),
-                        phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
-                        phrase("Analysis", "Of all pairs, %1.").with(of_smallest)};
   const StudyTests::Test& least = *smallest.front();
+  const Phrase of_smallest = smallest_text(smallest);
+  const auto is_of_pairs = [&name](const StudyTests::Test& test) { return test.name == name; };
+  const bool is_only_pair =
+      std::count_if(tests.tests().begin(), tests.tests().end(), is_of_pairs) == 1;
+  const Phrase chosen_more = phrase("Analysis", "Chosen more often: %1.").with(differ);
+  const Sayings sayings =
+      is_only_pair
+          ? Sayings{chosen_more,
+                    phrase("Analysis", "%1 do not differ significantly (%2).")
+                        .with(pair_text(least), p_text(least)),
+                    phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
+          : Sayings{chosen_more,
+                    phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
+                    phrase("Analysis", "Of all pairs, %1.").with(of_smallest)};
   add_question(outcome, "pairs", question, said_of(least, sayings), method, "pairs",
                found.find("signflip.p.two", least.about));
 }
@@ -326,12 +365,17 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
       "How often each participant chose the target with each texture, against exchanging the "
       "textures within each participant at random; where each texture was judged once, this "
       "is the exact form of Cochran's test.");
+  const TargetChoosers who = target_choosers(selection);
   if (test == nullptr || !test->p) {
-    add_question(outcome, "textures", question,
-                 phrase("Analysis",
-                        "This cannot be tested: the participants have not judged every texture "
-                        "equally often."),
-                 method, "shares_by_texture", nullptr);
+    add_question(
+        outcome, "textures", question,
+        who.choosers == 0
+            ? phrase("Analysis", "This cannot be tested: no participant ever chose %1.")
+                  .with(target)
+            : phrase("Analysis",
+                     "This cannot be tested: the participants have not judged every texture "
+                     "equally often."),
+        method, "shares_by_texture", nullptr);
     return;
   }
   Finding finding{};
@@ -351,8 +395,13 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
                           "texture has %2.")),
       with_numbers(
           phrase("Analysis", "That %1 is chosen equally often with every texture has %2."))};
-  add_question(outcome, "textures", question, said_of(*test, sayings), method, "shares_by_texture",
-               &finding);
+  Phrase answer = said_of(*test, sayings);
+  if (who.choosers < who.participants) {
+    answer = phrase("Analysis", "%1 Participants who never chose %2 do not contribute: %3 of %4.")
+                 .with(answer, target, std::to_string(who.participants - who.choosers),
+                       std::to_string(who.participants));
+  }
+  add_question(outcome, "textures", question, answer, method, "shares_by_texture", &finding);
 }
 
 }  // namespace asperity

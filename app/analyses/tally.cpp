@@ -259,17 +259,21 @@ void ConfusionTally::add_table(const GatheredAnswers& gathered,
 }
 
 void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const bool is_matched =
+      std::any_of(gathered.forces.begin(), gathered.forces.end(),
+                  [](const auto& of_model) { return !of_model.second.matched_N.empty(); });
   NamedTable made{
       "texture_force",
-      phrase("Analysis",
-             "Texture force (RMS) per model: aimed at on the prescribed path, achieved by the "
-             "hands"),
+      is_matched ? phrase("Analysis",
+                          "Texture force (RMS) per model, as computed: aimed at on the prescribed "
+                          "path, and achieved in the attempts")
+                 : phrase("Analysis", "Texture force (RMS) per model, as computed in the attempts"),
       {{"model", "surfaces", "matched_mean_N", "achieved_mean_N", "achieved_sd_N",
         "achieved_minimum_N", "achieved_maximum_N"},
        {}},
       phrase("Analysis",
-             "Equal RMS is not equal intensity: what is felt also depends on frequency, and each "
-             "hand presses and moves in its own way.")};
+             "Equal RMS is not equal perceived intensity, which also depends on frequency. The "
+             "force achieved depends on how the device was pressed and moved.")};
   for (const auto& [model, forces] : gathered.forces) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.insert(cells.end(), {model, count_cell(forces.surfaces)});

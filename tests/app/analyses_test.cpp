@@ -738,7 +738,7 @@ TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
                                                    {"gravel", "gravel"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
             "Equally alike are brick / wood, metal / stone: one was taken for the other in 50 % of "
-            "the answers to each.");
+            "the answers to the two textures of each pair.");
 }
 
 // The sentence about positions has the mean of the persons, and so has a table for its figure.
@@ -761,11 +761,21 @@ TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) 
                                                    {"brick", "brick"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
             "Most alike are metal / stone: one was taken for the other in 1 of 4 answers. "
-            "Counted in one direction only, brick was called gravel more often still: in 2 of 3 "
-            "answers.");
+            "Counted in one direction only, the most frequent confusion is brick called gravel: in "
+            "2 of 3 answers.");
 }
 
-TEST(Recognition, CountsTheConfusionsInOneDirectionThatAreEquallyFrequent) {
+// Brick was called wood as often as gravel: the pair that is named already hides neither.
+TEST(Recognition, NamesEveryMostFrequentConfusionInOneDirection) {
+  const AnalysisOutcome outcome =
+      analyze_answers({{"brick", "wood"}, {"brick", "gravel"}, {"wood", "wood"}, {"wood", "wood"}});
+  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
+            "Most alike are brick / wood: one was taken for the other in 1 of 4 answers. "
+            "Counted in one direction only, these confusions are the most frequent: brick called "
+            "gravel, brick called wood, each in 50 % of the answers to the texture felt.");
+}
+
+TEST(Recognition, NamesConfusionsInOneDirectionThatAreEquallyFrequent) {
   const AnalysisOutcome outcome = analyze_answers({{"stone", "metal"},
                                                    {"stone", "stone"},
                                                    {"metal", "metal"},
@@ -777,8 +787,9 @@ TEST(Recognition, CountsTheConfusionsInOneDirectionThatAreEquallyFrequent) {
                                                    {"wood", "wood"},
                                                    {"wood", "wood"}});
   EXPECT_THAT(question_of(outcome, "confusions").answer.english(),
-              testing::EndsWith("Counted in one direction only, 2 confusions were equally frequent "
-                                "and more frequent still: each in 50 % of the answers."));
+              testing::EndsWith("Counted in one direction only, these confusions are the most "
+                                "frequent: brick called gravel, stone called metal, wood called "
+                                "grass, each in 50 % of the answers to the texture felt."));
 }
 
 // Of every texture everything is taken for something else: no pair is told by its letters.
@@ -791,7 +802,7 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
   }
   EXPECT_EQ(question_of(analyze_answers(answers), "confusions").answer.english(),
             "6 pairs of textures are equally alike, and none more: one was taken for the other in "
-            "33 % of the answers to each.");
+            "33 % of the answers to the two textures of each pair.");
 }
 
 TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {

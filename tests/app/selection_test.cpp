@@ -225,7 +225,56 @@ TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
   const AnalysisOutcome outcome = analysed(1, "{}", all_pairs_of);
   EXPECT_THAT(
       answer_of(outcome, "pairs"),
-      StartsWith("No pair differs significantly: the smallest p is that of 6 pairs (each p"));
+      StartsWith("No pair differs significantly: the smallest p is shared by 6 pairs (each p"));
+}
+
+TEST(SelectionTies, AnswerOfTwoModelsAndOfTheirOnlyPairInTheSingular) {
+  const AnalysisOutcome outcome = analysed(2, "{}", [](int person) {
+    return std::vector<MadeUpTrial>{trial_of({"a", "b"}, person == 0 ? "a" : "b")};
+  });
+  EXPECT_THAT(answer_of(outcome, "preference"),
+              AllOf(StartsWith("Both were chosen equally often: each in 50 %"),
+                    HasSubstr("where chance is 50 %")));
+  EXPECT_THAT(answer_of(outcome, "pairs"), StartsWith("a / b do not differ significantly (p "));
+}
+
+constexpr const char* kTargetA = R"({"analysis": {"target": "a"}})";
+
+/// Wood and brick once each; the participant chooses the same model both times.
+std::vector<MadeUpTrial> two_textures(const std::string& chosen) {
+  std::vector<MadeUpTrial> trials{};
+  for (const char* const texture : {"wood", "brick"}) {
+    MadeUpTrial trial{};
+    trial.options = {"a", "b"};
+    for (const std::string& model : trial.options) {
+      trial.surfaces.push_back(surface_of(model, model, texture));
+    }
+    trial.answers = {chosen};
+    trials.push_back(trial);
+  }
+  return trials;
+}
+
+TEST(SelectionTextures, AreNotTestedWhereNobodyEverChoseTheTarget) {
+  const AnalysisOutcome outcome = analysed(2, kTargetA, [](int) { return two_textures("b"); });
+  EXPECT_EQ(answer_of(outcome, "textures"), "This cannot be tested: no participant ever chose a.");
+}
+
+TEST(SelectionTextures, CountTheParticipantsWhoNeverChoseTheTarget) {
+  const AnalysisOutcome outcome =
+      analysed(3, kTargetA, [](int person) { return two_textures(person == 0 ? "b" : "a"); });
+  EXPECT_THAT(answer_of(outcome, "textures"),
+              HasSubstr("Participants who never chose a do not contribute: 1 of 3."));
+}
+
+TEST(Pilots, AreAnalysedApart) {
+  MadeUpStudy made;
+  made.add_person("p", "F");
+  made.add_session("p", made.add_protocol("pairs", "selection"), {trial_of({"a", "b"}, "a")},
+                   SessionMode::pilot);
+  EXPECT_THAT(words_of(analyze_study(made.study()).at(0)),
+              HasSubstr("These sessions are pilots: they are analysed apart from sessions of mode "
+                        "\"run\"."));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 <context>
     <name>Analysis</name>
     <message>
-        <source>%1 aborted</source>
-        <translation>%1 abgebrochen</translation>
+        <source>%1 interrupted</source>
+        <translation>%1 unterbrochen</translation>
     </message>
     <message>
         <source>%1 answered but invalid</source>
@@ -24,8 +24,8 @@
         <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und sagen nichts über Menschen.</translation>
     </message>
     <message>
-        <source>These sessions are pilots and stand apart from those that count.</source>
-        <translation>Diese Sitzungen sind Pilotsitzungen und stehen getrennt von denen, die zählen.</translation>
+        <source>These sessions are pilots: they are analysed apart from sessions of mode &quot;run&quot;.</source>
+        <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen der Art „run“ ausgewertet.</translation>
     </message>
     <message>
         <source>%1 different files carry this protocol name and version; their answers are counted together.</source>
@@ -160,12 +160,28 @@
         <translation>Verwechslungen: gefühlt (abwärts) und gewähltes Bild (quer)</translation>
     </message>
     <message>
-        <source>Texture force (RMS) per model: aimed at on the prescribed path, achieved by the hands</source>
-        <translation>Texturkraft (RMS) je Modell: angestrebt auf dem vorgegebenen Weg, erreicht von den Händen</translation>
+        <source>Texture force (RMS) per model, as computed in the attempts</source>
+        <translation>Texturkraft (RMS) je Modell, wie in den Versuchen berechnet</translation>
     </message>
     <message>
-        <source>Equal RMS is not equal intensity: what is felt also depends on frequency, and each hand presses and moves in its own way.</source>
-        <translation>Gleicher RMS ist nicht gleiche Stärke: Was gefühlt wird, hängt auch von der Frequenz ab, und jede Hand drückt und bewegt sich auf ihre Weise.</translation>
+        <source>Texture force (RMS) per model, as computed: aimed at on the prescribed path, and achieved in the attempts</source>
+        <translation>Texturkraft (RMS) je Modell, wie berechnet: angestrebt auf dem vorgegebenen Weg und erreicht in den Versuchen</translation>
+    </message>
+    <message>
+        <source>This cannot be tested: no participant ever chose %1.</source>
+        <translation>Das lässt sich nicht prüfen: Keine Person hat je %1 gewählt.</translation>
+    </message>
+    <message>
+        <source>%1 Participants who never chose %2 do not contribute: %3 of %4.</source>
+        <translation>%1 Personen, die nie %2 gewählt haben, tragen nichts bei: %3 von %4.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Equal RMS is not equal perceived intensity, which also depends on frequency. The force achieved depends on how the device was pressed and moved.</source>
+        <translation>Gleicher RMS-Wert ist nicht gleiche wahrgenommene Stärke, die auch von der Frequenz abhängt. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
     </message>
     <message>
         <source>These files declare different tests: nothing counts as declared before the data.</source>
@@ -204,8 +220,8 @@
         <translation>Wie oft ist ein ganzer Durchgang richtig?</translation>
     </message>
     <message>
-        <source>%1 of %2 goes are wholly right, %3 (%4); %5 against random permutations.</source>
-        <translation>%1 von %2 Durchgängen sind ganz richtig, %3 (%4); %5 gegen zufällige Permutationen.</translation>
+        <source>Assignments with every item correct: %1 of %2, %3 (%4); %5 against random permutations.</source>
+        <translation>Zuordnungen, in denen alles richtig ist: %1 von %2, %3 (%4); %5 gegen zufällige Permutationen.</translation>
     </message>
     <message>
         <source>Exact binomial test against 1/m!, with Wilson&apos;s interval. Goes of one participant are taken as independent.</source>
@@ -412,12 +428,12 @@
         <translation>Keine gefühlte Textur wurde je für eine andere gefühlte gehalten.</translation>
     </message>
     <message>
-        <source>Equally alike are %1: one was taken for the other in %2 of the answers to each.</source>
-        <translation>Gleich ähnlich sind %1: In jeweils %2 der Antworten wurde die eine für die andere gehalten.</translation>
+        <source>Equally alike are %1: one was taken for the other in %2 of the answers to the two textures of each pair.</source>
+        <translation>Gleich ähnlich sind %1: In %2 der Antworten auf die beiden Texturen jedes Paars wurde die eine für die andere gehalten.</translation>
     </message>
     <message>
-        <source>%1 pairs of textures are equally alike, and none more: one was taken for the other in %2 of the answers to each.</source>
-        <translation>%1 Paare von Texturen sind gleich ähnlich und keines mehr: In jeweils %2 der Antworten wurde die eine für die andere gehalten.</translation>
+        <source>%1 pairs of textures are equally alike, and none more: one was taken for the other in %2 of the answers to the two textures of each pair.</source>
+        <translation>%1 Paare von Texturen sind gleich ähnlich, und keines mehr: In %2 der Antworten auf die beiden Texturen jedes Paars wurde die eine für die andere gehalten.</translation>
     </message>
     <message>
         <source>Of the answers to either of two textures, those that name the other one. There is no interval: it is the largest of several.</source>
@@ -628,8 +644,8 @@
         <translation>Welche Formen haben die Kurven der einzelnen Versuchspersonen?</translation>
     </message>
     <message>
-        <source>Of the participants&apos; curves, all conditions together, %1 descend, %2 are an inverted U, and %3 are neither.</source>
-        <translation>Von diesen Kurven, alle Bedingungen zusammen, fallen %1, sind %2 ein umgekehrtes U und %3 keines von beiden.</translation>
+        <source>Shapes of the participants&apos; curves, all conditions together: descending %1, inverted U %2, neither %3.</source>
+        <translation>Formen der Kurven der Personen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, keines von beiden %3.</translation>
     </message>
     <message>
         <source>By the slopes of each participant&apos;s own parabola at the smallest and the largest spacing, without a test.</source>
@@ -756,16 +772,24 @@
         <translation>Am häufigsten %1 und %2; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, %2 was called %3 more often still: in %4 of %5 answers.</source>
-        <translation>%1 Nur in einer Richtung gezählt, wurde %2 noch öfter %3 genannt: in %4 von %5 Antworten.</translation>
+        <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 answers.</source>
+        <translation>%1 Nur in einer Richtung gezählt, ist die häufigste Verwechslung %2: in %3 von %4 Antworten.</translation>
     </message>
     <message>
         <source>Most alike are %1: one was taken for the other in %2 of %3 answers.</source>
         <translation>Am ähnlichsten sind %1: Die eine wurde in %2 von %3 Antworten für die andere gehalten.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, %2 confusions were equally frequent and more frequent still: each in %3 of the answers.</source>
-        <translation>%1 In nur einer Richtung gezählt, waren %2 Verwechslungen gleich häufig und noch häufiger: jeweils in %3 der Antworten.</translation>
+        <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the answers to the texture felt.</source>
+        <translation>%1 Nur in einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die gefühlte Textur.</translation>
+    </message>
+    <message>
+        <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the answers to the texture felt.</source>
+        <translation>%1 Nur in einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die gefühlte Textur.</translation>
+    </message>
+    <message>
+        <source>%1 called %2</source>
+        <translation>%1, genannt %2</translation>
     </message>
     <message>
         <source>By chance: each model in 1/%1 of the choices of the trials that presented it.</source>
@@ -776,8 +800,16 @@
         <translation>Nicht jeder Durchgang bietet jedes Modell dar: jedes Paar wird in den Durchgängen geprüft, die beide darboten, und die Skala verbindet alle Durchgänge.</translation>
     </message>
     <message>
-        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average</source>
-        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person</translation>
+        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, where chance is %2</source>
+        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallswert von %2</translation>
+    </message>
+    <message>
+        <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, where chance is %2</source>
+        <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallswert von %2</translation>
+    </message>
+    <message>
+        <source>%1 do not differ significantly (%2).</source>
+        <translation>%1 unterscheiden sich nicht signifikant (%2).</translation>
     </message>
     <message>
         <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where chance is %3</source>
@@ -808,7 +840,7 @@
         <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
     </message>
     <message>
-        <source>the smallest p is that of %1 pairs (each %2)</source>
+        <source>the smallest p is shared by %1 pairs (each %2)</source>
         <translation>das kleinste p haben %1 Paare (jeweils %2)</translation>
     </message>
     <message>
@@ -816,7 +848,7 @@
         <translation>das kleinste p hat %1 (%2)</translation>
     </message>
     <message>
-        <source>the smallest p is that of %1 (each %2)</source>
+        <source>the smallest p is shared by %1 (each %2)</source>
         <translation>das kleinste p haben %1 (jeweils %2)</translation>
     </message>
     <message>
