@@ -163,6 +163,11 @@ std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) 
   return rows;
 }
 
+bool has_intervals(const std::vector<ForestRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const ForestRow& row) { return row.interval.has_value(); });
+}
+
 /// The means of persons that say of the same what this table of shares says, where there are some.
 std::vector<ForestRow> means_beside(const NamedTable& table, const NamedTable* persons) {
   if (persons == nullptr || persons->table.columns.empty()) return {};
@@ -200,10 +205,16 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
     row.kind = is_part(table, cells, hits) ? 1 : 0;
     rows.push_back(std::move(row));
   }
+  const bool has_both =
+      std::any_of(rows.begin(), rows.end(), [](const ForestRow& row) { return row.kind == 0; }) &&
+      std::any_of(rows.begin(), rows.end(), [](const ForestRow& row) { return row.kind == 1; });
   const Phrase note =
-      phrase("Figures",
-             "Points are shares of all answers of a row, bars their 95 % intervals by Wilson; "
-             "outlined points are parts of the full ones.");
+      has_both ? phrase("Figures",
+                        "Points are shares of all answers of a row, bars their 95 % intervals by "
+                        "Wilson; outlined points are parts of the full ones.")
+               : phrase("Figures",
+                        "Points are shares of all answers of a row, bars their 95 % intervals by "
+                        "Wilson.");
   const std::vector<ForestRow> means = means_beside(table, persons);
   const std::optional<double> by_chance = rows.empty() ? std::nullopt : rows.front().chance;
   for (ForestRow row : means) {
@@ -214,12 +225,16 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
   Figure figure{.name = table.name + "_forest",
                 .table = table.name,
                 .title = table.title,
-                .note = means.empty()
-                            ? note
-                            : phrase("Figures",
-                                     "%1 Squares are means of the persons' own shares with t "
-                                     "intervals: a person is the unit.")
-                                  .with(note)};
+                .note = means.empty() ? note
+                                      : (has_intervals(means)
+                                             ? phrase("Figures",
+                                                      "%1 Squares are means of the persons' own "
+                                                      "shares with t intervals: a person is the "
+                                                      "unit.")
+                                             : phrase("Figures",
+                                                      "%1 Squares are means of the persons' own "
+                                                      "shares: a person is the unit."))
+                                            .with(note)};
   const std::vector<ForestKind>& names = pooled_and_people();
   add_rows(rows,
            {{.name = means.empty() ? Phrase() : names[0].name},
@@ -242,10 +257,17 @@ std::optional<Figure> people_forest(const NamedTable& table, std::optional<doubl
   Figure figure{.name = table.name + "_forest",
                 .table = table.name,
                 .title = table.title,
-                .note = phrase("Figures",
-                               "Squares are means of the persons' own shares, bars their 95 % "
-                               "intervals by t: a person is the unit.")};
-  add_rows(rows, {{}}, phrase("Figures", "mean share, with its 95 % interval"), figure);
+                .note = has_intervals(rows)
+                            ? phrase("Figures",
+                                     "Squares are means of the persons' own shares, bars their "
+                                     "95 % intervals by t: a person is the unit.")
+                            : phrase("Figures",
+                                     "Squares are means of the persons' own shares: a person is "
+                                     "the unit.")};
+  add_rows(rows, {{}},
+           has_intervals(rows) ? phrase("Figures", "mean share, with its 95 % interval")
+                               : phrase("Figures", "mean share"),
+           figure);
   for (FigureSeries& series : figure.series) series.style = 1;
   return figure;
 }

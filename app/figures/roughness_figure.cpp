@@ -23,17 +23,45 @@ struct Range {
   }
 };
 
+bool has_curves(const std::vector<FigureSeries>& series) {
+  return std::any_of(series.begin(), series.end(),
+                     [](const FigureSeries& one) { return !one.lines.empty(); });
+}
+
+/// Whether a point of these has an interval along either axis.
+bool has_any_interval(const std::vector<FigureSeries>& series) {
+  return std::any_of(series.begin(), series.end(), [](const FigureSeries& one) {
+    return std::any_of(one.points.begin(), one.points.end(), [](const FigurePoint& point) {
+      return point.x_interval.has_value() || point.y_interval.has_value();
+    });
+  });
+}
+
+/// Explains the marks that are drawn, and no others.
+Phrase roughness_note(const std::vector<FigureSeries>& means,
+                      const std::vector<FigureSeries>& peaks, const std::string& percent) {
+  Phrase note = has_any_interval(means)
+                    ? phrase("Figures",
+                             "Full marks: geometric means of normalised estimates with %1 % t "
+                             "intervals over participants.")
+                          .with(percent)
+                    : phrase("Figures", "Full marks: geometric means of normalised estimates.");
+  if (has_curves(means)) {
+    note = phrase("Figures", "%1 Curves: mean parabolas of the logarithms.").with(note);
+  }
+  if (peaks.empty()) return note;
+  return (has_any_interval(peaks)
+              ? phrase("Figures",
+                       "%1 Outlined marks: their peaks within the tested spacings, with intervals "
+                       "by the delta method.")
+              : phrase("Figures", "%1 Outlined marks: their peaks within the tested spacings."))
+      .with(note);
+}
+
 }  // namespace
 
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names) {
-  Figure figure{.name = "roughness",
-                .title = phrase("Figures", "Estimated roughness by spacing"),
-                .note = phrase("Figures",
-                               "Full marks: geometric means of normalised estimates with %1 % t "
-                               "intervals over participants. Curves: mean parabolas of the "
-                               "logarithms. Outlined marks: their peaks within the tested "
-                               "spacings, with intervals by the delta method.")
-                            .with(percent_of(found.all("geomean")))};
+  Figure figure{.name = "roughness", .title = phrase("Figures", "Estimated roughness by spacing")};
   // Textures are read in millimetres: 0.5 and not 5e-04.
   const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
   Range x{};
@@ -102,6 +130,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     }
     peaks.push_back({.style = static_cast<int>(i), .hollow = true, .points = {mark}});
   }
+  figure.note = roughness_note(figure.series, peaks, percent_of(found.all("geomean")));
   figure.series.insert(figure.series.end(), peaks.begin(), peaks.end());
   if (probes.size() == 1) figure.series.front().name = {};
   figure.x = {.name = unit.empty() ? phrase("Figures", "spacing, in the unit of the table")

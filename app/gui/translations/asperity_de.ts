@@ -1913,6 +1913,22 @@
         <translation>Quadrate sind Mittel der eigenen Anteile der Personen, Striche ihre 95-%-Intervalle nach t: Die Person ist die Einheit.</translation>
     </message>
     <message>
+        <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson.</translation>
+    </message>
+    <message>
+        <source>%1 Squares are means of the persons&apos; own shares: a person is the unit.</source>
+        <translation>%1 Quadrate sind Mittel der eigenen Anteile der Personen: Die Person ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>Squares are means of the persons&apos; own shares: a person is the unit.</source>
+        <translation>Quadrate sind Mittel der eigenen Anteile der Personen: Die Person ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>mean share</source>
+        <translation>mittlerer Anteil</translation>
+    </message>
+    <message>
         <source>mean share, with its 95 % interval</source>
         <translation>mittlerer Anteil, mit 95-%-Intervall</translation>
     </message>
@@ -2009,8 +2025,24 @@
         <translation>Geschätzte Rauheit nach Abstand</translation>
     </message>
     <message>
-        <source>Full marks: geometric means of normalised estimates with %1 % t intervals over participants. Curves: mean parabolas of the logarithms. Outlined marks: their peaks within the tested spacings, with intervals by the delta method.</source>
-        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen mit %1-%-t-Intervallen über Versuchspersonen. Kurven: mittlere Parabeln der Logarithmen. Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände, mit Intervallen nach der Delta-Methode.</translation>
+        <source>Full marks: geometric means of normalised estimates with %1 % t intervals over participants.</source>
+        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen mit %1-%-t-Intervallen über Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Full marks: geometric means of normalised estimates.</source>
+        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen.</translation>
+    </message>
+    <message>
+        <source>%1 Curves: mean parabolas of the logarithms.</source>
+        <translation>%1 Kurven: mittlere Parabeln der Logarithmen.</translation>
+    </message>
+    <message>
+        <source>%1 Outlined marks: their peaks within the tested spacings, with intervals by the delta method.</source>
+        <translation>%1 Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände, mit Intervallen nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>%1 Outlined marks: their peaks within the tested spacings.</source>
+        <translation>%1 Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände.</translation>
     </message>
     <message>
         <source>probe %1</source>

@@ -16,6 +16,7 @@
 
 #include "app/analyses/found_numbers.h"
 #include "app/analyses/tidy/reference_case.h"
+#include "app/figures/figure_kinds.h"
 #include "app/figures/sweep_figure.h"
 
 namespace asperity {
@@ -82,6 +83,50 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   EXPECT_EQ(all.x_interval->high, 0.78);
   ASSERT_EQ(figure.references.size(), 1U);
   EXPECT_EQ(figure.references.front().value, 0.5);
+}
+
+// One participant has no interval; a table of one column has no parts.
+TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
+  const NamedTable shares{
+      .name = "shares",
+      .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low", "wilson_high"},
+                {{std::string("all"), std::string("wave"), std::int64_t{1}, std::int64_t{2},
+                  std::int64_t{1}, 0.5, 0.1, 0.9}}}};
+  const NamedTable persons{
+      .name = "persons",
+      .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
+                {{std::string("wave"), std::int64_t{1}, 0.5, Cell{}, Cell{}},
+                 {std::string("grain"), std::int64_t{1}, 0.5, Cell{}, Cell{}}}}};
+  AnalysisOutcome outcome{};
+  outcome.tables = {shares, persons};
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].note.english(),
+            "Points are shares of all answers of a row, bars their 95 % intervals by Wilson. "
+            "Squares are means of the persons' own shares: a person is the unit.");
+  EXPECT_EQ(figures[1].note.english(),
+            "Squares are means of the persons' own shares: a person is the unit.");
+  EXPECT_EQ(figures[1].x.name.english(), "mean share");
+}
+
+TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
+  std::vector<Finding> findings{};
+  for (const char* const key : {"small|0.001", "small|0.002"}) {
+    Finding& mean = findings.emplace_back();
+    mean.quantity = "geomean";
+    mean.key = key;
+    mean.value = 1.5;
+  }
+  EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
+            "Full marks: geometric means of normalised estimates.");
+  for (Finding& mean : findings) {
+    mean.low = 1.0;
+    mean.high = 2.0;
+    mean.confidence = 0.95;
+  }
+  EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
+            "Full marks: geometric means of normalised estimates with 95 % t intervals over "
+            "participants.");
 }
 
 // 1, 1, 1 and 0.5: Student's interval of the mean, 0.875, goes to 1.27, but no share does.
