@@ -70,6 +70,13 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
         phrase("Analysis", "Sessions that are not completed: %1 of %2.")
             .with(std::to_string(count.unfinished_sessions), std::to_string(count.sessions)));
   }
+  if (count.unfelt_sessions > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Sessions that began on a device on which no participant can feel the surfaces "
+               "(without motors, or moved by the program): %1 of %2.")
+            .with(std::to_string(count.unfelt_sessions), std::to_string(count.sessions)));
+  }
   if (count.guessing_sessions > 0) {
     outcome.remarks.push_back(
         phrase("Analysis",

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/tasks/session_conditions.h"
 #include "protocols/protocol.h"
 #include "protocols/stored_protocol.h"
 #include "results_schema/table.h"
@@ -36,6 +37,12 @@ bool is_guessing(const SessionRow& session, const std::string& kind) {
          (kind != kMagnitude && observer.value("expectation", "") == "none");
 }
 
+/// Whether the record of the device shows that no participant could feel the surfaces.
+bool is_unfelt(const SessionRow& session) {
+  const RecordedDevice device = recorded_device(session.device, session.device_json);
+  return device.has_motors == false || !device.hand_of_program().empty();
+}
+
 /// The answers of a group while its sessions come in.
 class Gathering {
  public:
@@ -46,6 +53,7 @@ class Gathering {
     ++gathered.count.sessions;
     if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
     if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
+    if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
     participants_.insert(session.participant);
     Session reading{.answers = answers,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};

@@ -92,7 +92,9 @@ struct AnswerCount {
   std::size_t sessions = 0;
   std::size_t unfinished_sessions = 0;
   std::size_t guessing_sessions = 0;  ///< of virtual observers that are deaf or expect nothing
-  std::size_t planned_trials = 0;     ///< of the main phase
+  /// Of human participants, begun on a device without motors or on one that the program moved.
+  std::size_t unfelt_sessions = 0;
+  std::size_t planned_trials = 0;                    ///< of the main phase
   std::map<std::string, std::size_t> not_counted{};  ///< attempts of the main phase, by outcome
   std::size_t flagged = 0;                           ///< counted, but flagged
   std::size_t anchors = 0;  ///< numbers of a magnitude that are not analysed

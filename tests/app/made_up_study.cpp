@@ -107,7 +107,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   session.instruction_set = "sse2";
   session.os = "Linux 6.1.0-made-up x86_64";
   session.device = "simulated";
-  session.device_json = "{}";
+  session.device_json = device_json_;
   session.pacing = "stepped";
   session.scheduling = "none";
   session.rate_Hz = 1000.0;

@@ -50,6 +50,7 @@ class MadeUpStudy final {
 
   /// Of the sessions added from now on.
   void set_observer(const std::string& observer_json) { observer_json_ = observer_json; }
+  void set_device(const std::string& device_json) { device_json_ = device_json; }
 
   /// One completed session with one attempt per trial. Returns its id.
   std::int64_t add_session(const std::string& participant, std::int64_t protocol,
@@ -60,6 +61,7 @@ class MadeUpStudy final {
   TemporaryFolder folder_{};
   std::optional<Study> study_{};
   std::string observer_json_ = "null";
+  std::string device_json_ = "{}";
 };
 
 }  // namespace asperity

@@ -277,5 +277,30 @@ TEST(Pilots, AreAnalysedApart) {
                         "\"run\"."));
 }
 
+constexpr const char* kNobodyFelt = "on a device on which no participant can feel the surfaces";
+
+std::string words_about_device(const std::string& device_json, bool is_virtual) {
+  MadeUpStudy made;
+  made.set_device(device_json);
+  if (is_virtual) {
+    made.add_virtual("p", "F");
+  } else {
+    made.add_person("p", "F");
+  }
+  made.add_session("p", made.add_protocol("pairs", "selection"), {trial_of({"a", "b"}, "a")});
+  return words_of(analyze_study(made.study()).at(0));
+}
+
+TEST(UnfeltSessions, AreCountedByTheDeviceThatIsRecorded) {
+  const char* const kMouse = R"({"name": "mouse", "actuated_degrees_of_freedom": 0})";
+  const char* const kSimulated = R"({"name": "simulated", "actuated_degrees_of_freedom": 3})";
+  const char* const kFalcon = R"({"name": "falcon", "actuated_degrees_of_freedom": 3})";
+  EXPECT_THAT(words_about_device(kMouse, false), HasSubstr(kNobodyFelt));
+  EXPECT_THAT(words_about_device(kSimulated, false), HasSubstr(kNobodyFelt));
+  EXPECT_THAT(words_about_device(kFalcon, false), Not(HasSubstr(kNobodyFelt)));
+  EXPECT_THAT(words_about_device("{}", false), Not(HasSubstr(kNobodyFelt)));
+  EXPECT_THAT(words_about_device(kSimulated, true), Not(HasSubstr(kNobodyFelt)));
+}
+
 }  // namespace
 }  // namespace asperity

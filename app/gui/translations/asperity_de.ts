@@ -36,6 +36,10 @@
         <translation>Nicht abgeschlossene Sitzungen: %1 von %2.</translation>
     </message>
     <message>
+        <source>Sessions that began on a device on which no participant can feel the surfaces (without motors, or moved by the program): %1 of %2.</source>
+        <translation>Sitzungen, die an einem Gerät begannen, an dem niemand die Oberflächen fühlen kann (ohne Motoren oder vom Programm bewegt): %1 von %2.</translation>
+    </message>
+    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
