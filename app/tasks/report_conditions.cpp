@@ -80,6 +80,10 @@ std::string noise_text(const ReportFacts& facts) {
     sentences.push_back("Whether masking noise was played is not recorded " +
                         unknown.text_after_not() + '.');
   }
+  if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
+    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
+                        "; asperity 0.1.0 stored nothing of it at a terminal, which plays none.");
+  }
   std::string text = facts.file.protocol ? requested_noise_text(*facts.file.protocol) : "";
   for (const std::string& sentence : sentences) text += (text.ends_with('.') ? " " : "") + sentence;
   return text;
@@ -147,8 +151,8 @@ std::string force_text(const ReportFacts& facts) {
             ": no participant moved a device or felt a force there.";
   }
   if (const SessionShare weak = share_of_sessions(facts, gives_no_force); weak.is_any()) {
-    text += " No force was rendered " + weak.text_after_not() +
-            ": the device has no motors, and nobody felt the surfaces.";
+    text += " The device has no motors: forces were computed but not exerted " + weak.text() +
+            ", and nobody felt the surfaces.";
   }
   return text;
 }

@@ -169,6 +169,8 @@ std::string repeats_text(int maximum) {
                       : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
 }
 
+constexpr const char* kLastRepeat = "; the last one is then flagged and included.";
+
 std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
   std::vector<std::string> bands{};
   add_band("normal force", exploration.normal_force_N, "N", bands);
@@ -180,9 +182,9 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
                      reading_quantity(exploration.maximum_contact_s, "s");
   if (!bands.empty()) text += ", with " + listed(bands);
   text += '.';
+  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.required_fraction_in_band > 0.0) {
     const std::string fraction = reading_percent(exploration.required_fraction_in_band);
-    const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (bounded(exploration.normal_force_N)) {
       text += " The force has to lie in its band for " + fraction + " of the contact time.";
     }
@@ -191,6 +193,14 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
               " of the strokes (length divided by time, from turn to turn) has to lie in its band.";
     }
   }
+  const bool is_judged_in_part =
+      exploration.required_fraction_in_band <= 0.0 &&
+      (bounded(exploration.normal_force_N) || bounded(exploration.speed_m_per_s));
+  if (is_judged_in_part) {
+    text +=
+        " No proportion of the contact time or of the strokes has to lie in the bands of force and "
+        "speed: no attempt is outside the limits because of them.";
+  }
   text += guidance_text(exploration, facts);
   const bool repeats = exploration.maximum_repeats > 0;
   switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
@@ -198,12 +208,12 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
       return text + " By the protocol, attempts outside these limits are flagged and included.";
     case Exploration::OnFailure::repeat_now:
       return text + " By the protocol, attempts outside these limits are repeated at once, " +
-             repeats_text(exploration.maximum_repeats) + '.';
+             repeats_text(exploration.maximum_repeats) + kLastRepeat;
     case Exploration::OnFailure::requeue_at_end_of_block:
       return text +
              " By the protocol, attempts outside these limits are repeated at the end of the "
              "block, " +
-             repeats_text(exploration.maximum_repeats) + '.';
+             repeats_text(exploration.maximum_repeats) + kLastRepeat;
   }
   return text;
 }
@@ -219,6 +229,8 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
           "; height fields: " + listed({facts.height_fields.begin(), facts.height_fields.end()});
     }
     text += ". ";
+  } else {
+    text = "No surface was presented. ";
   }
   text += "The protocol sets a stiffness of " +
           reading_quantity(protocol.material.stiffness_N_per_m, "N/m") + " and limits forces to " +

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/tasks/study_overview.h"
 #include "protocols/protocol.h"
 
@@ -30,11 +32,42 @@ void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
   if (row.fault != "none") ++servo.faults[row.fault];
 }
 
-void count_compliance(const ComplianceRow& row, ReportFacts& facts) {
+/// What the exploration of a trial asks for; nothing where the protocol cannot be read.
+std::optional<double> required_fraction(const ReportFacts& facts, const PlannedTrialRow& planned) {
+  if (!facts.file.protocol) return {};
+  const Protocol& protocol = *facts.file.protocol;
+  const auto block = protocol.blocks.find(planned.block);
+  if (block == protocol.blocks.end()) return {};
+  const Binding<std::string>& named = block->second.exploration;
+  std::string name = named.value.value_or("");
+  if (!named.value) {
+    const auto factors = nlohmann::json::parse(planned.factors_json, nullptr, false);
+    if (!factors.is_object() || !factors.contains(named.factor)) return {};
+    const nlohmann::json& level = factors.at(named.factor);
+    if (level.is_string()) name = level.get<std::string>();
+  }
+  const auto exploration = protocol.explorations.find(name);
+  if (exploration == protocol.explorations.end()) return {};
+  return exploration->second.required_fraction_in_band;
+}
+
+/// Speed and length of strokes are stored as zero where there was no stroke.
+bool has_no_stroke(const ComplianceRow& row) {
+  return (row.quantity == "speed_m_per_s" || row.quantity == "stroke_length_m") && row.mean == 0.0;
+}
+
+/// Every surface passes where no part of the contact or of the strokes has to lie in the band.
+bool always_passes(const ComplianceRow& row, std::optional<double> required_fraction) {
+  return (row.quantity == "normal_force_N" || row.quantity == "speed_m_per_s") &&
+         required_fraction && *required_fraction <= 0.0;
+}
+
+void count_compliance(const ComplianceRow& row, std::optional<double> required_fraction,
+                      ReportFacts& facts) {
   ReportedBand& band = facts.bands[{row.quantity, row.minimum, row.maximum}];
-  band.means.push_back(row.mean);
+  if (!has_no_stroke(row)) band.means.push_back(row.mean);
   if (row.fraction_in_band) band.fractions.push_back(*row.fraction_in_band);
-  if (!row.passed) return;
+  if (!row.passed || always_passes(row, required_fraction)) return;
   ++band.judged;
   if (*row.passed) ++band.passed;
 }
@@ -61,11 +94,14 @@ void count_use(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
   ++facts.attempts;
 }
 
-void count_attempt(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
+void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, ReportFacts& facts) {
+  const AnalysisUse use = use_in_analyses(planned, attempt);
   count_use(attempt, use, facts);
   if (attempt.servo) count_servo(*attempt.servo, facts.servo);
-  for (const ComplianceRow& row : attempt.compliance) count_compliance(row, facts);
+  const std::optional<double> fraction = required_fraction(facts, planned);
+  for (const ComplianceRow& row : attempt.compliance) count_compliance(row, fraction, facts);
   for (const PresentationRow& surface : attempt.presentations) {
+    if (!surface.onset_ns) continue;  // the attempt ended before it
     facts.models.insert(surface.model + ' ' + surface.model_version);
     if (surface.height_field_sha256) facts.height_fields.insert(surface.texture);
     facts.has_equal_force = facts.has_equal_force || surface.matched_texture_force_N;
@@ -103,7 +139,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
   for (const AttemptRow& attempt : attempts) {
     // Of a trial that a damaged study lacks, nothing is known: it is not of the main phase.
-    count_attempt(attempt, use_in_analyses(plan[attempt.trial], attempt), facts);
+    count_attempt(attempt, plan[attempt.trial], facts);
   }
   session.stretches = recorded_stretches(row, events, attempts);
 }

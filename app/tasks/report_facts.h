@@ -59,10 +59,10 @@ struct ReportedServo {
 
 /// One quantity with one band, over all presentations that were held against it.
 struct ReportedBand {
-  std::vector<double> means{};
+  std::vector<double> means{};      ///< of strokes: where there was one
   std::vector<double> fractions{};  ///< inside the band: of the contact time, or of the strokes
   std::size_t passed = 0;
-  std::size_t judged = 0;
+  std::size_t judged = 0;  ///< where the protocol requires something of it
 };
 
 /// Attempts with the same fate, by their reasons.
@@ -88,7 +88,7 @@ struct ReportFacts {
   /// (quantity, minimum, maximum) →
   std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
       bands{};
-  std::set<std::string> models{};          ///< with their versions: "height_map 1"
+  std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
   std::set<std::string> height_fields{};   ///< textures that were rendered from one
   bool has_equal_force = false;            ///< a presentation's texture force was solved for
   std::set<std::size_t> surfaces{};        ///< how many were presented in an answered attempt

@@ -1,5 +1,6 @@
 // What somebody needs to do it again: program, device, files, seeds, session by session.
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -35,6 +36,25 @@ class Values final {
   std::map<std::string, std::size_t> sessions_{};
 };
 
+using TextOfStretch = std::function<std::string(const RecordedStretch&)>;
+
+/// Different values, each with the sessions or the parts of sessions that have it where they differ.
+std::string values_of_stretches(const ReportFacts& facts, const TextOfStretch& text_of) {
+  std::set<std::string> values{};
+  for (const ReportedSession& session : facts.sessions) {
+    for (const RecordedStretch& stretch : session.stretches) values.insert(text_of(stretch));
+  }
+  if (values.size() == 1) return values.begin()->empty() ? "not stored" : *values.begin();
+  std::string text{};
+  for (const std::string& value : values) {
+    const SessionShare share = share_of_sessions(
+        facts, [&](const RecordedStretch& stretch) { return text_of(stretch) == value; });
+    text += (text.empty() ? "" : "; ") + (value.empty() ? "not stored" : value) + " (" +
+            share.text() + ')';
+  }
+  return text;
+}
+
 /// The first eight digits, as the windows show them.
 std::string seed_text(const SessionRow& session) {
   return session.seed.empty() ? "–" : session.seed;
@@ -64,24 +84,14 @@ std::string observer_text(const std::string& observer_json) {
 
 ReportSection making_section(const ReportFacts& facts) {
   ReportSection section{"What it was made with", {}};
-  Values program{};
-  Values instructions{};
-  Values os{};
-  Values device{};
-  Values pacing{};
+  Values rate{};
   Values generator{};
   Values observer{};
   std::map<std::string, std::string> files{};
   std::size_t mirrored = 0;
   for (const ReportedSession& session : facts.sessions) {
     const SessionRow& row = session.row;
-    program.add("asperity " + row.program_version + ", commit " + row.program_commit + ", " +
-                row.program_build);
-    instructions.add(row.instruction_set);
-    os.add(row.os);
-    device.add(row.device);
-    pacing.add(row.pacing + ", scheduling " + row.scheduling + ", " + reading_number(row.rate_Hz) +
-               " Hz");
+    rate.add(reading_number(row.rate_Hz) + " Hz");
     generator.add(row.generator);
     observer.add(observer_text(row.observer_json));
     if (row.mirrored) ++mirrored;
@@ -93,11 +103,19 @@ ReportSection making_section(const ReportFacts& facts) {
   const auto add = [&table](const std::string& what, const std::string& value) {
     table.rows.push_back({what, value});
   };
-  add("program", program.text());
-  add("instruction set", instructions.text());
-  add("operating system", os.text());
-  add("device", device.text());
-  add("pacing", pacing.text());
+  using Stretch = RecordedStretch;
+  const auto add_of_stretches = [&](const std::string& what, const TextOfStretch& text_of) {
+    add(what, values_of_stretches(facts, text_of));
+  };
+  add_of_stretches("program", [](const Stretch& each) { return each.program.program; });
+  add_of_stretches("instruction set",
+                   [](const Stretch& each) { return each.program.instruction_set; });
+  add_of_stretches("operating system", [](const Stretch& each) { return each.program.os; });
+  add_of_stretches("device", [](const Stretch& each) {
+    return each.device ? each.device->text : std::string("not recorded");
+  });
+  add_of_stretches("pacing", [](const Stretch& each) { return each.program.pacing; });
+  add("rate of the servo loop", rate.text());
   add("random numbers", generator.text());
   add("protocol", facts.protocol.name + ' ' + facts.protocol.version);
   for (const std::string& sha256 : facts.sources) add("SHA-256 of the protocol’s file", sha256);
@@ -110,10 +128,10 @@ ReportSection making_section(const ReportFacts& facts) {
   if (!files.empty()) {
     section.parts.emplace_back(ReportText{
         reading_count(files.size()) +
-        (files.size() == 1 ? " stimulus file was" : " stimulus files were") +
-        " used; sessions.tsv of an export has the SHA-256 of each. Every session has a seed of its "
-        "own, which the list of sessions gives: with the protocol, the files and the program it "
-        "determines the order of everything."});
+        (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
+        " to the protocol; sessions.tsv of an export has the SHA-256 of each. The list of sessions "
+        "gives the seed and the row of the order of each: with the protocol, the files and the "
+        "program they determine its plan."});
   }
   section.parts.emplace_back(std::move(table));
   return section;

@@ -198,6 +198,10 @@ ReportSection presentation_section(const ReportFacts& facts) {
 
 namespace {
 
+constexpr const char* kNoFractionRequired =
+    "The protocol requires no proportion of the contact time or of the strokes to lie in these "
+    "bands.";
+
 /// Whose hand it was, and what its force is where no device could be pressed against.
 std::string explored_by_text(const ReportFacts& facts) {
   if (facts.group == AnswerGroup::virtual_participants) return {};
@@ -229,7 +233,9 @@ ReportSection exploration_section(const ReportFacts& facts) {
   table.title = "Exploration: requested and recorded";
   table.columns = {{"quantity", false},   {"requested", false}, {"surfaces", true}, {"mean", true},
                    {"5 % to 95 %", true}, {"in band", true},    {"passed", true}};
-  std::vector<std::string> guided{};
+  std::vector<std::string> required{};
+  std::vector<std::string> described{};
+  bool has_limits = false;
   for (const auto& [key, band] : facts.bands) {
     const auto& [quantity, minimum, maximum] = key;
     const NamedQuantity words = named_quantity(quantity);
@@ -237,33 +243,46 @@ ReportSection exploration_section(const ReportFacts& facts) {
     const std::optional<Summary> fractions = summary_of(band.fractions);
     if (!means) continue;
     const bool judged = band.judged > 0;
+    const bool is_limited = minimum || maximum;
+    has_limits = has_limits || is_limited;
     table.rows.push_back(
         {words.name, band_text(minimum, maximum, words.unit), reading_count(band.means.size()),
          reading_quantity(means->mean, words.unit),
          reading_quantity(means->p05, words.unit) + " to " +
              reading_quantity(means->p95, words.unit),
-         fractions && (minimum || maximum) ? reading_percent(fractions->mean) : "–",
+         fractions && is_limited ? reading_percent(fractions->mean) : "–",
          judged ? reading_count(band.passed) + " of " + reading_count(band.judged) : "–"});
-    if (judged && (minimum || maximum)) {
+    if (judged && is_limited) {
       const double share = static_cast<double>(band.passed) / static_cast<double>(band.judged);
-      guided.push_back(words.name + " (" + band_text(minimum, maximum, words.unit) + ") on " +
-                       reading_count(band.passed) + " of " + reading_count(band.judged) +
-                       " surfaces (" + reading_percent(share) + ')');
+      required.push_back(words.name + " (" + band_text(minimum, maximum, words.unit) + ") on " +
+                         reading_count(band.passed) + " of " + reading_count(band.judged) +
+                         (band.judged == 1 ? " surface (" : " surfaces (") +
+                         reading_percent(share) + ')');
+    } else if (is_limited && fractions) {
+      described.push_back(
+          words.name + " was in its band (" + band_text(minimum, maximum, words.unit) + ") for " +
+          reading_percent(fractions->mean) +
+          (quantity == "normal_force_N" ? " of the contact time" : " of the strokes"));
     }
   }
   if (table.rows.empty()) {
     section.parts.emplace_back(ReportText{"No measure of the exploration is stored."});
     return section;
   }
-  section.parts.emplace_back(ReportText{
-      (guided.empty() ? std::string("The protocol sets no limits to the exploration; the "
-                                    "table shows what was recorded.")
-                      : "Within the limits that the protocol sets: " + listed(guided) + '.') +
-      explored_by_text(facts)});
+  std::string text = has_limits ? "The table shows what was recorded."
+                                : "The protocol sets no limits to the exploration; the table shows "
+                                  "what was recorded.";
+  if (!required.empty()) text = "Explored as the protocol requires: " + listed(required) + '.';
+  if (!described.empty()) {
+    text = (required.empty() ? "" : text + ' ') + std::string(kNoFractionRequired) +
+           " On average, " + listed(described) + '.';
+  }
+  section.parts.emplace_back(ReportText{text + explored_by_text(facts)});
   table.note =
       "Over the surfaces presented, in every attempt: the mean of their means, the range of the "
       "middle 90 % of these means, the mean fraction inside the band (of the contact time for the "
-      "force, of the strokes for their speed and length), and how many were within their limits.";
+      "force, of the strokes for their speed and length), and how many were explored as required. "
+      "Speed and length: over surfaces with a stroke.";
   section.parts.emplace_back(std::move(table));
   return section;
 }

@@ -53,6 +53,32 @@ RecordedNoise noise_of(const std::string& data_json) {
   return noise;
 }
 
+RecordedProgram program_of(const SessionRow& session) {
+  return {.program = "asperity " + session.program_version + ", commit " + session.program_commit +
+                     ", " + session.program_build,
+          .instruction_set = session.instruction_set,
+          .os = session.os,
+          .pacing = session.pacing + ", scheduling " + session.scheduling};
+}
+
+/// Of the event with which a stretch begins; what it lacks is that of the session.
+RecordedProgram program_of(const SessionRow& session, const nlohmann::json& event) {
+  const auto stored = [&event](const char* key, const std::string& of_session) {
+    return stored_value<std::string>(event, key).value_or(of_session);
+  };
+  RecordedProgram program = program_of(session);
+  const std::string version = stored("program_version", session.program_version);
+  const std::string commit = stored("program_commit", session.program_commit);
+  const bool is_same = version == session.program_version && commit == session.program_commit &&
+                       stored("program_sha256", session.program_sha256) == session.program_sha256;
+  if (!is_same) program.program = "asperity " + version + ", commit " + commit;
+  program.instruction_set = stored("instruction_set", session.instruction_set);
+  program.os = stored("os", session.os);
+  program.pacing =
+      stored("pacing", session.pacing) + ", scheduling " + stored("scheduling", session.scheduling);
+  return program;
+}
+
 }  // namespace
 
 std::string RecordedDevice::hand_of_program() const {
@@ -99,6 +125,7 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
       RecordedStretch& stretch = stretches.emplace_back();
       stretch.segment =
           stored_value<int>(data, "segment").value_or(static_cast<int>(stretches.size()));
+      stretch.program = program_of(session, data);
       stretch.judges_rendered_force =
           stored_value<std::string>(data, "judged_force") == std::string("rendered");
       // asperity 0.1.0 stored the device of the beginning alone.
@@ -108,7 +135,7 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
       if (event.kind == "mask_on") stretches.back().eye_mask_confirmed = true;
     }
   }
-  if (stretches.empty()) stretches.push_back({.device = device});
+  if (stretches.empty()) stretches.push_back({.device = device, .program = program_of(session)});
   std::vector<RecordedStretch> used{};
   for (RecordedStretch& stretch : stretches) {
     const auto in_it = [&stretch](const AttemptRow& attempt) {

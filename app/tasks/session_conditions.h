@@ -41,10 +41,19 @@ struct RecordedNoise {
     elsewhere,     ///< not played by the program; somebody measured it at the ear and attested it
     program,       ///< played by the program; an attempt during which it failed does not count
     not_recorded,  ///< the stored description does not state it
+    not_stored,    ///< nothing is stored of it, as asperity 0.1.0 did at a terminal
   };
-  Source source = Source::not_played;
+  Source source = Source::not_stored;
   std::optional<double> measured_dBA{};  ///< at the ear
   std::string verified_by{};
+};
+
+/// What ran a stretch of a session, in words.
+struct RecordedProgram {
+  std::string program{};  ///< "asperity 0.1.0, commit 5979704d1215"
+  std::string instruction_set{};
+  std::string os{};
+  std::string pacing{};  ///< "real_time, scheduling none"
 };
 
 /// A stretch of uninterrupted running: its conditions do not change.
@@ -52,6 +61,7 @@ struct RecordedStretch {
   int segment = 1;  ///< as AttemptRow::segment
   std::optional<RecordedDevice>
       device{};  ///< absent: asperity 0.1.0 resumed it and did not record it
+  RecordedProgram program{};
   RecordedNoise noise{};
   bool eye_mask_confirmed = false;     ///< somebody confirmed that it was put on
   bool judges_rendered_force = false;  ///< the hand's normal force was that of the renderer

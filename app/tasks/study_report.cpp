@@ -93,12 +93,15 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all) {
                           reading_count(facts.attempts), reading_count(facts.counted)});
   }
   table.note = "Attempts and answers: of the main phase.";
-  std::string text = "The study has answers to " + count_in_words(all.size()) +
-                     (all.size() == 1 ? " set of sessions" : " sets of sessions") +
-                     ", one for each version of a protocol and each group of participants. They "
-                     "never mix: each has a chapter of its own, and the heading of every page says "
-                     "whose data it shows. What is to be looked up, not read, is in appendices at "
-                     "the end.";
+  std::string text =
+      all.size() == 1
+          ? "The study has one set of sessions; the heading of every page states whose data it "
+            "shows."
+          : "The study has " + count_in_words(all.size()) +
+                " sets of sessions, one for each version of a protocol and each group of "
+                "participants. They never mix: each has a separate chapter, and the heading of "
+                "every page states whose data it shows.";
+  text += " What is to be looked up, not read, is in appendices at the end.";
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));
   if (groups.contains(AnswerGroup::virtual_participants)) {

@@ -56,6 +56,7 @@ PresentationRow surface_of(const std::string& item, const std::string& model,
   surface.model_version = "1";
   surface.texture = texture;
   surface.seed = "7";
+  surface.onset_ns = kFirstTrial_ns;
   surface.contact_s = 2.0;
   return surface;
 }

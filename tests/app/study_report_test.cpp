@@ -337,7 +337,8 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
               HasSubstr("beyond a limit of pd_gradient: fine detail, wave | 10 | 2 of 2 surfaces"));
   EXPECT_THAT(words, Not(HasSubstr("too deep, wave")));
   const std::string hands = words_of(section(report.chapters.at(1), "Exploration"));
-  EXPECT_THAT(hands, HasSubstr("normal force (0.5 N to 1.5 N) on 1 of 2 surfaces (50 %)"));
+  EXPECT_THAT(hands, HasSubstr("Explored as the protocol requires: normal force (0.5 N to 1.5 N) "
+                               "on 1 of 2 surfaces (50 %)."));
   EXPECT_THAT(hands, HasSubstr("normal force | 0.5 N to 1.5 N | 2 | 1.5 N |"));
   EXPECT_THAT(hands, HasSubstr("| 75 % | 1 of 2 |"));
 }
@@ -382,7 +383,8 @@ class Conditions : public testing::Test {
     template_.protocol_id = made_.add_protocol("noisy", "recognition", kNoisy);
   }
 
-  /// One of a new participant that began on this device, with these events and a skipped trial in each stretch.
+  /// One of a new participant that began on this device, with these events and a skipped trial in each stretch:
+  /// `presented_`, explored as `explored_`.
   void add_session(const std::string& device_json, const std::vector<EventRow>& events,
                    SessionMode mode = SessionMode::run) {
     SessionRow row = template_;
@@ -416,11 +418,11 @@ class Conditions : public testing::Test {
       attempt.valid = false;
       attempt.invalid_reason = "skipped";
       attempt.onset_ns = attempt.offset_ns = ++time_ns;
-      ComplianceRow force{.position = 1, .quantity = "normal_force_N", .minimum = 0.5};
-      force.passed = true;
-      attempt.presentations = {surface_of("grain", "height_map", "grain")};
-      attempt.presentations[0].position = 1;
-      attempt.compliance = {force};
+      attempt.presentations = presented_;
+      for (PresentationRow& surface : attempt.presentations) {
+        surface.position = static_cast<int>(&surface - attempt.presentations.data()) + 1;
+      }
+      attempt.compliance = explored_;
       made_.study().add_attempt(session, attempt);
       made_.study().end_segment(session, attempt.segment, ++time_ns, "ended");
     }
@@ -448,8 +450,20 @@ class Conditions : public testing::Test {
   }
   std::string conditions() { return words_of(section(chapter(), "Apparatus and conditions")); }
 
+  /// Stored as 0.1.0 does where the protocol requires no fraction: everything passes.
+  static ComplianceRow measured(const std::string& quantity, double mean,
+                                std::optional<double> fraction) {
+    ComplianceRow row{.position = 1, .quantity = quantity, .minimum = 0.5, .maximum = 2.0};
+    row.mean = mean;
+    row.fraction_in_band = fraction;
+    row.passed = true;
+    return row;
+  }
+
   MadeUpStudy made_;
   SessionRow template_{};
+  std::vector<PresentationRow> presented_{surface_of("grain", "height_map", "grain")};
+  std::vector<ComplianceRow> explored_{measured("normal_force_N", 1.0, 1.0)};
   Report report_{};
   int participants_ = 0;
 };
@@ -469,8 +483,10 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                                "sessions (level at the ear, as measured in 1 of 6 sessions: 64.5 "
                                "dBA). Masking noise came from another source in 1 of 6 sessions: "
                                "A. Keller measured 66 dBA at the ear. No masking noise was played "
-                               "in 2 of 6 sessions. Whether masking noise was played is not "
-                               "recorded in 1 of 6 sessions."));
+                               "in 1 of 6 sessions. Whether masking noise was played is not "
+                               "recorded in 1 of 6 sessions. No masking noise is recorded in 1 of "
+                               "6 sessions; asperity 0.1.0 stored nothing of it at a terminal, "
+                               "which plays none."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -504,8 +520,9 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
   const std::string words = conditions();
   EXPECT_THAT(words,
               HasSubstr("Device: falcon Novint Falcon (in 1 of 2 sessions); mouse pointer of "
-                        "a window (in 1 of 2 sessions). No force was rendered in 1 of 2 "
-                        "sessions: the device has no motors, and nobody felt the surfaces."));
+                        "a window (in 1 of 2 sessions). The device has no motors: forces were "
+                        "computed but not exerted in 1 of 2 sessions, and nobody felt the "
+                        "surfaces."));
   EXPECT_THAT(
       words_of(section(chapter(), "Exploration")),
       HasSubstr("The normal force is the one sent to a device without motors, zero, in 1 of "
@@ -535,6 +552,53 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
   EXPECT_THAT(conditions(),
               HasSubstr("The device is not recorded in part of 1 of 2 sessions, after "
                         "resuming: asperity 0.1.0 stored the first device alone."));
+}
+
+TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
+  template_.program_version = "0.1.0";
+  template_.program_commit = "5979704d1215";
+  template_.os = "Linux 6.1";
+  add_session(kFalcon, {began(), {.kind = "session_resumed", .data_json = R"({"segment": 2,
+      "program_version": "0.2.0", "program_commit": "71cf3affd4dd", "os": "Linux 6.12",
+      "device": "falcon Novint Falcon"})"}});
+  const std::string words = words_of(section(chapter(), "What it was made with"));
+  EXPECT_THAT(words, HasSubstr("operating system | Linux 6.1 (in part of the only session); Linux "
+                               "6.12 (in part of the only session)"));
+  EXPECT_THAT(words,
+              HasSubstr("asperity 0.2.0, commit 71cf3affd4dd (in part of the only session)"));
+  EXPECT_THAT(words, HasSubstr("device | falcon Novint Falcon |"));
+}
+
+TEST_F(Conditions, LeaveOutSurfacesThatWereNeverPresented) {
+  PresentationRow never = surface_of("other", "sinusoid", "other");
+  never.onset_ns.reset();
+  presented_.push_back(never);
+  add_session(kFalcon, {began()});
+  const std::string design = words_of(section(chapter(), "Design"));
+  EXPECT_THAT(design, HasSubstr("Force models of the surfaces presented, with their versions: "
+                                "height_map 1."));
+}
+
+TEST_F(Conditions, SayThatNoSurfaceWasPresented) {
+  presented_[0].onset_ns.reset();
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Design")), HasSubstr("No surface was presented. The "));
+}
+
+TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
+  explored_ = {measured("normal_force_N", 1.0, 0.75), measured("speed_m_per_s", 1.0, 1.0)};
+  add_session(kFalcon, {began()});
+  explored_ = {measured("normal_force_N", 1.0, 0.77), measured("speed_m_per_s", 0.0, {})};
+  add_session(kFalcon, {began()});
+  const std::string words = words_of(section(chapter(), "Exploration"));
+  EXPECT_THAT(words, HasSubstr("The protocol requires no proportion of the contact time or of the "
+                               "strokes to lie in these bands. On average, normal force was in its "
+                               "band (0.5 N to 2 N) for 76 % of the contact time and speed was in "
+                               "its band (500 mm/s to 2 m/s) for 100 % of the strokes."));
+  EXPECT_THAT(words, Not(HasSubstr("of 2 surfaces")));
+  EXPECT_THAT(words,
+              HasSubstr("speed | 500 mm/s to 2 m/s | 1 | 1 m/s | 1 m/s to 1 m/s | 100 % | – |"))
+      << "a surface without a stroke has no speed";
 }
 
 TEST_F(Conditions, CountSessionsThatWereNotCompleted) {
