@@ -15,6 +15,17 @@ namespace {
 
 std::string quoted(const std::string& text) { return "“" + text + "”"; }
 
+/// Those of the main phase, quoted, each once.
+std::vector<std::string> main_questions(const Protocol& protocol) {
+  std::vector<std::string> questions{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const std::string question = quoted(block.question.prompt);
+    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
+    if (block.phase == Phase::main && is_new) questions.push_back(question);
+  }
+  return questions;
+}
+
 /// What the protocol specifies, whatever became of it.
 std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
@@ -23,9 +34,9 @@ std::string task_text(const Protocol& protocol) {
         return "Task: each trial presents surfaces that differ in " + *parameter +
                " alone, and one of them is to be chosen.";
       }
-      const std::string text =
-          "Task: each trial presents several renderings of one texture, and the most realistic one "
-          "is to be chosen";
+      std::string text = "Task: each trial presents several surfaces, and one is to be chosen";
+      const std::vector<std::string> questions = main_questions(protocol);
+      if (!questions.empty()) text += ": " + listed(questions);
       if (!protocol.realism_standard) return text + '.';
       switch (*protocol.realism_standard) {
         case RealismStandard::photograph:
@@ -64,7 +75,7 @@ std::string factors_text(const Protocol& protocol) {
     factors.push_back(text);
   }
   if (factors.empty()) return {};
-  std::string text = factors.size() == 1 ? "Factor: " : "Factors: ";
+  std::string text = factors.size() == 1 ? "Factor of the protocol: " : "Factors of the protocol: ";
   for (std::size_t i = 0; i < factors.size(); ++i) text += (i == 0 ? "" : "; ") + factors[i];
   return text + '.';
 }
@@ -81,6 +92,9 @@ std::string order_text(const Protocol::Block& block) {
     case Protocol::Block::Order::shuffle_within_repetition:
       text = "in random order within each repetition";
       break;
+  }
+  if (!block.drawn.empty()) {
+    text += ", " + listed(block.drawn) + " drawn at random in each trial";
   }
   if (block.presented.size() < 2) return text;
   switch (block.positions) {
@@ -258,8 +272,7 @@ std::string trials_text(const ReportFacts& facts) {
                      (main_trials == std::set<int>{1} ? "trial" : "trials");
   if (planned != main_trials) {
     text += ", and with " + range(planned) + " in total including " +
-            (facts.has_anchors() ? "familiarisation, practice and anchors"
-                                 : "familiarisation and practice");
+            listed({facts.other_planned.begin(), facts.other_planned.end()});
   }
   text += '.';
   if (!facts.surfaces.empty()) {
@@ -287,8 +300,10 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
   std::set<int> rows{};
   for (const ReportedSession& session : facts.sessions) rows.insert(session.row.counterbalance_row);
   return " The protocol counterbalances the order of the levels over sessions by a " + square +
-         " square; the sessions use " + reading_count(rows.size()) + " of its " +
-         std::to_string(counterbalance_rows(protocol)) + " rows.";
+         " square; " +
+         (facts.sessions.size() == 1 ? "the only session uses " : "the sessions use ") +
+         reading_count(rows.size()) + " of its " + std::to_string(counterbalance_rows(protocol)) +
+         " rows.";
 }
 
 }  // namespace

@@ -72,11 +72,19 @@ void count_compliance(const ComplianceRow& row, std::optional<double> required_f
   if (*row.passed) ++band.passed;
 }
 
-void count_use(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
+/// What a trial belongs to that is in no result: "familiarisation", "practice", "anchors".
+std::string other_kind(const PlannedTrialRow& planned, AnalysisUse use) {
+  if (use == AnalysisUse::anchor) return "anchors";
+  return planned.phase.empty() ? "unknown trials" : planned.phase;
+}
+
+void count_use(const AttemptRow& attempt, const PlannedTrialRow& planned, AnalysisUse use,
+               ReportFacts& facts) {
   switch (use) {
     case AnalysisUse::practice:
     case AnalysisUse::anchor:
       ++facts.other_attempts;
+      facts.other_kinds.insert(other_kind(planned, use));
       return;
     case AnalysisUse::invalid:
     case AnalysisUse::unanswered:
@@ -96,7 +104,7 @@ void count_use(const AttemptRow& attempt, AnalysisUse use, ReportFacts& facts) {
 
 void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, ReportFacts& facts) {
   const AnalysisUse use = use_in_analyses(planned, attempt);
-  count_use(attempt, use, facts);
+  count_use(attempt, planned, use, facts);
   if (attempt.servo) count_servo(*attempt.servo, facts.servo);
   const std::optional<double> fraction = required_fraction(facts, planned);
   for (const ComplianceRow& row : attempt.compliance) count_compliance(row, fraction, facts);
@@ -133,7 +141,12 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   }
   std::map<int, PlannedTrialRow> plan{};
   for (PlannedTrialRow& trial : study.plan(row.id)) {
-    if (use_in_analyses(trial) == AnalysisUse::counted) ++session.main_trials;
+    const AnalysisUse use = use_in_analyses(trial);
+    if (use == AnalysisUse::counted) {
+      ++session.main_trials;
+    } else {
+      facts.other_planned.insert(other_kind(trial, use));
+    }
     plan[trial.trial] = std::move(trial);
   }
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
@@ -157,8 +170,6 @@ bool ReportFacts::is_running() const {
   return std::any_of(sessions.begin(), sessions.end(),
                      [](const ReportedSession& session) { return session.is_running; });
 }
-
-bool ReportFacts::has_anchors() const { return protocol.kind == "magnitude"; }
 
 std::vector<ReportFacts> report_facts(const Study& study,
                                       const std::optional<std::string>& protocol,

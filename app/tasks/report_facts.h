@@ -79,6 +79,8 @@ struct ReportFacts {
   std::size_t attempts = 0;        ///< of the main phase
   std::size_t counted = 0;         ///< of those: answered, valid and not excluded
   std::size_t other_attempts = 0;  ///< of familiarisation and practice, and at anchors
+  std::set<std::string> other_kinds{};                ///< what those are of: "practice", "anchors"
+  std::set<std::string> other_planned{};              ///< the same of the plans
   std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
   ReasonCounts flagged{};                             ///< of those that count
 
@@ -95,8 +97,6 @@ struct ReportFacts {
   std::set<std::string> answer_sources{};  ///< "keyboard"
 
   bool is_running() const;
-  /// Of a magnitude: trials of the main phase that come first in a block and are in no result.
-  bool has_anchors() const;
 };
 
 /// By protocol, version and group, as `gather_answers` has them. Errors: ResultsError.

@@ -46,7 +46,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"mds.shepard.gof2", {"fit of the map in two dimensions", number}},
       {"mixed.sigma", {"spread of the participants’ logits", number}},
       {"n", {"answers that name a picture", count}},
-      {"n.missing", {"answers that name none", count}},
+      {"n.missing", {"trials without an answer, left out", count}},
       {"n.stages", {"choices that the scale rests on", count}},
       {"n.trials", {"goes", count}},
       {"n.trials.permutation", {"goes that give every picture once", count}},

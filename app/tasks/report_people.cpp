@@ -88,8 +88,8 @@ std::string state_text(const ReportedSession& session) {
 std::string hands_text(const ReportFacts& facts) {
   const SessionShare held = share_of_sessions(facts, is_moved_by_program);
   if (!held.is_any()) return {};
-  return " " + capitalised(held.text()) +
-         " the program moved the device, and the participants only answered.";
+  return " " + capitalised(held.text()) + " the program moved the device, and the " +
+         (facts.participants.size() == 1 ? "participant" : "participants") + " only answered.";
 }
 
 /// What became of attempts that do not count, in words of their own.
@@ -161,8 +161,19 @@ std::string counted_text(std::size_t counted, std::size_t attempts) {
   return ", of which " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
+/// " Two attempts belong to practice and are in no result."
+std::string other_attempts_text(const ReportFacts& facts) {
+  if (facts.other_attempts == 0) return {};
+  return ' ' + capitalised(count_in_words(facts.other_attempts)) +
+         (facts.other_attempts == 1 ? " attempt belongs to " : " attempts belong to ") +
+         listed({facts.other_kinds.begin(), facts.other_kinds.end()}) +
+         (facts.other_attempts == 1 ? " and is in no result." : " and are in no result.");
+}
+
 ReportText attempts_text(const ReportFacts& facts) {
-  if (facts.attempts == 0) return {"No attempt at a trial of the main phase is stored."};
+  if (facts.attempts == 0) {
+    return {"No attempt at a trial of the main phase is stored." + other_attempts_text(facts)};
+  }
   std::string text = reading_count(facts.attempts) +
                      (facts.attempts == 1 ? " attempt at a trial of the main phase is stored"
                                           : " attempts at trials of the main phase are stored") +
@@ -179,14 +190,7 @@ ReportText attempts_text(const ReportFacts& facts) {
         ' ' + capitalised(count_in_words(flagged)) +
         (flagged == 1 ? " attempt that counts is flagged." : " attempts that count are flagged.");
   }
-  if (facts.other_attempts > 0) {
-    text += ' ' + capitalised(count_in_words(facts.other_attempts)) +
-            (facts.other_attempts == 1 ? " attempt belongs" : " attempts belong") + " to " +
-            (facts.has_anchors() ? "familiarisation, practice or anchors"
-                                 : "familiarisation or practice") +
-            (facts.other_attempts == 1 ? " and is in no result." : " and are in no result.");
-  }
-  return {text};
+  return {text + other_attempts_text(facts)};
 }
 
 }  // namespace

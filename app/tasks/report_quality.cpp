@@ -62,10 +62,21 @@ std::string band_text(const std::optional<double>& minimum, const std::optional<
   return "none";
 }
 
-std::string times(const ReportedCount& count, const std::string& none, const std::string& some) {
+std::string times(const ReportedCount& count, const std::string& none, const std::string& one,
+                  const std::string& some) {
   if (count.total == 0) return none;
-  return reading_count(unsigned_count(count.total)) + ' ' + some + " in " +
-         count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
+  return reading_count(unsigned_count(count.total)) + ' ' + (count.total == 1 ? one : some) +
+         " in " + count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
+}
+
+/// " (one of them in contact)": of the missed deadlines, where there were any.
+std::string in_contact_text(const ReportedServo& servo) {
+  if (servo.missed_deadlines.total == 0) return {};
+  if (servo.missed_in_contact.of == 0) return " (how many in contact is not recorded)";
+  if (servo.missed_in_contact.of < servo.attempts) {
+    return " (how many in contact is not recorded for every attempt)";
+  }
+  return " (" + count_in_words(unsigned_count(servo.missed_in_contact.total)) + " in contact)";
 }
 
 /// "12 ticks of one attempt"
@@ -84,11 +95,13 @@ ReportText timing_text(const ReportFacts& facts) {
   }
   std::vector<std::string> rate_texts{};
   for (const double rate : rates) rate_texts.push_back(reading_number(rate));
-  std::string text = "The servo loop ran at " + listed(rate_texts) + " Hz, for " +
-                     reading_count(unsigned_count(facts.servo.ticks)) + " ticks in " +
-                     reading_count(facts.servo.attempts) +
-                     (facts.servo.attempts == 1 ? " attempt" : " attempts") +
-                     ", familiarisation and practice included.";
+  std::string text =
+      "The servo loop was set to " + listed(rate_texts) + " Hz; it ran " +
+      reading_count(unsigned_count(facts.servo.ticks)) + " ticks in " +
+      reading_count(facts.servo.attempts) + (facts.servo.attempts == 1 ? " attempt" : " attempts") +
+      (facts.other_kinds.empty()
+           ? "."
+           : ", " + listed({facts.other_kinds.begin(), facts.other_kinds.end()}) + " included.");
   if (pacings == std::set<std::string>{kStepped}) {
     return {
         text +
@@ -109,10 +122,12 @@ ReportText timing_text(const ReportFacts& facts) {
 
 ReportText losses_text(const ReportFacts& facts) {
   const ReportedServo& servo = facts.servo;
-  std::string text = capitalised(
-      listed({times(servo.missed_deadlines, "no deadline was missed", "deadlines were missed"),
-              times(servo.lost_records, "no tick record was lost", "tick records were lost")}) +
-      ". ");
+  std::string text = capitalised(listed({times(servo.missed_deadlines, "no deadline was missed",
+                                               "deadline was missed", "deadlines were missed") +
+                                             in_contact_text(servo),
+                                         times(servo.lost_records, "no tick record was lost",
+                                               "tick record was lost", "tick records were lost")}) +
+                                 ". ");
   std::vector<std::string> limited{};
   if (servo.saturated.total > 0) {
     limited.push_back("the limiter shortened the force in " + ticks_of(servo.saturated));
@@ -207,7 +222,7 @@ std::string explored_by_text(const ReportFacts& facts) {
   if (facts.group == AnswerGroup::virtual_participants) return {};
   std::string text{};
   if (const SessionShare held = share_of_sessions(facts, is_moved_by_program); held.is_any()) {
-    text += " No participant made the strokes " + held.text() + '.';
+    text += " No participant made the strokes " + held.text_after_not() + '.';
   }
   const SessionShare computed = share_of_sessions(facts, [](const RecordedStretch& stretch) {
     return gives_no_force(stretch) && stretch.judges_rendered_force;

@@ -382,8 +382,7 @@ ReportSection numbers_section(const AnalysisOutcome& outcome) {
   if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
   section.parts.emplace_back(
       ReportText{"The analysis has come to " + reading_count(outcome.findings.size()) +
-                 " numbers. Those of single participants, the ends of intervals, and what is only "
-                 "another form of a test or a fit above are not printed: asperity analyze STUDY "
+                 " numbers. Not all are printed: asperity analyze STUDY "
                  "--protocol " +
                  outcome.protocol +
                  " --json gives all of them with every digit, their n, their interval and their "

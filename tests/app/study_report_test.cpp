@@ -27,6 +27,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -185,7 +186,7 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
               HasSubstr("3 attempts at trials of the main phase are stored, of which 2 count. Not "
                         "counted: one was answered, but not valid. One attempt that counts is "
                         "flagged."));
-  EXPECT_THAT(words, HasSubstr("One attempt belongs to familiarisation or practice"));
+  EXPECT_THAT(words, HasSubstr("One attempt belongs to practice and is in no result."));
   EXPECT_THAT(words, HasSubstr("1 | answered, but not valid | made up to be invalid"));
   EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
 }
@@ -205,11 +206,10 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
               HasSubstr("2 attempts at trials of the main phase are stored, all of which count."));
-  EXPECT_THAT(
-      words, HasSubstr("One attempt belongs to familiarisation, practice or anchors and is in no"));
+  EXPECT_THAT(words, HasSubstr("One attempt belongs to anchors and is in no result."));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
               HasSubstr("A session is planned with 2 experimental trials, and with 3 in total "
-                        "including familiarisation, practice and anchors."));
+                        "including anchors."));
 }
 
 TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
@@ -221,6 +221,9 @@ TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   made.add_session("p1", protocol, trials);
   const Report report = study_report(made.study(), {});
   EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("There is no answer to count yet."));
+  EXPECT_THAT(words_of(report.chapters.at(1)),
+              HasSubstr("No attempt at a trial of the main phase is stored. One attempt belongs to "
+                        "practice and is in no result."));
   EXPECT_THAT(words_of(report.chapters.at(2)), HasSubstr("The analysis has come to no numbers."));
 }
 
@@ -310,6 +313,8 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
     servo.ticks = 6000;
     servo.lateness_p99_s = i == 0 ? 20e-6 : 40e-6;
     servo.missed_deadlines = i == 0 ? 0 : 3;
+    servo.missed_in_contact = i == 0 ? 0 : 1;
+    servo.lost_records = i;
     servo.saturated_ticks = i == 0 ? 12 : 0;
     attempt.servo = servo;
     ComplianceRow force{};
@@ -326,8 +331,10 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Presentation"));
   EXPECT_THAT(words, HasSubstr("at most 30 µs late, in the worst 40 µs"));
-  EXPECT_THAT(words,
-              HasSubstr("3 deadlines were missed in one attempt and no tick record was lost."));
+  EXPECT_THAT(words, AllOf(HasSubstr("The servo loop was set to 1000 Hz; it ran 12"),
+                           HasSubstr(" ticks in 2 attempts. In the median")));
+  EXPECT_THAT(words, HasSubstr("3 deadlines were missed in one attempt (one in contact) and 1 tick "
+                               "record was lost in one attempt."));
   EXPECT_THAT(words, HasSubstr("The limiter shortened the force in 12 ticks of one attempt."));
   EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
   EXPECT_THAT(
@@ -532,12 +539,13 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
 TEST_F(Conditions, StateThatAVirtualHandMadeTheStrokes) {
   add_session(kVirtualHand, {began()}, SessionMode::pilot);
   const std::string words = words_of(chapter());
-  EXPECT_THAT(words,
-              HasSubstr("One participant took part in pilot sessions. In the only session "
-                        "the program moved the device, and the participants only answered."));
+  EXPECT_THAT(words, HasSubstr("One participant took part in pilot sessions. In the only session "
+                               "the program moved the device, and the participant only answered."));
   EXPECT_THAT(words, HasSubstr("A virtual hand moved the device in the only session: no "
                                "participant moved a device or felt a force there."));
   EXPECT_THAT(words, HasSubstr("No participant made the strokes in the only session."));
+  add_session(kVirtualHand, {began()}, SessionMode::pilot);
+  EXPECT_THAT(words_of(chapter()), HasSubstr("No participant made the strokes in either session."));
 }
 
 TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
@@ -599,6 +607,17 @@ TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
   EXPECT_THAT(words,
               HasSubstr("speed | 500 mm/s to 2 m/s | 1 | 1 m/s | 1 m/s to 1 m/s | 100 % | – |"))
       << "a surface without a stroke has no speed";
+}
+
+TEST_F(Conditions, NameTheFactorsThatAreDrawn) {
+  std::string source = kNoisy;
+  const std::string crossed = R"("crossed": ["texture"])";
+  source.replace(source.find(crossed), crossed.size(),
+                 R"("drawn": ["texture"], "repetitions": 2, "order": "fixed")");
+  template_.protocol_id = made_.add_protocol("drawn", "recognition", source);
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Design")),
+              HasSubstr("in fixed order, texture drawn at random in each trial"));
 }
 
 TEST_F(Conditions, CountSessionsThatWereNotCompleted) {
@@ -689,7 +708,8 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   EXPECT_EQ(report.subtitle, "Data of a simulated clock, which has no date");
   const std::string design = words_of(section(report.chapters[1], "Design"));
   EXPECT_THAT(design, HasSubstr("A few short trials"));
-  EXPECT_THAT(design, HasSubstr("the most realistic one is to be chosen"));
+  EXPECT_THAT(design, HasSubstr("Task: each trial presents several surfaces, and one is to be "
+                                "chosen: “Which felt more like the picture?”"));
   EXPECT_THAT(
       design,
       HasSubstr("A session is planned with 3 experimental trials. Two surfaces were presented "
