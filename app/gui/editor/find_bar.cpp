@@ -1,6 +1,7 @@
 #include "app/gui/editor/find_bar.h"
 
 #include <QtGui/QKeyEvent>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPlainTextEdit>
 

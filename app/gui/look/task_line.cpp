@@ -1,5 +1,6 @@
 #include "app/gui/look/task_line.h"
 
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QProgressBar>
 
 #include "app/gui/look/background_task.h"

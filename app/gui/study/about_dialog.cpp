@@ -2,6 +2,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
+#include <QtWidgets/QBoxLayout>
 
 #include "app/gui/look/controls.h"
 #include "app/program.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <QtWidgets/QDialog>
+#include <QtWidgets/QLabel>
 
 class QLineEdit;
 

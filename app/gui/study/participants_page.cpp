@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QtGui/QFontMetrics>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QLineEdit>
 #include <nlohmann/json.hpp>

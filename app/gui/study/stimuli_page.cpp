@@ -8,6 +8,7 @@
 #include <QtCore/QFileSystemWatcher>
 #include <QtGui/QImageReader>
 #include <QtGui/QPixmap>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 

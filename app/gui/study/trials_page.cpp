@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QtCore/QRegularExpression>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTabBar>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QtCore/QDir>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QProgressBar>

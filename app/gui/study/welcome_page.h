@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/background_task.h"

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <QtCore/QSignalBlocker>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QScrollArea>
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 
 #include "app/gui/look/controls.h"
