@@ -414,7 +414,7 @@ Phrase confusions_text(const std::vector<Confusion>& confusions) {
   return all;
 }
 
-constexpr std::size_t kMostNamed = 3;  // more pairs or confusions are read in the table
+constexpr std::size_t kMostNamedConfusions = 3;  // more pairs or confusions are read in the table
 
 /// What the pairs do not show: the most frequent confusions in one direction, where one of them belongs to no pair that
 /// is reported.
@@ -428,7 +428,7 @@ Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPa
   if (std::all_of(largest.begin(), largest.end(), is_in_a_pair)) return answer;
   const Confusion& first = largest.front();
   if (first.share() <= pairs.front().share()) return answer;
-  if (largest.size() > kMostNamed) {
+  if (largest.size() > kMostNamedConfusions) {
     return phrase("Analysis",
                   "%1 Counted in one direction only, %2 confusions are the most frequent: each in "
                   "%3 of the answers to the texture felt.")
@@ -467,7 +467,7 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
     answer =
         phrase("Analysis", "Most alike are %1: one was taken for the other in %2 of %3 answers.")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
-  } else if (most.size() <= kMostNamed) {
+  } else if (most.size() <= kMostNamedConfusions) {
     Phrase names = first.names;
     for (std::size_t i = 1; i < most.size(); ++i) {
       names = phrase("Analysis", "%1, %2").with(names, most[i].names);
