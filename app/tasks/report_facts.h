@@ -76,11 +76,11 @@ struct ReportFacts {
   std::vector<ParticipantRow> participants{};  ///< by label
   std::vector<ReportedSession> sessions{};     ///< by participant, session
 
-  std::size_t attempts = 0;        ///< of the main phase
-  std::size_t counted = 0;         ///< of those: answered, valid and not excluded
-  std::size_t other_attempts = 0;  ///< of familiarisation and practice, and at anchors
-  std::set<std::string> other_kinds{};                ///< what those are of: "practice", "anchors"
-  std::set<std::string> other_planned{};              ///< the same of the plans
+  std::size_t attempts = 0;               ///< of the main phase
+  std::size_t counted = 0;                ///< of those: answered, valid and not excluded
+  std::size_t other_attempts = 0;         ///< of familiarisation and practice, and at anchors
+  std::set<std::string> other_kinds{};    ///< what those are of: "practice", "anchors"
+  std::set<std::string> other_planned{};  ///< the same of the plans
   std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
   ReasonCounts flagged{};                             ///< of those that count
 
