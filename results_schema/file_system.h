@@ -70,7 +70,7 @@ bool rename_to_free_name(const std::filesystem::path& from, const std::filesyste
 struct flock lock_of_whole_file(short type) noexcept;
 
 /// Opens a lock file of a study, `locks/NAME`, with the flags of open(2). Returns -1 and leaves errno where it
-/// cannot. It is never emptied or made through a symbolic link, which would lead to the files of whoever opens it.
+/// cannot. It is never emptied or made through a symbolic link, which would lead to other files of the user who opens it.
 /// Errors: ResultsError for a link, and for what is not a file.
 int open_lock_file(const std::filesystem::path& path, int flags);
 

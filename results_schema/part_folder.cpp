@@ -134,7 +134,7 @@ void PartFolder::take_place(Overwrite overwrite) {
   sync_folder(target_.parent_path());
 }
 
-/// The lock goes last: without it what is left could not be told from somebody's folder.
+/// The lock goes last: without it what is left could not be distinguished from a user's folder.
 void PartFolder::clear() noexcept {
   if (lock_ < 0) return;
   std::error_code error;

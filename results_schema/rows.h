@@ -186,7 +186,7 @@ enum class AttemptOutcome {
   not_compliant,
   aborted,
   device_fault,
-  /// Somebody pressed it, and nothing failed. In the database `device_fault` with this fault in
+  /// It was pressed, and nothing failed. In the database `device_fault` with this fault in
   /// servo_quality.
   emergency_stop,
   skipped,

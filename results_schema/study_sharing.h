@@ -31,7 +31,7 @@ void require_group(const std::string& group);
 /// folder and of those above it.
 bool is_readable_by_others(const std::filesystem::path& study);
 
-/// The names of the groups of whoever runs the program, sorted: those that a study of theirs can be given to.
+/// The names of the groups of the user who runs the program, sorted: those that a study of theirs can be given to.
 std::vector<std::string> own_groups();
 
 /// The group of a file or folder: its name, or its number where it has none.

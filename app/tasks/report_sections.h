@@ -51,12 +51,12 @@ struct SessionShare {
 };
 SessionShare share_of_sessions(const ReportFacts& facts,
                                const std::function<bool(const RecordedStretch&)>& is_so);
-/// A virtual or recorded hand explored, whoever answered.
+/// A virtual or recorded hand explored, not that of the participant who answered.
 bool is_moved_by_program(const RecordedStretch& stretch);
 /// The device has no motors: it is known to have given no force.
 bool gives_no_force(const RecordedStretch& stretch);
 
-/// "24 participants", "one virtual participant": whoever a group consists of.
+/// "24 participants", "one virtual participant": the members of a group.
 std::string participants_text(AnswerGroup group, std::size_t count);
 
 /// "a", "a and b", "a, b and c".

@@ -21,7 +21,7 @@ struct RecordedDevice {
   std::string serial{};
   std::optional<bool> has_motors{};  ///< absent where the store has no capability record
 
-  /// Which hand moves it, whoever answers: "virtual" of the simulated device, "recorded" of a replayed
+  /// Which hand of the program moves it: "virtual" of the simulated device, "recorded" of a replayed
   /// recording; empty: the participant's.
   std::string hand_of_program() const;
   /// "falcon Novint Falcon, serial number 042"
@@ -38,7 +38,7 @@ RecordedDevice recorded_device(const DeviceCapability& device);
 struct RecordedNoise {
   enum class Source {
     not_played,    ///< the program played none, and nobody attested any
-    elsewhere,     ///< not played by the program; somebody measured it at the ear and attested it
+    elsewhere,     ///< not played by the program; it was measured at the ear and attested
     program,       ///< played by the program; an attempt during which it failed does not count
     not_recorded,  ///< the stored description does not state it
     not_stored,    ///< nothing is stored of it, as asperity 0.1.0 did at a terminal
@@ -63,7 +63,7 @@ struct RecordedStretch {
       device{};  ///< absent: asperity 0.1.0 resumed it and did not record it
   RecordedProgram program{};
   RecordedNoise noise{};
-  bool eye_mask_confirmed = false;     ///< somebody confirmed that it was put on
+  bool eye_mask_confirmed = false;     ///< it was confirmed that it was put on
   bool judges_rendered_force = false;  ///< the hand's normal force was that of the renderer
 };
 

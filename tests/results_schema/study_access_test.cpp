@@ -128,7 +128,7 @@ TEST(StudyReading, PassesOverALogWithoutAValidHeader) {
   }
 }
 
-// The log of a study whose last writer was killed stays a header only until somebody writes.
+// The log of a study whose last writer was killed stays a header only until the next write.
 TEST(StudyReading, FollowsAWriterThatComesAfterOneThatWasKilled) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_study_with_log(folder / "s", std::string(32, '\0')));

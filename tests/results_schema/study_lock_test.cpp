@@ -107,7 +107,7 @@ TEST(StudyLock, StaysInItsFolder) {
   }
 }
 
-// Whoever can write to a shared study must not have others empty their own files.
+// A member of the group of a shared study must not have others empty their own files.
 TEST(StudyLock, IsNeverALink) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "s/locks");
