@@ -77,7 +77,15 @@ void refuse_link(const std::filesystem::path& study, const std::filesystem::path
                      study / relative, ELOOP);
 }
 
-/// The same for every part of a path that a row names.
+/// A FIFO, a socket, a device: what a copy cannot hold is never left out without a word.
+void refuse_special_file(const std::filesystem::path& study,
+                         const std::filesystem::path& relative) {
+  throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
+                         " is no regular file. Remove it, then copy again",
+                     study / relative, EINVAL);
+}
+
+/// The same as refuse_link for every part of a path that a row names.
 void refuse_links_on(const std::filesystem::path& study, const std::filesystem::path& relative) {
   std::filesystem::path part;
   for (const std::filesystem::path& name : relative) refuse_link(study, part /= name);
@@ -101,7 +109,9 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
     const std::filesystem::path relative = entry.path().lexically_relative(from);
     if (!is_loose_file(relative) || vouched.contains(relative.string())) continue;
     refuse_link(from, relative);
-    if (entry.is_regular_file()) copy_and_hash(entry.path(), to / relative);
+    if (entry.is_directory()) continue;
+    if (!entry.is_regular_file()) refuse_special_file(from, relative);
+    copy_and_hash(entry.path(), to / relative);
   }
   for (const char* const part : {"protocols", "stimuli", "recordings", "locks"}) {
     std::filesystem::create_directories(to / part);
@@ -144,6 +154,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
             "remove study.sqlite.sha256 and copy again",
         from);
   }
+  refuse_link(from, database_in(from).filename());
   PartFolder part(to, kOwnersFolder);
   store_->read([&part](Database& database) {
     Database copy(part.content(), database_in(part.content()), Database::Mode::create);

@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 #include <stop_token>
+#include <sys/stat.h>
 #include <thread>
 #include <utility>
 
@@ -265,6 +266,20 @@ TEST(StudyCopy, RefusesLinksAndWritesNowhereElse) {
   std::filesystem::rename(study / "recordings", folder / "elsewhere" / "recordings");
   EXPECT_THAT(refused_with(folder / "elsewhere" / "recordings", "recordings"),
               HasSubstr("its recordings is a symbolic link"));
+  std::filesystem::rename(folder / "elsewhere" / "recordings", study / "recordings");
+  std::filesystem::rename(study / "study.sqlite", folder / "elsewhere" / "study.sqlite");
+  EXPECT_THAT(refused_with(folder / "elsewhere" / "study.sqlite", "study.sqlite"),
+              HasSubstr("its study.sqlite is a symbolic link"));
+}
+
+TEST(StudyCopy, RefusesWhatItCannotCopy) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  ASSERT_EQ(::mkfifo((study / "stimuli/pipe").c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of<ResultsError>(
+                  [&] { Study::open(study, Access::read_only).copy_to(folder / "copy"); }),
+              AllOf(HasSubstr("its stimuli/pipe is no regular file"), HasSubstr("Remove it")));
+  EXPECT_FALSE(std::filesystem::exists(folder / "copy"));
 }
 
 TEST(StudyVerify, FindsNothingWrongInAGoodStudy) {
