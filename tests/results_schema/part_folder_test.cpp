@@ -2,13 +2,9 @@
 
 #include "results_schema/part_folder.h"
 
-#include <array>
-#include <csignal>
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,6 +13,7 @@
 #include "results_schema/study.h"
 #include "tests/results_schema/rename_watch.h"
 #include "tests/results_schema/sync_watch.h"
+#include "tests/results_schema/waiting_child.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,40 +23,14 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// A process that has begun to make a folder, and is killed at the latest with this object.
-class FolderMaker {
- public:
-  explicit FolderMaker(const std::filesystem::path& target) {
-    std::array<int, 2> ends{};
-    EXPECT_EQ(::pipe(ends.data()), 0);
-    process_ = ::fork();
-    if (process_ == 0) {
-      const PartFolder part(target, 0700);
-      write_file(part.content() / "half.txt", "half", Overwrite::refuse);
-      const char ready = 'r';
-      if (::write(ends[1], &ready, 1) != 1) ::_exit(1);
-      for (;;) ::pause();
-    }
-    char ready = 0;
-    EXPECT_EQ(::read(ends[0], &ready, 1), 1);
-    ::close(ends[0]);
-    ::close(ends[1]);
-  }
-  ~FolderMaker() { kill(); }
-  FolderMaker(const FolderMaker&) = delete;
-  FolderMaker& operator=(const FolderMaker&) = delete;
-
-  pid_t process() const { return process_; }
-  void kill() {
-    if (process_ == 0) return;
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-    process_ = 0;
-  }
-
- private:
-  pid_t process_ = 0;
-};
+/// A process that has begun to make a folder.
+WaitingChild maker_of(const std::filesystem::path& target) {
+  return WaitingChild([&target] {
+    auto part = std::make_unique<PartFolder>(target, 0700);
+    write_file(part->content() / "half.txt", "half", Overwrite::refuse);
+    return part;
+  });
+}
 
 std::size_t entries_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
@@ -87,7 +58,7 @@ TEST(PartFolder, TakesItsPlaceOrLeavesNothing) {
 
 TEST(PartFolder, RemovesWhatAKilledProgramLeft) {
   const TemporaryFolder folder;
-  FolderMaker maker(folder / "out");
+  WaitingChild maker = maker_of(folder / "out");
   const std::string refusal = refusal_of<ResultsError>([&] { PartFolder(folder / "out", 0700); });
   EXPECT_THAT(refusal, AllOf(HasSubstr((folder / "out").string() + " is being made by process " +
                                        std::to_string(maker.process())),
@@ -141,9 +112,9 @@ TEST(PartFolder, ReplacesAFolderInOneStep) {
 
 TEST(KilledStudyMaker, LeavesNothingInTheWayOfTheNext) {
   const TemporaryFolder folder;
-  { FolderMaker(folder / "s").kill(); }
+  maker_of(folder / "s").kill();
   { Study::create(folder / "s", "x"); }
-  { FolderMaker(folder / "copy").kill(); }
+  maker_of(folder / "copy").kill();
   Study::open(folder / "s", Access::read_only).copy_to(folder / "copy");
   EXPECT_EQ(Study::open(folder / "copy", Access::read_only).name(), "x");
   EXPECT_EQ(entries_in(folder.path()), 2U);

@@ -1,13 +1,11 @@
 // A lock has one holder, names it, and does not outlive it.
 
 #include <array>
-#include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -16,6 +14,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/waiting_child.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,41 +25,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// A child process that runs `action`, says so, and waits to be killed.
-class Child {
- public:
-  template <typename Action>
-  explicit Child(Action action) {
-    std::array<int, 2> ends{};
-    EXPECT_EQ(::pipe(ends.data()), 0);
-    process_ = ::fork();
-    if (process_ == 0) {
-      const auto held = action();
-      const char ready = 'r';
-      if (::write(ends[1], &ready, 1) != 1) ::_exit(1);
-      for (;;) ::pause();
-    }
-    char ready = 0;
-    EXPECT_EQ(::read(ends[0], &ready, 1), 1);
-    ::close(ends[0]);
-    ::close(ends[1]);
-  }
-  ~Child() { kill(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  pid_t process() const { return process_; }
-  void kill() {
-    if (process_ == 0) return;
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-    process_ = 0;
-  }
-
- private:
-  pid_t process_ = 0;
-};
 
 TEST(StudyLock, HasOneHolder) {
   const TemporaryFolder folder;
@@ -75,7 +39,7 @@ TEST(StudyLock, HasOneHolder) {
 
 TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {
   const TemporaryFolder folder;
-  Child child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
+  WaitingChild child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
   std::array<char, 256> host{};
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
   const std::string process =
@@ -87,7 +51,7 @@ TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {
 
 TEST(StudyLock, OfADeadProcessIsFree) {
   const TemporaryFolder folder;
-  Child child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
+  WaitingChild child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
   child.kill();
   EXPECT_EQ(StudyLock::holder(folder.path(), "device"), std::nullopt);
   const StudyLock lock(folder.path(), "device");
@@ -188,7 +152,7 @@ TEST(CrashedSession, IsAnOpenOneWhoseLockNobodyHolds) {
     const std::int64_t ended = study.add_session(some_session(1, "P03"), some_plan(1));
     study.end_session(ended, SessionState::stopped, "2026-03-01T10:00:00Z");
   }
-  Child runs_P02(
+  WaitingChild runs_P02(
       [&] { return std::make_unique<StudyLock>(folder / "s", Study::session_lock_name("P02")); });
   Study study = Study::open(folder / "s", Access::read_write);
   EXPECT_THAT(study.mark_crashed_sessions(), ElementsAre(1));
