@@ -114,9 +114,8 @@ void add_run(CLI::App& program, Job& job) {
           say("asperity: warning: " + warning.text.english());
         }
       };
-      inputs.resumed_elsewhere = [](const std::string& before, const std::string& now) {
-        say("asperity: warning: the session last ran on " + before + " and is resumed on " + now +
-            "; this is stored with the session and stated in its report");
+      inputs.resumed = [](const Phrase& circumstance) {
+        say("asperity: warning: " + circumstance.english());
       };
       inputs.ready = [&inputs](const Protocol& protocol) {
         if (!inputs.is_virtual) tell_what_a_terminal_lacks(protocol);

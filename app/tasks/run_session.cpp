@@ -235,10 +235,20 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     sitting.device =
         taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder, stop);
   }
-  if (sitting.unfinished && inputs.resumed_elsewhere) {
+  if (sitting.unfinished && inputs.resumed) {
     const RecordedDevice before = last_recorded_device(study, *sitting.unfinished);
     const RecordedDevice now = recorded_device(rig->capability());
-    if (!before.is_same_as(now)) inputs.resumed_elsewhere(before.full_text(), now.full_text());
+    if (!before.is_same_as(now)) {
+      inputs.resumed(phrase("RunSession",
+                            "the session last ran on %1 and is resumed on %2; this is stored with "
+                            "the session and stated in its report")
+                         .with(before.full_text(), now.full_text()));
+    }
+    if (sitting.mode == SessionMode::run && study_data_blocker(protocol, now)) {
+      inputs.resumed(phrase("RunSession",
+                            "the session began on a device with which no participant feels the "
+                            "surfaces, and is resumed so; its report states it"));
+    }
   }
   if (inputs.ready) inputs.ready(protocol);
 

@@ -47,8 +47,9 @@ struct RunInputs {
   std::function<void(const RehearsedDevice&)> rehearsed{};
   /// Told once the device is there and the protocol takes it, before anybody is asked anything.
   std::function<void(const Protocol&)> ready{};
-  /// Told which device a resumed session last ran on, where this one is another; before `ready`.
-  std::function<void(const std::string& before, const std::string& now)> resumed_elsewhere{};
+  /// Called before `ready` with each circumstance of a resumed session that its report will state: another device than
+  /// before, a device without force that asperity 0.1.0 accepted.
+  std::function<void(const Phrase& circumstance)> resumed{};
   /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
   bool has_consented = false;
 };

@@ -79,6 +79,22 @@ RecordedProgram program_of(const SessionRow& session, const nlohmann::json& even
   return program;
 }
 
+/// `device`, unless the session changed to another one with this event.
+void follow_device(const EventRow& event, RecordedDevice& device) {
+  if (event.kind == kDeviceChanged) device = recorded_device(event.text, event.data_json);
+}
+
+Phrase remedy_for_study_data(const Protocol& protocol) {
+  return protocol.input_only
+             ? phrase("StudyData",
+                      "try the session out in Pilot (--mode pilot), or choose a device that a "
+                      "participant holds")
+             : phrase("StudyData",
+                      "try the session out in Pilot (--mode pilot), or choose a device with "
+                      "motors; if the study needs no force, set device.input_only to true in the "
+                      "protocol, which allows a device without motors");
+}
+
 }  // namespace
 
 std::string RecordedDevice::hand_of_program() const {
@@ -118,9 +134,8 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
   RecordedDevice device = recorded_device(session.device, session.device_json);
   std::vector<RecordedStretch> stretches{};
   for (const EventRow& event : events) {
-    if (event.kind == kDeviceChanged) {
-      device = recorded_device(event.text, event.data_json);
-    } else if (event.kind == "session_began" || event.kind == "session_resumed") {
+    follow_device(event, device);
+    if (event.kind == "session_began" || event.kind == "session_resumed") {
       const nlohmann::json data = object_of(event.data_json);
       RecordedStretch& stretch = stretches.emplace_back();
       stretch.segment =
@@ -155,9 +170,7 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
 
 RecordedDevice last_recorded_device(const Study& study, const SessionRow& session) {
   RecordedDevice device = recorded_device(session.device, session.device_json);
-  for (const EventRow& event : study.events(session.id)) {
-    if (event.kind == kDeviceChanged) device = recorded_device(event.text, event.data_json);
-  }
+  for (const EventRow& event : study.events(session.id)) follow_device(event, device);
   return device;
 }
 
@@ -174,19 +187,14 @@ std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
                       "a recorded hand holds the device \"%1\", so that no participant would feel "
                       "the surfaces"))
             .with(device.text),
-        phrase("StudyData",
-               "try the session out in Pilot (--mode pilot), or choose a device with motors; where "
-               "the study needs no force, set device.input_only to true in the protocol and choose "
-               "a device without motors")};
+        remedy_for_study_data(protocol)};
   }
   if (device.has_motors == false && !protocol.input_only) {
     return StudyDataBlocker{
         phrase("StudyData",
                "the device \"%1\" has no motors, so that no participant would feel the surfaces")
             .with(device.text),
-        phrase("StudyData",
-               "try the session out in Pilot (--mode pilot), or choose a device with motors; where "
-               "the study needs no force, set device.input_only to true in the protocol")};
+        remedy_for_study_data(protocol)};
   }
   return {};
 }

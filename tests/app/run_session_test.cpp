@@ -96,7 +96,11 @@ TEST_F(RunSession, ResumesWhatAnEarlierVersionBeganOnTheSimulatedDevice) {
   }
   inputs_.mode = SessionMode::run;
   inputs_.resume = true;
+  std::vector<std::string> told{};
+  inputs_.resumed = [&](const Phrase& circumstance) { told.push_back(circumstance.english()); };
   EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(told, testing::ElementsAre(testing::StartsWith(
+                        "the session began on a device with which no participant feels")));
 }
 
 TEST_F(RunSession, StoresThatNothingSounded) {
@@ -117,17 +121,16 @@ TEST_F(RunSession, StatesAndStoresThatASessionIsResumedOnAnotherDevice) {
   write_file(inputs_.protocol, text, Overwrite::allow);
   EXPECT_EQ(run().state, SessionState::stopped);
   std::vector<std::string> told{};
-  inputs_.resumed_elsewhere = [&](const std::string& before, const std::string& now) {
-    told = {before, now};
-  };
+  inputs_.resumed = [&](const Phrase& circumstance) { told.push_back(circumstance.english()); };
   inputs_.resume = true;
   EXPECT_EQ(run().state, SessionState::stopped) << "the same device: nothing to state";
   EXPECT_THAT(told, testing::IsEmpty());
   inputs_.device = "simulated:falcon";
   person_.at_question = {};
   EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(told, testing::ElementsAre("simulated mass, spring and damper",
-                                         "simulated in place of Novint Falcon"));
+  EXPECT_THAT(told, testing::ElementsAre(testing::StartsWith(
+                        "the session last ran on simulated mass, spring and damper and is resumed "
+                        "on simulated in place of Novint Falcon;")));
   const Study stored = study();
   const SessionRow row = stored.sessions().at(0);
   std::vector<std::string> changes{};

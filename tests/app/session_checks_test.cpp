@@ -275,6 +275,8 @@ TEST_F(SessionChecks, TakeAMouseForStudyDataWhereTheProtocolNeedsNoForce) {
   EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
   inputs.device = "simulated";
   EXPECT_EQ(check("device").state, State::stop) << "a virtual hand is nobody's";
+  EXPECT_EQ(check("device").remedy.english().find("device.input_only"), std::string::npos)
+      << "it is set";
 }
 
 TEST_F(SessionChecks, ResumeASessionThatBeganWhereNobodyFelt) {

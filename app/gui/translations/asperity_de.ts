@@ -3092,8 +3092,8 @@
         <translation>die Servoschleife stand länger als 50 ms still</translation>
     </message>
     <message>
-        <source>%1 missed deadlines in contact, at most %2 allowed</source>
-        <translation>%1 verpasste Fristen im Kontakt, höchstens %2 erlaubt</translation>
+        <source>deadlines missed in contact: %1, at most %2 allowed</source>
+        <translation>verpasste Fristen im Kontakt: %1, höchstens %2 erlaubt</translation>
     </message>
 </context>
 <context>
@@ -3207,12 +3207,20 @@
         <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
-        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
-        <translation>Mit %2 N gedrückt und mit %3 mm/s gestrichen, ist „%1“ für %4 % eines Strichs ohne Kontakt: %5 g mit %6 N s/m, wie am Gerät gemessen, folgen der Höhe nicht. Verringern Sie stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit, oder lassen Sie stärker drücken.</translation>
+        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for about %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
+        <translation>Mit %2 N gedrückt und mit %3 mm/s gestrichen, ist „%1“ für etwa %4 % eines Strichs ohne Kontakt: %5 g mit %6 N s/m, wie am Gerät gemessen, folgen der Höhe nicht. Verringern Sie stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit, oder lassen Sie stärker drücken.</translation>
     </message>
 </context>
 <context>
     <name>RunSession</name>
+    <message>
+        <source>the session last ran on %1 and is resumed on %2; this is stored with the session and stated in its report</source>
+        <translation>die Sitzung lief zuletzt auf %1 und wird auf %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
+    </message>
+    <message>
+        <source>the session began on a device with which no participant feels the surfaces, and is resumed so; its report states it</source>
+        <translation>die Sitzung begann auf einem Gerät, mit dem keine Versuchsperson die Oberflächen fühlt, und wird so fortgesetzt; das steht in ihrem Bericht</translation>
+    </message>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
         <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; nichts wurde gespeichert</translation>
@@ -3948,16 +3956,16 @@
         <translation>eine aufgezeichnete Hand hält das Gerät „%1“, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
     <message>
-        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; where the study needs no force, set device.input_only to true in the protocol and choose a device without motors</source>
-        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen und ein Gerät ohne Motoren wählen</translation>
+        <source>try the session out in Pilot (--mode pilot), or choose a device that a participant holds</source>
+        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät wählen, das eine Versuchsperson hält</translation>
     </message>
     <message>
         <source>the device &quot;%1&quot; has no motors, so that no participant would feel the surfaces</source>
         <translation>das Gerät „%1“ hat keine Motoren, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
     <message>
-        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; where the study needs no force, set device.input_only to true in the protocol</source>
-        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen</translation>
+        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
+        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
     </message>
 </context>
 <context>
