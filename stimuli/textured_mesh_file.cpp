@@ -215,12 +215,15 @@ class Reader final {
       for (int axis = 0; axis < 3; ++axis) {
         const double place_m = mesh.vertices_m[i][axis];
         if (std::abs(place_m) <= kFurthest_m) continue;  // false for NaN
-        refuse("has vertex " + std::to_string(i) + " with " + "xyz"[axis] + " = " +
-               number_text(place_m) + " m; each coordinate must lie between -" +
-               number_text(kFurthest_m) + " m and " + number_text(kFurthest_m) + " m. " + kRemedy);
+        const std::string place =
+            std::isnan(place_m) ? "not a number" : number_text(place_m) + " m";
+        refuse("has vertex " + std::to_string(i) + " with " + "xyz"[axis] + " = " + place +
+               "; each coordinate must lie between -" + number_text(kFurthest_m) + " m and " +
+               number_text(kFurthest_m) + " m. " + kRemedy);
       }
       if (!(std::abs(glm::length(mesh.normals[i]) - 1.0) < kUnit)) {
-        refuse("has a normal that is not of unit length.");
+        refuse("has at vertex " + std::to_string(i) + " a normal that is not of unit length. " +
+               kRemedy);
       }
     }
     // A look-up on the border of a face may touch the texel beyond.
