@@ -166,8 +166,8 @@ class Doubts final {
     if (block == protocol_.blocks.end()) return;
     doubt(pointer_to("/blocks", block->first) + "/presented",
           "the alternatives differ in " + in_quotes(*parameter) +
-              " alone: a selection analyses which level is preferred as the most realistic, not "
-              "whether levels can be discriminated; for a threshold, export the answers and fit "
+              " alone: a selection analyses how often each level is chosen, not whether levels "
+              "can be discriminated; for a threshold, export the answers and fit "
               "them with analyze --table FILE --as psyfit");
   }
 

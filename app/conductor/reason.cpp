@@ -43,7 +43,7 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::noise_stopped, phrase("Reasons", "the masking noise stopped")},
       {Reason::no_noise, phrase("Reasons", "the masking noise could not begin")},
       {Reason::missed_in_contact,
-       phrase("Reasons", "%1 missed deadlines in contact, at most %2 allowed")},
+       phrase("Reasons", "deadlines missed in contact: %1, at most %2 allowed")},
       {Reason::missed_deadlines, phrase("Reasons", "%1 missed deadlines, at most %2 allowed")},
       {Reason::lost_records, phrase("Reasons", "%1 lost records, at most %2 allowed")},
       {Reason::force_limited, phrase("Reasons", "force limited in %1 ticks")},

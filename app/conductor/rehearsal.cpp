@@ -507,19 +507,20 @@ class DeviceRehearsal final {
                                                .speed_m_per_s = habits.speed_m_per_s,
                                                .rate_Hz = protocol_.rate_Hz});
     if (share <= kContactMayBeLost) return;
-    warn({.id = "contact",
-          .stimulus = name,
-          .asked = share,
-          .device = kContactMayBeLost,
-          .text =
-              phrase("Rehearsal",
-                     "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
-                     "for %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do "
-                     "not follow its height. Lower stiffness_N_per_m, the texture's amplitude or "
-                     "the speed, or have it pressed harder.")
-                  .with(name, in_three_digits(habits.normal_force_N),
-                        in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
-                        in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
+    warn(
+        {.id = "contact",
+         .stimulus = name,
+         .asked = share,
+         .device = kContactMayBeLost,
+         .text =
+             phrase("Rehearsal",
+                    "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
+                    "for about %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do "
+                    "not follow its height. Lower stiffness_N_per_m, the texture's amplitude or "
+                    "the speed, or have it pressed harder.")
+                 .with(name, in_three_digits(habits.normal_force_N),
+                       in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
+                       in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
   }
 
   void check_workspace(const SurfacePatch& patch) {

@@ -128,7 +128,7 @@ TEST_F(ConductorTest, JudgesAnAttemptByTheDeadlinesMissedInContact) {
   EXPECT_EQ(rows[0].servo->missed_in_contact, 0);
   EXPECT_FALSE(rows[1].valid);
   EXPECT_EQ(rows[1].servo->missed_in_contact, 60);
-  EXPECT_EQ(rows[1].invalid_reason, "60 missed deadlines in contact, at most 50 allowed");
+  EXPECT_EQ(rows[1].invalid_reason, "deadlines missed in contact: 60, at most 50 allowed");
   EXPECT_EQ(read_reason(*rows[1].invalid_reason).english(), rows[1].invalid_reason);
   EXPECT_TRUE(rows[2].valid);
 }
