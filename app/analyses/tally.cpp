@@ -289,12 +289,12 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     finding.quantity = "achieved_texture_force_N";
     finding.key = "model=" + model;
     finding.unit = "N";
-    finding.method = "mean over the surfaces felt";
+    finding.method = "mean over the surfaces presented";
     finding.n = forces.achieved_N.size();
     if (achieved) {
       finding.value = achieved->mean;
     } else {
-      finding.status = "no surface was felt for long enough";
+      finding.status = "no surface was in contact for long enough";
     }
     outcome.findings.push_back(std::move(finding));
   }

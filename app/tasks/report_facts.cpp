@@ -51,9 +51,11 @@ std::optional<double> required_fraction(const ReportFacts& facts, const PlannedT
   return exploration->second.required_fraction_in_band;
 }
 
-/// Speed and length of strokes are stored as zero where there was no stroke.
-bool has_no_stroke(const ComplianceRow& row) {
-  return (row.quantity == "speed_m_per_s" || row.quantity == "stroke_length_m") && row.mean == 0.0;
+/// A mean of nothing is stored as zero: of the force where there was no contact, of speed and length of strokes where
+/// there was no stroke.
+bool is_of_nothing(const ComplianceRow& row) {
+  return row.mean == 0.0 && (row.quantity == "normal_force_N" || row.quantity == "speed_m_per_s" ||
+                             row.quantity == "stroke_length_m");
 }
 
 /// Every surface passes where no part of the contact or of the strokes has to lie in the band.
@@ -65,7 +67,7 @@ bool always_passes(const ComplianceRow& row, std::optional<double> required_frac
 void count_compliance(const ComplianceRow& row, std::optional<double> required_fraction,
                       ReportFacts& facts) {
   ReportedBand& band = facts.bands[{row.quantity, row.minimum, row.maximum}];
-  if (!has_no_stroke(row)) band.means.push_back(row.mean);
+  if (!is_of_nothing(row)) band.means.push_back(row.mean);
   if (row.fraction_in_band) band.fractions.push_back(*row.fraction_in_band);
   if (!row.passed || always_passes(row, required_fraction)) return;
   ++band.judged;

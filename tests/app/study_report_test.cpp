@@ -607,6 +607,11 @@ TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
   EXPECT_THAT(words,
               HasSubstr("speed | 500 mm/s to 2 m/s | 1 | 1 m/s | 1 m/s to 1 m/s | 100 % | – |"))
       << "a surface without a stroke has no speed";
+  explored_ = {measured("normal_force_N", 0.0, {})};
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Exploration")),
+              HasSubstr("normal force | 0.5 N to 2 N | 2 | 1 N | "))
+      << "a surface without contact has no force";
 }
 
 TEST_F(Conditions, NameTheFactorsThatAreDrawn) {
