@@ -350,6 +350,13 @@ Access Study::access() const noexcept { return store_->access; }
 
 int Study::schema_version() const noexcept { return store_->schema_version; }
 
+void Study::read_at_one_moment(const std::function<void()>& reading) const {
+  store_->read([&reading](Database&) {
+    reading();
+    return true;
+  });
+}
+
 std::string Study::name() const {
   return store_->read([](Database& database) {
     Statement statement(database, "SELECT name FROM study");

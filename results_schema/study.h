@@ -184,6 +184,10 @@ class Study final {
   void remember_solution(const std::string& key, const std::string& solution_json);
   std::optional<std::string> solution(const std::string& key) const;
 
+  /// Runs `reading`; what it reads of this study is of one moment, whatever sessions write meanwhile. Begins again
+  /// where the file turns out to have changed under it, so `reading` must set its results, not add to them.
+  void read_at_one_moment(const std::function<void()>& reading) const;
+
   /// A consistent copy of a study that may be in use, into a folder that does not exist yet.
   void copy_to(const std::filesystem::path& folder) const;
 

@@ -151,8 +151,8 @@ std::string force_text(const ReportFacts& facts) {
             ": no participant moved a device or felt a force there.";
   }
   if (const SessionShare weak = share_of_sessions(facts, gives_no_force); weak.is_any()) {
-    text += " The device has no motors: forces were computed but not exerted " + weak.text() +
-            ", and nobody felt the surfaces.";
+    text += " A device without motors was used " + weak.text() +
+            ": forces were computed but not exerted, and nobody felt the surfaces there.";
   }
   return text;
 }

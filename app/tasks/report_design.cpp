@@ -108,7 +108,27 @@ std::string order_text(const Protocol::Block& block) {
   return text;
 }
 
-ReportList blocks_list(const Protocol& protocol) {
+/// ", until 2 of the last 3 trials are correct, at most 6 trials"
+std::string until_text(const Protocol::Criterion& until) {
+  const std::string number = std::to_string(until.correct);
+  return ", until " +
+         (until.correct == until.of_last
+              ? (until.correct == 1 ? "a trial is" : "the last " + number + " trials are")
+              : number + " of the last " + std::to_string(until.of_last) + " trials are") +
+         " correct, at most " + std::to_string(until.maximum_trials) + " trials";
+}
+
+/// " The criterion was not met in one of two sessions."; nothing where it was met in all.
+std::string unmet_text(const std::string& block, const ReportFacts& facts) {
+  const auto unmet = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [&](const ReportedSession& one) { return one.unmet_criteria.contains(block); }));
+  if (unmet == 0) return {};
+  return " The criterion was not met " +
+         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text() + '.';
+}
+
+ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
   ReportList list{};
   for (const Protocol::Step& step : protocol.flow) {
     const auto* run = std::get_if<Protocol::Run>(&step);
@@ -116,12 +136,27 @@ ReportList blocks_list(const Protocol& protocol) {
     const Protocol::Block& block = protocol.blocks.at(run->block);
     std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
     text += order_text(block);
-    if (block.repetitions > 1) text += ", " + std::to_string(block.repetitions) + " repetitions";
+    if (block.until) {
+      text += until_text(*block.until);
+    } else if (block.repetitions > 1) {
+      text += ", " + std::to_string(block.repetitions) + " repetitions";
+    }
     if (!run->for_each.empty()) text += ", once for each level of " + run->for_each;
     if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
+    switch (block.feedback) {
+      case Protocol::Block::Feedback::none:
+        break;
+      case Protocol::Block::Feedback::correctness:
+        text += ", each answer followed by whether it was correct";
+        break;
+      case Protocol::Block::Feedback::correct_answer:
+        text += ", each answer followed by the correct one";
+        break;
+    }
     text += ". Question: " + quoted(block.question.prompt);
     if (block.question.allow_cannot_tell) text += " “Cannot tell” is an answer as well.";
     if (!block.question.allow_revisit) text += " Surfaces cannot be presented again.";
+    text += unmet_text(run->block, facts);
     list.items.push_back(text);
   }
   return list;
@@ -131,9 +166,25 @@ ReportList blocks_list(const Protocol& protocol) {
 void add_band(const std::string& name, const Band& band, const std::string& unit,
               std::vector<std::string>& bands) {
   if (!band.minimum && !band.maximum && !band.target) return;
-  std::string text = name;
-  if (band.minimum) text += " from " + reading_quantity(*band.minimum, unit);
-  if (band.maximum) text += " up to " + reading_quantity(*band.maximum, unit);
+  std::string text{};
+  if (unit.empty()) {  // a number of `name`
+    if (band.minimum) text += "at least " + reading_quantity(*band.minimum, unit) + ' ';
+    if (band.maximum) {
+      text += (band.minimum ? "and at most " : "at most ") + reading_quantity(*band.maximum, unit) +
+              ' ';
+    }
+    text += name;
+  } else {
+    text = name;
+    if (band.minimum && band.maximum) {
+      text += " from " + reading_quantity(*band.minimum, unit) + " to " +
+              reading_quantity(*band.maximum, unit);
+    } else if (band.minimum) {
+      text += " of at least " + reading_quantity(*band.minimum, unit);
+    } else if (band.maximum) {
+      text += " of at most " + reading_quantity(*band.maximum, unit);
+    }
+  }
   if (band.target) text += " (aiming at " + reading_quantity(*band.target, unit) + ')';
   bands.push_back(text);
 }
@@ -165,14 +216,18 @@ std::string guidance_text(const Exploration& exploration, const ReportFacts& fac
       std::count_if(facts.sessions.begin(), facts.sessions.end(),
                     [](const ReportedSession& session) { return session.is_unguided; }));
   const std::size_t all = facts.sessions.size();
-  std::string text = " The protocol guides the hand by " + requested + '.';
+  std::string text = " The protocol requests guidance of the hand by " + requested + '.';
   if (unguided < all) {
     text += ' ' + given + ' ' + SessionShare{.whole = all - unguided, .all = all}.text() + '.';
   }
   if (unguided > 0) {
+    const bool is_virtual = facts.group == AnswerGroup::virtual_participants;
+    const char* const reason = is_virtual ? " (participants are virtual)"
+                               : exploration.guidance == Exploration::Guidance::tones
+                                   ? " (at a terminal, or without sound output)"
+                                   : " (at a terminal)";
     text += " There was no such guidance " +
-            SessionShare{.whole = unguided, .all = all}.text_after_not() +
-            " (a virtual participant, a person at a terminal, or no sound output).";
+            SessionShare{.whole = unguided, .all = all}.text_after_not() + reason + '.';
   }
   return text;
 }
@@ -183,7 +238,11 @@ std::string repeats_text(int maximum) {
                       : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
 }
 
-constexpr const char* kLastRepeat = "; the last one is then flagged and included.";
+/// Whatever the protocol makes of exploration outside its limits.
+constexpr const char* kUntouched =
+    "; an attempt in which a surface is not touched does not count and is repeated.";
+const std::string kLastRepeat =
+    std::string("; the last one is then flagged and included") + kUntouched;
 
 std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
   std::vector<std::string> bands{};
@@ -219,7 +278,8 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
   const bool repeats = exploration.maximum_repeats > 0;
   switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
     case Exploration::OnFailure::flag:
-      return text + " By the protocol, attempts outside these limits are flagged and included.";
+      return text + " By the protocol, attempts outside these limits are flagged and included" +
+             kUntouched;
     case Exploration::OnFailure::repeat_now:
       return text + " By the protocol, attempts outside these limits are repeated at once, " +
              repeats_text(exploration.maximum_repeats) + kLastRepeat;
@@ -241,6 +301,10 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
     if (!facts.height_fields.empty()) {
       text +=
           "; height fields: " + listed({facts.height_fields.begin(), facts.height_fields.end()});
+    }
+    if (!facts.body_textures.empty()) {
+      text += "; textures of the bodies: " +
+              listed({facts.body_textures.begin(), facts.body_textures.end()});
     }
     text += ". ";
   } else {
@@ -314,7 +378,7 @@ ReportSection design_section(const ReportFacts& facts) {
   const ProtocolCheck& check = facts.file;
   if (facts.sources.size() > 1) {
     section.parts.emplace_back(
-        ReportText{count_in_words(facts.sources.size()) +
+        ReportText{capitalised(count_in_words(facts.sources.size())) +
                        " different files carry the name and version of this protocol; their "
                        "answers are counted together, and what follows is from the first.",
                    ReportText::Tone::notice});
@@ -337,7 +401,7 @@ ReportSection design_section(const ReportFacts& facts) {
                                         counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
-  section.parts.emplace_back(blocks_list(protocol));
+  section.parts.emplace_back(blocks_list(protocol, facts));
   section.parts.emplace_back(ReportText{rendering_text(protocol, facts)});
   for (const auto& [name, exploration] : protocol.explorations) {
     const std::string which =

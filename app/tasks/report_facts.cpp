@@ -51,12 +51,8 @@ std::optional<double> required_fraction(const ReportFacts& facts, const PlannedT
   return exploration->second.required_fraction_in_band;
 }
 
-/// A mean of nothing is stored as zero: of the force where there was no contact, of speed and length of strokes where
-/// there was no stroke.
-bool is_of_nothing(const ComplianceRow& row) {
-  return row.mean == 0.0 && (row.quantity == "normal_force_N" || row.quantity == "speed_m_per_s" ||
-                             row.quantity == "stroke_length_m");
-}
+/// Without contact there is no force, and without a stroke no speed: their mean is stored as zero, and no fraction is.
+bool is_of_nothing(const ComplianceRow& row) { return row.mean == 0.0 && !row.fraction_in_band; }
 
 /// Every surface passes where no part of the contact or of the strokes has to lie in the band.
 bool always_passes(const ComplianceRow& row, std::optional<double> required_fraction) {
@@ -113,7 +109,11 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   for (const PresentationRow& surface : attempt.presentations) {
     if (!surface.onset_ns) continue;  // the attempt ended before it
     facts.models.insert(surface.model + ' ' + surface.model_version);
-    if (surface.height_field_sha256) facts.height_fields.insert(surface.texture);
+    if (surface.surface_sha256) {
+      facts.body_textures.insert(surface.texture);
+    } else if (surface.height_field_sha256) {
+      facts.height_fields.insert(surface.texture);
+    }
     facts.has_equal_force = facts.has_equal_force || surface.matched_texture_force_N;
     for (const ModelLimitRow& limit : surface.limits) {
       if (limit.kind == kAllContact) continue;
@@ -140,6 +140,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   const std::vector<EventRow> events = study.events(row.id);
   for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
+    if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};
   for (PlannedTrialRow& trial : study.plan(row.id)) {

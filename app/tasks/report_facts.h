@@ -26,6 +26,7 @@ struct ReportedSession {
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
   bool is_unguided = false;  ///< nobody saw or heard what the protocol guides the hand by
+  std::set<std::string> unmet_criteria{};  ///< the blocks that ended without their criterion
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
 };
@@ -92,6 +93,7 @@ struct ReportFacts {
       bands{};
   std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
   std::set<std::string> height_fields{};   ///< textures that were rendered from one
+  std::set<std::string> body_textures{};   ///< textures of the bodies presented
   bool has_equal_force = false;            ///< a presentation's texture force was solved for
   std::set<std::size_t> surfaces{};        ///< how many were presented in an answered attempt
   std::set<std::string> answer_sources{};  ///< "keyboard"

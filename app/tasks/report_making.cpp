@@ -70,12 +70,17 @@ std::string observer_text(const std::string& observer_json) {
   if (!observer.is_object()) return {};
   std::string text{};
   for (const auto& [name, value] : observer.items()) {
-    std::string words = name;
+    const bool is_length = name.ends_with("_m");
+    std::string words = name == "deaf" ? "ignores what was felt:"
+                                       : name.substr(0, name.size() - (is_length ? 2 : 0));
     for (char& letter : words) {
       if (letter == '_') letter = ' ';
     }
     text += (text.empty() ? "" : ", ") + words + ' ' +
-            (value.is_string() ? value.get<std::string>() : value.dump());
+            (value.is_string()                ? value.get<std::string>()
+             : value.is_boolean()             ? (value.get<bool>() ? "yes" : "no")
+             : is_length && value.is_number() ? reading_quantity(value.get<double>(), "m")
+                                              : value.dump());
   }
   return text;
 }

@@ -134,30 +134,45 @@ std::size_t sum_of(const ReasonCounts& reasons) {
   return sum;
 }
 
-/// ", none of which was completed"; of one session ", which was not completed".
-std::string completed_text(std::size_t completed, std::size_t sessions) {
-  if (sessions == 1) return completed == 1 ? ", which was completed" : ", which was not completed";
-  if (completed == sessions) return ", all of which were completed";
-  if (completed == 0) return ", none of which was completed";
+/// ", none of which was completed"; of one session ", which was not completed"; and what still runs.
+std::string completed_text(std::size_t completed, std::size_t running, std::size_t sessions) {
+  if (sessions == 1) {
+    return completed == 1 ? ", which was completed"
+           : running == 1 ? ", which is running"
+                          : ", which was not completed";
+  }
+  if (completed == sessions) {
+    return sessions == 2 ? ", both of which were completed" : ", all of which were completed";
+  }
+  const std::string still = running == 0 ? ""
+                                         : ", and " + count_in_words(running) + " of which " +
+                                               (running == 1 ? "is" : "are") + " running";
+  if (completed == 0) {
+    return (sessions == 2 ? ", neither of which was completed" : ", none of which was completed") +
+           still;
+  }
   return ", " + count_in_words(completed) + " of which " +
-         (completed == 1 ? "was completed" : "were completed");
+         (completed == 1 ? "was completed" : "were completed") + still;
 }
 
 ReportText sessions_text(const ReportFacts& facts) {
   const auto completed = static_cast<std::size_t>(std::count_if(
       facts.sessions.begin(), facts.sessions.end(),
       [](const ReportedSession& each) { return each.row.state == SessionState::completed; }));
+  const auto running = static_cast<std::size_t>(
+      std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                    [](const ReportedSession& each) { return each.is_running; }));
   return {capitalised(participants_text(facts.group, facts.participants.size())) + " began " +
           count_in_words(facts.sessions.size()) +
           (facts.sessions.size() == 1 ? " session" : " sessions") +
-          completed_text(completed, facts.sessions.size()) + '.'};
+          completed_text(completed, running, facts.sessions.size()) + '.'};
 }
 
 /// ", of which 2 count"; of one attempt ", which counts".
 std::string counted_text(std::size_t counted, std::size_t attempts) {
   if (attempts == 1) return counted == 1 ? ", which counts" : ", which does not count";
-  if (counted == attempts) return ", all of which count";
-  if (counted == 0) return ", none of which counts";
+  if (counted == attempts) return attempts == 2 ? ", both of which count" : ", all of which count";
+  if (counted == 0) return attempts == 2 ? ", neither of which counts" : ", none of which counts";
   return ", of which " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 

@@ -76,7 +76,8 @@ std::string in_contact_text(const ReportedServo& servo) {
   if (servo.missed_in_contact.of < servo.attempts) {
     return " (how many in contact is not recorded for every attempt)";
   }
-  return " (" + count_in_words(unsigned_count(servo.missed_in_contact.total)) + " in contact)";
+  const std::uint64_t missed = unsigned_count(servo.missed_in_contact.total);
+  return " (" + (missed == 0 ? "none" : count_in_words(missed)) + " in contact)";
 }
 
 /// "12 ticks of one attempt"

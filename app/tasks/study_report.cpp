@@ -188,12 +188,14 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   Report report{};
   report.title = study.name();
   report.program = version_line();
-  const std::vector<ReportFacts> all =
-      report_facts(study, protocol, stop, [&progress](double fraction) {
-        if (progress) progress(kFactsShare * fraction);
-      });
-  if (stop.stop_requested()) return report;
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, protocol, stop);
+  std::vector<ReportFacts> all{};
+  std::vector<AnalysisOutcome> outcomes{};
+  study.read_at_one_moment([&] {
+    all = report_facts(study, protocol, stop, [&progress](double fraction) {
+      if (progress) progress(kFactsShare * fraction);
+    });
+    if (!stop.stop_requested()) outcomes = analyze_study(study, protocol, stop);
+  });
   if (stop.stop_requested()) return report;
   report.subtitle = dates_text(all);
   report.chapters.push_back(overview_chapter(all));

@@ -205,7 +205,7 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
-              HasSubstr("2 attempts at trials of the main phase are stored, all of which count."));
+              HasSubstr("2 attempts at trials of the main phase are stored, both of which count."));
   EXPECT_THAT(words, HasSubstr("One attempt belongs to anchors and is in no result."));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
               HasSubstr("A session is planned with 2 experimental trials, and with 3 in total "
@@ -527,9 +527,9 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
   const std::string words = conditions();
   EXPECT_THAT(words,
               HasSubstr("Device: falcon Novint Falcon (in 1 of 2 sessions); mouse pointer of "
-                        "a window (in 1 of 2 sessions). The device has no motors: forces were "
-                        "computed but not exerted in 1 of 2 sessions, and nobody felt the "
-                        "surfaces."));
+                        "a window (in 1 of 2 sessions). A device without motors was used in 1 of "
+                        "2 sessions: forces were computed but not exerted, and nobody felt the "
+                        "surfaces there."));
   EXPECT_THAT(
       words_of(section(chapter(), "Exploration")),
       HasSubstr("The normal force is the one sent to a device without motors, zero, in 1 of "
@@ -612,6 +612,11 @@ TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
   EXPECT_THAT(words_of(section(chapter(), "Exploration")),
               HasSubstr("normal force | 0.5 N to 2 N | 2 | 1 N | "))
       << "a surface without contact has no force";
+  explored_ = {measured("normal_force_N", 0.0, 0.0)};
+  add_session(kFalcon, {began()});
+  EXPECT_THAT(words_of(section(chapter(), "Exploration")),
+              HasSubstr("normal force | 0.5 N to 2 N | 3 | "))
+      << "a device without motors renders zero in contact";
 }
 
 TEST_F(Conditions, NameTheFactorsThatAreDrawn) {
@@ -631,7 +636,7 @@ TEST_F(Conditions, CountSessionsThatWereNotCompleted) {
               HasSubstr("One participant began one session, which was not completed."));
   add_session(kFalcon, {began()});
   EXPECT_THAT(words_of(section(chapter(), "Sessions and exclusions")),
-              HasSubstr("Two participants began two sessions, none of which was completed."));
+              HasSubstr("Two participants began two sessions, neither of which was completed."));
 }
 
 /// A study that `simulate` has made: two virtual participants, three trials each.

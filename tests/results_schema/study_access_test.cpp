@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -302,6 +303,28 @@ void run_sql(const std::filesystem::path& file, const std::string& sql) {
   EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
       << sqlite3_errmsg(handle);
   sqlite3_close(handle);
+}
+
+TEST(StudyReading, SeesOneMomentWhateverAWriterAddsMeanwhile) {
+  for (const bool is_open_already : {false, true}) {
+    const TemporaryFolder folder;
+    make_closed_study(folder / "s");
+    std::optional<Study> writer{};
+    if (is_open_already) writer.emplace(Study::open(folder / "s", Access::read_write));
+    const Study reader = Study::open(folder / "s", Access::read_only);
+    std::size_t before = 0;
+    std::size_t after = 0;
+    reader.read_at_one_moment([&] {
+      before = reader.participants().size();
+      if (!writer) writer.emplace(Study::open(folder / "s", Access::read_write));
+      if (writer->participants().size() == 1) {
+        writer->add_participant({.label = "late", .created_utc = "2026-01-01T00:00:00.000Z"});
+      }
+      after = reader.participants().size();
+    });
+    EXPECT_EQ(before, after) << is_open_already;
+    EXPECT_EQ(reader.participants().size(), 2U);
+  }
 }
 
 TEST(StudyOpening, RefusesWhatIsNoStudy) {
