@@ -1,7 +1,8 @@
-// Adaptive Gauss–Hermite quadrature with exact derivatives.
+// The likelihood by the trapezoidal rule, with exact derivatives.
 
 #include "analysis/mixed_logit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,11 +17,9 @@
 namespace asperity {
 namespace {
 
-constexpr int kNodes = 61;
 constexpr double kNoSpread = 1e-3;  // σ below it is 0
 constexpr double kLogOfNoSpread = -40.0;  // ln σ of no spread at all
-// One trial each says nothing of a spread: the likelihood is flat but for rounding.
-constexpr double kNotFlat = 1e-8;
+constexpr double kNotFlat = 1e-8;         // less is rounding
 
 double logistic(double x) {
   return x >= 0.0 ? 1.0 / (1.0 + std::exp(-x)) : std::exp(x) / (1.0 + std::exp(x));
@@ -50,40 +49,6 @@ Groups groups_of(std::span<const GroupedHits> participants) {
   return groups;
 }
 
-// Nodes x and weights w·e^{x²} of Gauss–Hermite quadrature: the eigenvalues of the recurrence's
-// matrix; the weight is √π times the square of the first component of the eigenvector, which at the
-// outer nodes is too small to be exact, so it comes from the orthonormal functions instead:
-// w·e^{x²} = 1/Σψ_k(x)², ψ_k the normalised Hermite functions.
-struct Hermite {
-  Eigen::ArrayXd nodes{};
-  Eigen::ArrayXd log_weights{};  // of w·e^{x²}
-};
-
-Hermite hermite() {
-  Eigen::VectorXd off_diagonal(kNodes - 1);
-  for (int k = 1; k < kNodes; ++k) {
-    off_diagonal(k - 1) = std::sqrt(0.5 * k);
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(Eigen::VectorXd::Zero(kNodes), off_diagonal,
-                                Eigen::EigenvaluesOnly);
-  Hermite rule{.nodes = solver.eigenvalues().array(), .log_weights = Eigen::ArrayXd(kNodes)};
-  for (int i = 0; i < kNodes; ++i) {
-    const double x = rule.nodes(i);
-    double before = 0.0;
-    double now = std::exp(-0.5 * x * x) / std::sqrt(std::sqrt(std::numbers::pi));
-    double sum = now * now;
-    for (int k = 1; k < kNodes; ++k) {
-      const double next = std::sqrt(2.0 / k) * x * now - std::sqrt((k - 1.0) / k) * before;
-      before = now;
-      now = next;
-      sum += now * now;
-    }
-    rule.log_weights(i) = -std::log(sum);
-  }
-  return rule;
-}
-
 // β₀, β₁, ln σ.
 using Parameters = Eigen::Vector3d;
 
@@ -91,12 +56,6 @@ struct Likelihood {
   double value = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-};
-
-// The mode of k·η − n·ln(1 + e^η) − u²/2 with η = level + σ·u, and its curvature.
-struct Mode {
-  double u = 0.0;
-  double scale = 1.0;
 };
 
 struct Person {
@@ -111,13 +70,13 @@ struct Person {
   }
 };
 
-Mode mode_of(const Person& person) {
+// Of ln f = k·η − n·ln(1 + e^η) − u²/2 with η = level + σ·u.
+double mode_of(const Person& person) {
   double u = 0.0;
-  double curvature = 1.0;
   for (int step = 0; step < 100; ++step) {
     const double p = logistic(person.level + person.sigma * u);
     const double slope = person.sigma * (person.hits - person.trials * p) - u;
-    curvature = person.sigma * person.sigma * person.trials * p * (1.0 - p) + 1.0;
+    const double curvature = person.sigma * person.sigma * person.trials * p * (1.0 - p) + 1.0;
     double move = slope / curvature;
     // Concave, but far away Newton's step can overshoot.
     while (person.log_density(u + move) < person.log_density(u) && std::abs(move) > 1e-12) {
@@ -128,47 +87,67 @@ Mode mode_of(const Person& person) {
       break;
     }
   }
-  return {.u = u, .scale = 1.0 / std::sqrt(curvature)};
+  return u;
 }
 
-Likelihood likelihood_of(std::span<const GroupedHits> participants, const Parameters& at,
-                         const Hermite& rule) {
+// The distance of the nodes of the trapezoidal rule. For an integrand f that is analytic where
+// |Im u| < d its error is about e^{−2πd/h}·∫|f(x ± id)|dx. f has poles at Im(σu) = ±π. At
+// Im(σu) = θ its first factor is at most cos(θ/2)^{−n} times as large as on the real axis: near the
+// poles for few trials n, and at θ = O(1/√n) for many, h leaves an error near 10⁻¹³, whatever σ.
+double step_of(const Person& person) {
+  return std::min({0.4, 0.3 / person.sigma, 1.2 / (person.sigma * std::sqrt(person.trials))});
+}
+
+// One participant's integral and its derivatives: ∇ ln∫f = E[s], ∇² ln∫f = E[h] + E[ss'] − E[s]E[s]'
+// with s and h the derivatives of ln f.
+Likelihood likelihood_of_person(const Person& person, double second_group) {
+  constexpr double kNegligible = -40.0;  // of a term's logarithm below the largest
+  const double middle = mode_of(person);
+  const double largest = person.log_density(middle);
+  const double step = step_of(person);
+  double sum = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  const auto add = [&](double u) {  // whether the term counts
+    const double log_weight = person.log_density(u) - largest;
+    if (log_weight < kNegligible) return false;
+    const double weight = std::exp(log_weight);
+    const double p = logistic(person.level + person.sigma * u);
+    const double residual = person.hits - person.trials * p;
+    const Eigen::Vector3d direction(1.0, second_group, person.sigma * u);  // dη
+    const Eigen::Vector3d score = residual * direction;
+    Eigen::Matrix3d h = -person.trials * p * (1.0 - p) * direction * direction.transpose();
+    h(2, 2) += residual * person.sigma * u;  // d²η/d(ln σ)²
+    sum += weight;
+    mean += weight * score;
+    second += weight * (h + score * score.transpose());
+    return true;
+  };
+  // ln f is concave: beyond the first negligible term all are.
+  for (int i = 0; add(middle + i * step); ++i) {
+  }
+  for (int i = 1; add(middle - i * step); ++i) {
+  }
+  mean /= sum;
+  second /= sum;
+  return {.value = largest + std::log(sum * step) - 0.5 * std::log(2.0 * std::numbers::pi) +
+                   log_choose(person.trials, person.hits),
+          .gradient = mean,
+          .hessian = second - mean * mean.transpose()};
+}
+
+Likelihood likelihood_of(std::span<const GroupedHits> participants, const Parameters& at) {
   Likelihood answer;
-  const double sigma = std::exp(at(2));
   for (const GroupedHits& one : participants) {
     const double group = one.second_group ? 1.0 : 0.0;
-    const Person person{.hits = static_cast<double>(one.count.hits),
-                        .trials = static_cast<double>(one.count.trials),
-                        .level = at(0) + at(1) * group,
-                        .sigma = sigma};
-    const Mode mode = mode_of(person);
-    Eigen::ArrayXd u = mode.u + std::numbers::sqrt2 * mode.scale * rule.nodes;
-    Eigen::ArrayXd terms(kNodes);
-    for (int i = 0; i < kNodes; ++i) {
-      terms(i) = person.log_density(u(i)) + rule.log_weights(i);
-    }
-    const double greatest = terms.maxCoeff();
-    const Eigen::ArrayXd weights = (terms - greatest).exp();
-    const double sum = weights.sum();
-    answer.value +=
-        greatest + std::log(sum) + std::log(std::numbers::sqrt2 * mode.scale) -
-        0.5 * std::log(2.0 * std::numbers::pi) +
-        log_choose(static_cast<double>(one.count.trials), static_cast<double>(one.count.hits));
-    // ∇ ln∫f = E[s], ∇² ln∫f = E[h] + E[ss'] − E[s]E[s]', s and h the derivatives of ln f.
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < kNodes; ++i) {
-      const double p = logistic(person.level + sigma * u(i));
-      const double residual = person.hits - person.trials * p;
-      const Eigen::Vector3d direction(1.0, group, sigma * u(i));  // dη
-      const Eigen::Vector3d score = residual * direction;
-      Eigen::Matrix3d h = -person.trials * p * (1.0 - p) * direction * direction.transpose();
-      h(2, 2) += residual * sigma * u(i);  // d²η/d(ln σ)²
-      mean += weights(i) / sum * score;
-      second += weights(i) / sum * (h + score * score.transpose());
-    }
-    answer.gradient += mean;
-    answer.hessian += second - mean * mean.transpose();
+    const Likelihood own = likelihood_of_person({.hits = static_cast<double>(one.count.hits),
+                                                 .trials = static_cast<double>(one.count.trials),
+                                                 .level = at(0) + at(1) * group,
+                                                 .sigma = std::exp(at(2))},
+                                                group);
+    answer.value += own.value;
+    answer.gradient += own.gradient;
+    answer.hessian += own.hessian;
   }
   return answer;
 }
@@ -180,8 +159,8 @@ struct Maximum {
 
 // Newton over the parameters named free, damped where the surface is not concave.
 Maximum maximise(std::span<const GroupedHits> participants, const Parameters& start,
-                 const std::vector<int>& free, const Hermite& rule) {
-  Maximum best{.at = start, .likelihood = likelihood_of(participants, start, rule)};
+                 const std::vector<int>& free) {
+  Maximum best{.at = start, .likelihood = likelihood_of(participants, start)};
   const auto size = static_cast<Eigen::Index>(free.size());
   constexpr int kMostSteps = 200;
   for (int iteration = 0; iteration < kMostSteps; ++iteration) {
@@ -210,7 +189,7 @@ Maximum maximise(std::span<const GroupedHits> participants, const Parameters& st
       for (Eigen::Index i = 0; i < size; ++i) {
         next(free[static_cast<std::size_t>(i)]) += length * step(i);
       }
-      Likelihood there = likelihood_of(participants, next, rule);
+      Likelihood there = likelihood_of(participants, next);
       if (std::isfinite(there.value) &&
           there.value >= best.likelihood.value - 1e-13 * std::abs(best.likelihood.value)) {
         best = {.at = next, .likelihood = there};
@@ -227,12 +206,12 @@ Maximum maximise(std::span<const GroupedHits> participants, const Parameters& st
 
 // The likelihood may have two maxima in σ, one of them at 0.
 Maximum best_of_starts(std::span<const GroupedHits> participants, const LogitCoefficients& level,
-                       const std::vector<int>& free, const Hermite& rule) {
+                       const std::vector<int>& free) {
   Maximum best;
   best.likelihood.value = -std::numeric_limits<double>::infinity();
   for (const double sigma : {0.2, 0.7, 2.0}) {
     const Maximum found =
-        maximise(participants, {level.intercept, level.second_group, std::log(sigma)}, free, rule);
+        maximise(participants, {level.intercept, level.second_group, std::log(sigma)}, free);
     if (found.likelihood.value > best.likelihood.value) {
       best = found;
     }
@@ -260,11 +239,19 @@ std::optional<FixedLogit> fixed_logit(std::span<const GroupedHits> participants)
                         .second_group = std::sqrt(1.0 / w1 + 1.0 / w2)};
   double squares_1 = 0.0;
   double squares_2 = 0.0;
+  std::size_t in_second = 0;
   for (const GroupedHits& one : participants) {
     const double p = one.second_group ? p2 : p1;
     const double residual =
         static_cast<double>(one.count.hits) - static_cast<double>(one.count.trials) * p;
     (one.second_group ? squares_2 : squares_1) += residual * residual;
+    in_second += one.second_group ? 1 : 0;
+  }
+  if (in_second == 1) {
+    squares_2 = std::numeric_limits<double>::quiet_NaN();
+  }
+  if (participants.size() - in_second == 1) {
+    squares_1 = std::numeric_limits<double>::quiet_NaN();
   }
   fit.cluster_standard_error = {
       .intercept = std::sqrt(squares_1) / w1,
@@ -272,27 +259,40 @@ std::optional<FixedLogit> fixed_logit(std::span<const GroupedHits> participants)
   return fit;
 }
 
-std::optional<MixedLogit> mixed_logit(std::span<const GroupedHits> participants) {
+std::variant<MixedLogit, NoMixedLogit> mixed_logit(std::span<const GroupedHits> participants) {
   const std::optional<FixedLogit> fixed = fixed_logit(participants);
   if (!fixed) {
-    return std::nullopt;
+    return NoMixedLogit::separated;
   }
-  const Hermite rule = hermite();
-  const Maximum full = best_of_starts(participants, fixed->beta, {0, 1, 2}, rule);
+  const auto some = [&](const auto& holds) {
+    return std::any_of(participants.begin(), participants.end(),
+                       [&holds](const GroupedHits& one) { return holds(one.count); });
+  };
+  if (!some([](const HitCount& c) { return c.trials > 1; })) {
+    return NoMixedLogit::flat;
+  }
+  if (!some([](const HitCount& c) { return c.hits > 0 && c.hits < c.trials; })) {
+    return NoMixedLogit::unbounded_spread;
+  }
+  const Maximum full = best_of_starts(participants, fixed->beta, {0, 1, 2});
   const Likelihood without_spread = likelihood_of(
-      participants, {fixed->beta.intercept, fixed->beta.second_group, kLogOfNoSpread}, rule);
+      participants, {fixed->beta.intercept, fixed->beta.second_group, kLogOfNoSpread});
   if (full.at(2) < std::log(kNoSpread) || full.likelihood.value < without_spread.value + kNotFlat) {
-    return std::nullopt;
+    return NoMixedLogit::no_spread;
   }
+  const Eigen::LLT<Eigen::Matrix3d> information(-full.likelihood.hessian);
+  if (information.info() != Eigen::Success) {
+    return NoMixedLogit::flat;
+  }
+  const Eigen::Matrix3d covariance = information.solve(Eigen::Matrix3d::Identity());
   MixedLogit fit;
   fit.beta = {.intercept = full.at(0), .second_group = full.at(1)};
   fit.sigma = std::exp(full.at(2));
   fit.log_likelihood = full.likelihood.value;
-  const Eigen::Matrix3d covariance = (-full.likelihood.hessian).inverse();
   fit.standard_error = {.intercept = std::sqrt(covariance(0, 0)),
                         .second_group = std::sqrt(covariance(1, 1))};
   const Maximum alike = best_of_starts(
-      participants, {.intercept = fit.beta.intercept + 0.5 * fit.beta.second_group}, {0, 2}, rule);
+      participants, {.intercept = fit.beta.intercept + 0.5 * fit.beta.second_group}, {0, 2});
   fit.likelihood_ratio = 2.0 * (full.likelihood.value - alike.likelihood.value);
   fit.p = upper_tail(ChiSquaredStatistic{.value = fit.likelihood_ratio, .df = 1.0});
   return fit;

@@ -204,6 +204,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"friedman.chisq", "Friedman’s test"},
       {"glm.status", "the logistic regression"},
       {"mallows.theta", "Mallows’ θ"},
+      {"mixed.status", "the logistic regression with random intercepts"},
       {"peak.status", "the peak of the curve"},
       {"pl.status", "the scale of preference (Plackett–Luce)"},
       {"pooled.deff", "the design effect of pooling"},

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -116,10 +120,15 @@ GroupedHits person(std::uint64_t hits, bool second) {
   return {.count = {.hits = hits, .trials = 8}, .second_group = second};
 }
 
+std::optional<NoMixedLogit> reason_of(const std::variant<MixedLogit, NoMixedLogit>& result) {
+  const auto* reason = std::get_if<NoMixedLogit>(&result);
+  return reason == nullptr ? std::nullopt : std::optional(*reason);
+}
+
 TEST(MixedLogit, HasNoSpreadWherePeopleAreAlike) {
   const std::array kAlike{person(4, false), person(4, false), person(4, false),
                           person(6, true),  person(6, true),  person(6, true)};
-  EXPECT_FALSE(mixed_logit(kAlike));
+  EXPECT_EQ(reason_of(mixed_logit(kAlike)), NoMixedLogit::no_spread);
   EXPECT_NEAR(fixed_logit(kAlike)->beta.second_group, std::log(3.0), 1e-14);
   EXPECT_NEAR(fixed_logit(kAlike)->cluster_standard_error.intercept, 0.0, 1e-14);
 }
@@ -127,17 +136,75 @@ TEST(MixedLogit, HasNoSpreadWherePeopleAreAlike) {
 TEST(MixedLogit, HasNoFiniteEffectWhereAGroupIsAllRight) {
   const std::array kRight{person(8, false), person(8, false), person(6, true), person(3, true)};
   EXPECT_FALSE(fixed_logit(kRight));
-  EXPECT_FALSE(mixed_logit(kRight));
+  EXPECT_EQ(reason_of(mixed_logit(kRight)), NoMixedLogit::separated);
 }
 
 // One trial each: any spread explains them as well as none.
-TEST(MixedLogit, SeesNoSpreadInOneTrialEach) {
+TEST(MixedLogit, IsFlatInOneTrialEach) {
   std::vector<GroupedHits> people;
   for (std::uint64_t i = 0; i < 12; ++i) {
     people.push_back(
         {.count = {.hits = i % 3 == 0 ? 0U : 1U, .trials = 1}, .second_group = i % 2 == 0});
   }
-  EXPECT_FALSE(mixed_logit(people));
+  EXPECT_EQ(reason_of(mixed_logit(people)), NoMixedLogit::flat);
+}
+
+std::vector<GroupedHits> of_three_trials(std::initializer_list<std::uint64_t> first,
+                                         std::initializer_list<std::uint64_t> second) {
+  std::vector<GroupedHits> people;
+  for (const std::uint64_t hits : first) people.push_back({{hits, 3}, false});
+  for (const std::uint64_t hits : second) people.push_back({{hits, 3}, true});
+  return people;
+}
+
+// All or nothing of every participant: the likelihood grows with the spread without end.
+TEST(MixedLogit, HasNoMaximumWhereNobodyHasHitsAndMisses) {
+  std::vector<GroupedHits> people =
+      of_three_trials({0, 3, 3, 3, 0, 3, 3, 0, 3, 3}, {0, 0, 3, 0, 0, 3, 0, 0, 0, 3, 0});
+  EXPECT_EQ(reason_of(mixed_logit(people)), NoMixedLogit::unbounded_spread);
+  // One participant with both is enough for a maximum, at a large spread. Simpson's rule over
+  // u = −9 … 9 at 40 000 points gives the same likelihood.
+  people.push_back({{1, 3}, true});
+  const auto result = mixed_logit(people);
+  ASSERT_TRUE(std::holds_alternative<MixedLogit>(result));
+  const MixedLogit& fit = std::get<MixedLogit>(result);
+  EXPECT_GT(fit.sigma, 5.0);
+  const auto log_likelihood = [&people](double intercept, double effect, double sigma) {
+    double sum = 0.0;
+    for (const GroupedHits& one : people) {
+      constexpr int kPoints = 40'000;
+      constexpr double kHalf = 9.0;
+      const double step = 2.0 * kHalf / kPoints;
+      double integral = 0.0;
+      for (int i = 0; i <= kPoints; ++i) {
+        const double u = -kHalf + i * step;
+        const double p =
+            1.0 / (1.0 + std::exp(-(intercept + (one.second_group ? effect : 0.0) + sigma * u)));
+        const auto hits = static_cast<double>(one.count.hits);
+        const double weight = i == 0 || i == kPoints ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+        integral += weight * std::pow(p, hits) * std::pow(1.0 - p, 3.0 - hits) *
+                    std::exp(-0.5 * u * u) / std::sqrt(2.0 * std::numbers::pi);
+      }
+      const double ways = one.count.hits % 3 == 0 ? 1.0 : 3.0;
+      sum += std::log(ways * integral * step / 3.0);
+    }
+    return sum;
+  };
+  const double at = log_likelihood(fit.beta.intercept, fit.beta.second_group, fit.sigma);
+  EXPECT_NEAR(fit.log_likelihood, at, 1e-9);
+  for (const double factor : {0.98, 1.02}) {
+    EXPECT_LT(log_likelihood(fit.beta.intercept * factor, fit.beta.second_group, fit.sigma), at);
+    EXPECT_LT(log_likelihood(fit.beta.intercept, fit.beta.second_group * factor, fit.sigma), at);
+    EXPECT_LT(log_likelihood(fit.beta.intercept, fit.beta.second_group, fit.sigma * factor), at);
+  }
+}
+
+TEST(FixedLogit, HasNoClusterErrorOfASingleParticipant) {
+  const std::array kOne{person(4, false), person(5, false), person(6, true)};
+  const auto fit = fixed_logit(kOne);
+  ASSERT_TRUE(fit);
+  EXPECT_GT(fit->cluster_standard_error.intercept, 0.0);
+  EXPECT_TRUE(std::isnan(fit->cluster_standard_error.second_group));
 }
 
 }  // namespace

@@ -308,6 +308,34 @@ TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
       "(absent)");
 }
 
+TEST(TidyRefusals, HaveNoClusterErrorOfAGroupWithOneParticipant) {
+  std::map<std::string, std::string> words{};
+  for (const Finding& finding :
+       findings_of("group", "subject,group,correct,trials\nA,a,1,3\nB,a,3,3\nC,b,2,3\n", kGroups)) {
+    if (finding.quantity == "glm.se.cluster") words[finding.key] = finding.word;
+  }
+  EXPECT_EQ(words.at("intercept"), "") << "of the first group, which has two";
+  EXPECT_EQ(words.at("b"), "NA");
+}
+
+TEST(TidyRefusals, HaveNoRandomInterceptsOfParticipantsWhoAreAllOrNothing) {
+  const std::string head = "subject,group,correct,trials\n";
+  const std::vector<Finding> findings = findings_of(
+      "group", head + "A,a,3,3\nB,a,0,3\nC,a,3,3\nD,b,0,3\nE,b,3,3\nF,b,0,3\n", kGroups);
+  EXPECT_EQ(word_of(findings, "mixed.status"), "no_maximum");
+  for (const Finding& finding : findings) {
+    const bool is_status =
+        finding.quantity == "mixed.status" || finding.quantity == "mixed.boundary";
+    EXPECT_TRUE(is_status || !finding.quantity.starts_with("mixed.")) << finding.quantity;
+  }
+  EXPECT_EQ(word_of(findings_of("group", head + "A,a,1,1\nB,a,0,1\nC,b,1,1\nD,b,0,1\n", kGroups),
+                    "mixed.status"),
+            "flat");
+  EXPECT_EQ(word_of(findings_of("group", head + "A,a,1,3\nB,a,3,3\nC,b,0,3\nD,b,2,3\n", kGroups),
+                    "mixed.status"),
+            "(absent)");
+}
+
 TEST(TidyRefusals, FindNoCurveWhereAllEstimatesAreTheSame) {
   std::string rows = "subject,probe,spacing,estimate\n";
   for (const char* person : {"A", "B", "C"}) {

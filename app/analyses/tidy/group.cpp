@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "analysis/mixed_logit.h"
@@ -53,6 +54,31 @@ Groups read_groups(const TidyInput& input) {
     (is_second ? groups.second : groups.first).push_back(proportion(count));
   }
   return groups;
+}
+
+struct StatusText {
+  const char* word = nullptr;
+  const char* sentence = nullptr;
+};
+
+/// Nothing where another finding states it: `mixed.boundary`, `glm.status`.
+StatusText status_text(NoMixedLogit reason) {
+  switch (reason) {
+    case NoMixedLogit::separated:
+    case NoMixedLogit::no_spread:
+      break;
+    case NoMixedLogit::unbounded_spread:
+      return {"no_maximum",
+              "no participant has both correct and incorrect responses: the likelihood grows with "
+              "the SD of the random intercepts without end, so that there is no estimate and no p; "
+              "compare the participants' proportions (welch.t, perm.p.two)"};
+    case NoMixedLogit::flat:
+      return {"flat",
+              "the likelihood does not determine the SD of the random intercepts, so that there is "
+              "no estimate and no p: present several trials to each participant, or compare the "
+              "participants' proportions (welch.t, perm.p.two)"};
+  }
+  return {};
 }
 
 class GroupComparison final {
@@ -158,20 +184,37 @@ class GroupComparison final {
     }
     coefficients("glm.beta", fixed->beta, "logistic regression, trials taken as independent");
     coefficients("glm.se", fixed->standard_error, "trials taken as independent");
-    coefficients("glm.se.cluster", fixed->cluster_standard_error,
-                 "with the participant as the unit (CR0)");
-    const std::optional<MixedLogit> mixed = mixed_logit(groups_.participants);
+    const auto clustered = [this](const std::string& key, double error) {
+      Basis own = basis("with the participant as the unit (CR0)");
+      own.undefined =
+          "a group has one participant: a standard error over participants needs two in each";
+      list_.number("glm.se.cluster", key, error, own);
+    };
+    clustered("intercept", fixed->cluster_standard_error.intercept);
+    clustered(groups_.names[1], fixed->cluster_standard_error.second_group);
+    random_intercepts(mixed_logit(groups_.participants));
+  }
+
+  void random_intercepts(const std::variant<MixedLogit, NoMixedLogit>& result) {
     const std::string method =
         "logistic regression with a random intercept per participant, maximum likelihood";
-    list_.truth("mixed.boundary", "", !mixed,
-                basis("whether the participants' spread is estimated as 0"));
-    if (!mixed) return;
-    coefficients("mixed.beta", mixed->beta, method);
-    coefficients("mixed.se", mixed->standard_error, "observed information");
-    number("mixed.sigma", mixed->sigma, "spread of the participants' logits");
-    number("mixed.loglik", mixed->log_likelihood, "binomial coefficients included");
-    number("mixed.lr.group", mixed->likelihood_ratio, "likelihood ratio against equal groups");
-    number("mixed.lr.group.p", mixed->p.value_or(kUndefined), "χ² with one degree of freedom");
+    const auto* none = std::get_if<NoMixedLogit>(&result);
+    list_.truth("mixed.boundary", "", none != nullptr && *none == NoMixedLogit::no_spread,
+                basis("whether the SD of the random intercepts is estimated as 0"));
+    if (none != nullptr) {
+      const StatusText text = status_text(*none);
+      if (text.sentence != nullptr) {
+        list_.word("mixed.status", "", text.word, text.sentence, basis(method));
+      }
+      return;
+    }
+    const MixedLogit& mixed = std::get<MixedLogit>(result);
+    coefficients("mixed.beta", mixed.beta, method);
+    coefficients("mixed.se", mixed.standard_error, "observed information");
+    number("mixed.sigma", mixed.sigma, "SD of the random intercepts");
+    number("mixed.loglik", mixed.log_likelihood, "binomial coefficients included");
+    number("mixed.lr.group", mixed.likelihood_ratio, "likelihood ratio against equal groups");
+    number("mixed.lr.group.p", mixed.p.value_or(kUndefined), "χ² with one degree of freedom");
   }
 
   const Groups& groups_;
