@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/psychometric_maximum.h"
+
 namespace asperity {
 namespace {
 

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/psychometric_bootstrap.h"
 #include "analysis/psychometric_fit.h"
+#include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 #include "app/analyses/tidy/finding_list.h"
 #include "app/analyses/tidy/tidy_families.h"

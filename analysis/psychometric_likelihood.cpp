@@ -1,0 +1,197 @@
+#include "analysis/psychometric_likelihood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Dense>
+
+#include "analysis/number_text.h"
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kGreatestGamma = 0.5;
+constexpr double kSlopeRange = 12.0;  // ln β may be this much below its bound
+constexpr double kSteepest = 0.99;    // F from 1 − this to this within the smallest gap
+constexpr double kLeastProbability = 1e-300;
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
+// A count of 0 has no term: 0·ln 0 would make the whole sum undefined.
+double log_probability_of(const PsychometricBlock& block, const PsychometricFunction& f,
+                          const StandardCurve& s) {
+  const double reach = 1.0 - f.gamma - f.lambda;
+  double sum = 0.0;
+  if (block.hits > 0) {
+    sum += static_cast<double>(block.hits) *
+           std::log(std::max(f.gamma + reach * s.F, kLeastProbability));
+  }
+  if (block.hits < block.trials) {
+    sum += static_cast<double>(block.trials - block.hits) *
+           std::log(std::max(f.lambda + reach * s.Q, kLeastProbability));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock> blocks,
+                                               const PsychometricModel& model) {
+  const auto refuse_rate = [](const std::optional<double>& rate, const char* name) {
+    if (rate && !(*rate >= 0.0 && *rate < 1.0)) {
+      throw std::invalid_argument(std::string(name) + " is " + number_text(*rate) +
+                                  "; a rate lies between 0 and 1");
+    }
+  };
+  refuse_rate(model.gamma, "gamma");
+  refuse_rate(model.lambda, "lambda");
+  refuse_rate(model.greatest_lambda, "greatest_lambda");
+  if (model.gamma.value_or(0.0) + model.lambda.value_or(0.0) >= 1.0) {
+    throw std::invalid_argument("gamma and lambda leave no room for the function");
+  }
+  std::vector<PsychometricBlock> kept;
+  for (const PsychometricBlock& block : blocks) {
+    if (block.hits > block.trials) {
+      throw std::invalid_argument("hits is " + std::to_string(block.hits) + " of " +
+                                  std::to_string(block.trials) + " trials; at most all can be");
+    }
+    if (!std::isfinite(block.x) || (is_weibull(model.shape) && block.x < 0.0)) {
+      throw std::invalid_argument("x is " + number_text(block.x) +
+                                  "; a level is a finite number, for a weibull from 0 up");
+    }
+    if (block.trials > 0) {
+      kept.push_back(block);
+    }
+  }
+  return kept;
+}
+
+std::vector<double> distinct_levels(std::span<const PsychometricBlock> blocks,
+                                    PsychometricShape shape) {
+  std::vector<double> levels;
+  for (const PsychometricBlock& block : blocks) {
+    if (!is_weibull(shape)) {
+      levels.push_back(block.x);
+    } else if (block.x > 0.0) {
+      levels.push_back(std::log(block.x));
+    }
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+std::vector<Eigen::Index> places_of(const FreeParameters& free) {
+  std::vector<Eigen::Index> places;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (free[i]) {
+      places.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  return places;
+}
+
+PsychometricLikelihood::PsychometricLikelihood(std::span<const PsychometricBlock> blocks,
+                                               const PsychometricModel& model)
+    : model_(model), blocks_(answered_blocks(blocks, model)) {
+  levels_ = distinct_levels(blocks_, model.shape);
+  if (levels_.size() < 2) {
+    throw std::invalid_argument("blocks: a slope needs at least two levels with trials");
+  }
+  double gap = kNoBound;
+  for (std::size_t i = 1; i < levels_.size(); ++i) {
+    gap = std::min(gap, levels_[i] - levels_[i - 1]);
+  }
+  const double rise =
+      standard_quantile(model.shape, kSteepest) - standard_quantile(model.shape, 1.0 - kSteepest);
+  const double steepest = std::log(rise / gap);
+  bounds_.low << (is_weibull(model.shape) ? std::numeric_limits<double>::min() : -kNoBound),
+      steepest - kSlopeRange, model.gamma.value_or(0.0), model.lambda.value_or(0.0);
+  bounds_.high << kNoBound, steepest, model.gamma.value_or(kGreatestGamma),
+      model.lambda.value_or(model.greatest_lambda);
+  free_ = {true, true, !model.gamma, !model.lambda};
+  for (const PsychometricBlock& block : blocks_) {
+    const auto n = static_cast<double>(block.trials);
+    const auto k = static_cast<double>(block.hits);
+    constant_ += log_choose(n, k);
+  }
+}
+
+PsychometricFunction PsychometricLikelihood::function(const CurveParameters& at) const {
+  return {.shape = model_.shape,
+          .alpha = at(0),
+          .beta = std::exp(at(1)),
+          .gamma = at(2),
+          .lambda = at(3)};
+}
+
+double PsychometricLikelihood::value(const CurveParameters& at) const {
+  const PsychometricFunction f = function(at);
+  double sum = constant_;
+  for (const PsychometricBlock& block : blocks_) {
+    const StandardCurve s = standard_curve(model_.shape, standard_argument(f, block.x));
+    sum += log_probability_of(block, f, s);
+  }
+  return sum;
+}
+
+CurveLikelihood PsychometricLikelihood::likelihood(const CurveParameters& at) const {
+  const PsychometricFunction f = function(at);
+  CurveLikelihood answer{.value = constant_};
+  for (const PsychometricBlock& block : blocks_) {
+    const double t = standard_argument(f, block.x);
+    const StandardCurve s = standard_curve(model_.shape, t);
+    answer.value += log_probability_of(block, f, s);
+    add_derivatives(block, f, std::isfinite(t) ? t : 0.0, s, answer);
+  }
+  return answer;
+}
+
+double PsychometricLikelihood::saturated() const {
+  double sum = constant_;
+  for (const PsychometricBlock& block : blocks_) {
+    const auto n = static_cast<double>(block.trials);
+    const auto k = static_cast<double>(block.hits);
+    sum += k > 0.0 ? k * std::log(k / n) : 0.0;
+    sum += k < n ? (n - k) * std::log((n - k) / n) : 0.0;
+  }
+  return sum;
+}
+
+void PsychometricLikelihood::add_derivatives(const PsychometricBlock& block,
+                                             const PsychometricFunction& f, double t,
+                                             const StandardCurve& s,
+                                             CurveLikelihood& answer) const {
+  const bool weibull = is_weibull(model_.shape);
+  const double t_alpha = weibull ? -f.beta / f.alpha : -f.beta;
+  const double t_alpha_alpha = weibull ? f.beta / (f.alpha * f.alpha) : 0.0;
+  const double reach = 1.0 - f.gamma - f.lambda;
+  CurveParameters first;
+  first << reach * s.d1 * t_alpha, reach * s.d1 * t, s.Q, -s.F;
+  Eigen::Matrix4d second = Eigen::Matrix4d::Zero();
+  second(0, 0) = reach * (s.d2 * t_alpha * t_alpha + s.d1 * t_alpha_alpha);
+  second(0, 1) = reach * (s.d2 * t_alpha * t + s.d1 * t_alpha);
+  second(1, 1) = reach * (s.d2 * t * t + s.d1 * t);
+  for (const Eigen::Index rate : {2, 3}) {
+    second(0, rate) = -s.d1 * t_alpha;
+    second(1, rate) = -s.d1 * t;
+  }
+  second = second.selfadjointView<Eigen::Upper>();
+  const auto add = [&](double count, double probability, double sign) {
+    const double p = std::max(probability, kLeastProbability);
+    answer.gradient += count * sign / p * first;
+    const CurveParameters relative = first / p;
+    answer.hessian += count * (sign / p * second - relative * relative.transpose());
+  };
+  if (block.hits > 0) {
+    add(static_cast<double>(block.hits), f.gamma + reach * s.F, 1.0);
+  }
+  if (block.hits < block.trials) {
+    add(static_cast<double>(block.trials - block.hits), f.lambda + reach * s.Q, -1.0);
+  }
+}
+
+}  // namespace asperity
