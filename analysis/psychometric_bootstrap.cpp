@@ -29,6 +29,9 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
       continue;
     }
     const PsychometricMaximum maximum = maximise_psychometric(resampled, question.model);
+    if (!maximum.increases) {
+      continue;
+    }
     answer.slopes_at_bound += maximum.beta_at_bound ? 1 : 0;
     const double threshold = maximum.function.inverse(question.performance);
     if (std::isfinite(threshold)) {

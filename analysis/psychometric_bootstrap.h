@@ -13,7 +13,7 @@
 namespace asperity {
 
 /// Thresholds of resampled hits. `resamples`: rows with the hits of each block in their order. A
-/// resample that `judge` does not find ok has none.
+/// resample that `judge` does not find ok, or that is not increasing, has none.
 struct ThresholdBootstrap {
   std::vector<std::optional<double>> thresholds{};
   std::size_t valid = 0;

@@ -154,14 +154,17 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
           .bracket = ConfidenceInterval{.low = *last_wrong, .high = *first_right}};
 }
 
-PsychometricFit fit_psychometric(std::span<const PsychometricBlock> blocks,
-                                 const PsychometricQuestion& question) {
+std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBlock> blocks,
+                                                const PsychometricQuestion& question) {
   if (judge(blocks, question.model).status != PsychometricStatus::ok) {
     throw std::invalid_argument("blocks: these data have no likeliest function; ask judge first");
   }
   const double z = normal_limit(question.confidence);  // refuses improbable confidence
   const PsychometricLikelihood data(blocks, question.model);
   const CurveSolution solution = greatest_likelihood(data);
+  if (!is_increasing(data, solution.maximum)) {
+    return std::nullopt;
+  }
   PsychometricFit fit;
   fit.function = data.function(solution.maximum.at);
   fit.log_likelihood = solution.maximum.value;

@@ -10,15 +10,16 @@
 
 namespace asperity {
 
-/// Why data have a fit or none, in this order.
+/// Why data have a fit or not, in this order.
 enum class PsychometricStatus {
   ok,
   no_data,
   all_correct,
   all_wrong,
-  one_level,       ///< of a weibull, above 0
-  separated,       ///< γ = λ = 0, and all wrong below, all right above: the slope has no maximum
-  quasi_separated  ///< the same but for one level with both
+  one_level,        ///< of a weibull, above 0
+  separated,        ///< γ = λ = 0, and all wrong below, all right above: the slope has no maximum
+  quasi_separated,  ///< the same but for one level with both
+  not_increasing    ///< no increasing function is likelier than a constant one; see below
 };
 
 struct PsychometricJudgement {
@@ -66,8 +67,9 @@ struct PsychometricQuestion {
   double confidence = 0.95;
 };
 
-/// Throws std::invalid_argument where `judge` does not say ok.
-PsychometricFit fit_psychometric(std::span<const PsychometricBlock> blocks,
-                                 const PsychometricQuestion& question);
+/// Nothing where no function is likeliest because the data do not rise with the level
+/// (`not_increasing`); `judge` cannot know that. Throws std::invalid_argument where `judge` is not ok.
+std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBlock> blocks,
+                                                const PsychometricQuestion& question);
 
 }  // namespace asperity

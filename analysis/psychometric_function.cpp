@@ -53,8 +53,8 @@ StandardCurve standard_curve(PsychometricShape shape, double t) {
 
 double standard_quantile(PsychometricShape shape, double F) {
   if (!(F > 0.0 && F < 1.0)) {
-    return F == 0.0 ? -kInfinite
-                    : (F == 1.0 ? kInfinite : std::numeric_limits<double>::quiet_NaN());
+    using Limits = std::numeric_limits<double>;
+    return F == 0.0 ? -Limits::infinity() : (F == 1.0 ? Limits::infinity() : Limits::quiet_NaN());
   }
   switch (shape) {
     case PsychometricShape::logistic:

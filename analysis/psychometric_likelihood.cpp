@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "analysis/number_text.h"
+#include "analysis/proportion.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
@@ -34,6 +35,18 @@ double log_probability_of(const PsychometricBlock& block, const PsychometricFunc
            std::log(std::max(f.lambda + reach * s.Q, kLeastProbability));
   }
   return sum;
+}
+
+// k·ln p + (n − k)·ln(1 − p) at the p in [low, high] where it is greatest.
+double log_probability_within(const HitCount& count, double low, double high) {
+  if (count.trials == 0) {
+    return 0.0;
+  }
+  const auto k = static_cast<double>(count.hits);
+  const auto n = static_cast<double>(count.trials);
+  const double p = std::clamp(k / n, low, high);
+  return (k > 0.0 ? k * std::log(std::max(p, kLeastProbability)) : 0.0) +
+         (k < n ? (n - k) * std::log(std::max(1.0 - p, kLeastProbability)) : 0.0);
 }
 
 }  // namespace
@@ -159,6 +172,23 @@ double PsychometricLikelihood::saturated() const {
     sum += k < n ? (n - k) * std::log((n - k) / n) : 0.0;
   }
   return sum;
+}
+
+double PsychometricLikelihood::constant(const CurveRange& F) const {
+  HitCount at_zero;
+  HitCount above;
+  for (const PsychometricBlock& block : blocks_) {
+    HitCount& count = is_weibull(model_.shape) && block.x == 0.0 ? at_zero : above;
+    count.hits += block.hits;
+    count.trials += block.trials;
+  }
+  const double least_gamma = bounds_.low(2);
+  const double greatest_gamma = bounds_.high(2);
+  // ψ = γ + (1 − γ − λ)·F grows with γ and falls with λ.
+  const double low = least_gamma + (1.0 - least_gamma - bounds_.high(3)) * F.low;
+  const double high = greatest_gamma + (1.0 - greatest_gamma - bounds_.low(3)) * F.high;
+  return constant_ + log_probability_within(at_zero, least_gamma, greatest_gamma) +
+         log_probability_within(above, low, high);
 }
 
 void PsychometricLikelihood::add_derivatives(const PsychometricBlock& block,

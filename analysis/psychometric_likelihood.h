@@ -50,6 +50,12 @@ struct CurveBounds {
   CurveParameters high = CurveParameters::Zero();
 };
 
+/// Values of F.
+struct CurveRange {
+  double low = 0.0;
+  double high = 1.0;
+};
+
 struct CurveLikelihood {
   double value = 0.0;
   CurveParameters gradient = CurveParameters::Zero();
@@ -77,6 +83,9 @@ class PsychometricLikelihood final {
   CurveLikelihood likelihood(const CurveParameters& at) const;
   /// With a probability of its own for each block: no model does better.
   double saturated() const;
+  /// The greatest of a function that is constant over the levels, which β → 0 approaches: with
+  /// values between those of F = `F.low` and `F.high`. At x = 0 a weibull stays γ.
+  double constant(const CurveRange& F = {}) const;
 
  private:
   void add_derivatives(const PsychometricBlock& block, const PsychometricFunction& f, double t,

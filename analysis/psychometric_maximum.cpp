@@ -222,12 +222,18 @@ CurveSolution greatest_likelihood(const PsychometricLikelihood& data) {
   return answer;
 }
 
+bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maximum) {
+  constexpr double kNotLikelier = 1e-6;  // by less the slope cannot be told from none
+  return maximum.value > data.constant() + kNotLikelier;
+}
+
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,
                                           const PsychometricModel& model) {
   const PsychometricLikelihood data(blocks, model);
   const CurveSolution solution = greatest_likelihood(data);
   return {.function = data.function(solution.maximum.at),
-          .log_likelihood = solution.maximum.value,
+          .log_likelihood = std::max(solution.maximum.value, data.constant()),
+          .increases = is_increasing(data, solution.maximum),
           .beta_at_bound = solution.at_bound.beta};
 }
 

@@ -38,11 +38,16 @@ struct CurveSolution {
 /// parameter within reach of its bound is set on it where that is as likely.
 CurveSolution greatest_likelihood(const PsychometricLikelihood& data);
 
+/// Whether an increasing function is likelier than every constant one. If not, there is no likeliest
+/// function: the likelihood grows towards that of a constant as β → 0 and α → ±∞.
+bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maximum);
+
 /// As far as resampling needs it: the function alone, whatever `judge` says as long as the slope has
 /// a bound (at least two levels).
 struct PsychometricMaximum {
   PsychometricFunction function{};
-  double log_likelihood = 0.0;
+  double log_likelihood = 0.0;  ///< its supremum where the function is not increasing
+  bool increases = true;  ///< `is_increasing`; otherwise the function is where the search ended
   bool beta_at_bound = false;
 };
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,

@@ -81,13 +81,45 @@ TEST(PsychometricJudgement, HasAWordForDataWithoutAFit) {
 // A step between guessing and knowing: as steep as the levels allow, and no standard errors.
 TEST(PsychometricFit, StopsAtTheSlopeThatTheLevelsCanTell) {
   const Blocks blocks{{1, 20, 10}, {2, 20, 10}, {3, 20, 20}, {4, 20, 20}};
-  const PsychometricFit fit =
-      fit_psychometric(blocks, {.model = {.gamma = 0.5}, .performance = 0.75});
-  EXPECT_TRUE(fit.beta_at_bound);
-  EXPECT_FALSE(fit.precision);
-  EXPECT_NEAR(fit.function.beta, 2.0 * std::log(99.0), 1e-9);  // 0.01 to 0.99 within 1
-  EXPECT_GT(fit.threshold, 2.0);
-  EXPECT_LT(fit.threshold, 3.0);
+  const auto fit = fit_psychometric(blocks, {.model = {.gamma = 0.5}, .performance = 0.75});
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(fit->beta_at_bound);
+  EXPECT_FALSE(fit->precision);
+  EXPECT_NEAR(fit->function.beta, 2.0 * std::log(99.0), 1e-9);  // 0.01 to 0.99 within 1
+  EXPECT_GT(fit->threshold, 2.0);
+  EXPECT_LT(fit->threshold, 3.0);
+}
+
+// With γ = λ = 0 the likelihood is concave in slope and intercept, and at a slope of 0 its
+// derivative is proportional to Σ x·(k − n·p̄): where that is not positive, no increasing function is
+// likelier than the constant p̄.
+TEST(PsychometricFit, DoesNotExistWhereHitsDoNotRise) {
+  const Blocks falling{{1, 20, 19}, {2, 20, 15}, {3, 20, 11}, {4, 20, 8}, {5, 20, 4}, {6, 20, 1}};
+  const Blocks flat{{1, 20, 10}, {2, 20, 10}, {3, 20, 10}};
+  const Blocks hump{{1, 20, 8}, {2, 20, 12}, {3, 20, 8}};
+  const Blocks last_up{{1, 20, 19}, {2, 20, 15}, {3, 20, 11}, {4, 20, 4}, {5, 20, 1}, {6, 20, 15}};
+  const Blocks barely{{1, 20, 10}, {2, 20, 10}, {3, 20, 11}};
+  for (const PsychometricShape shape : {PsychometricShape::logistic, PsychometricShape::normal,
+                                        PsychometricShape::gumbel, PsychometricShape::weibull}) {
+    const PsychometricQuestion question{.model = {.shape = shape}};
+    for (const Blocks& blocks : {falling, flat, last_up}) {
+      EXPECT_EQ(status_of(blocks, question.model), PsychometricStatus::ok);
+      EXPECT_FALSE(fit_psychometric(blocks, question));
+    }
+    // In ln x the lowest of the three levels is further from the middle one.
+    EXPECT_EQ(fit_psychometric(hump, question).has_value(), shape == PsychometricShape::weibull);
+    EXPECT_TRUE(fit_psychometric(barely, question));
+    EXPECT_FALSE(maximise_psychometric(falling, question.model).increases);
+    EXPECT_NEAR(maximise_psychometric(falling, question.model).log_likelihood,
+                maximise_psychometric(Blocks(falling.rbegin(), falling.rend()), question.model)
+                    .log_likelihood,
+                1e-9);
+  }
+  // A guessing rate: below chance there is nothing to fit, above it there is.
+  const PsychometricQuestion guessing{.model = {.gamma = 0.5}, .performance = 0.75};
+  EXPECT_FALSE(fit_psychometric(Blocks{{1, 20, 9}, {2, 20, 8}, {3, 20, 9}}, guessing));
+  EXPECT_FALSE(fit_psychometric(Blocks{{1, 20, 14}, {2, 20, 12}, {3, 20, 10}}, guessing));
+  EXPECT_TRUE(fit_psychometric(Blocks{{1, 20, 10}, {2, 20, 12}, {3, 20, 14}}, guessing));
 }
 
 TEST(PsychometricFit, RefusesImpossibleCounts) {

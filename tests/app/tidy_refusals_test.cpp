@@ -292,14 +292,21 @@ TEST(TidyRefusals, TakeTheFirstChoiceThatWasMadeForCochransTest) {
   EXPECT_EQ(counts.at("cochran.n.complete"), 2.0);
 }
 
-// A line that fits answers which rise nowhere tells of no threshold.
+TEST(TidyRefusals, HaveNoThresholdOfDataThatDoNotRise) {
+  for (const char* rows : {"c,1,10,9\nc,2,10,7\nc,3,10,5\n", "c,1,10,5\nc,2,10,5\nc,3,10,5\n"}) {
+    const std::vector<Finding> findings =
+        findings_of("psyfit", std::string("condition,x,n,k\n") + rows,
+                    R"({"shape": "logistic", "gamma": 0, "lambda": 0, "pt": 0.5})");
+    EXPECT_EQ(word_of(findings, "status"), "not_increasing");
+    EXPECT_EQ(findings.size(), 1U) << "no alpha, no standard error, no JND";
+  }
+}
+
+// A threshold outside the levels rests on the form of the function alone.
 TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
   const char* options = R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";
   const std::string head = "condition,x,n,k\n";
-  EXPECT_EQ(word_of(findings_of("psyfit", head + "c,1,10,9\nc,2,10,7\nc,3,10,5\n", options),
-                    "threshold.status"),
-            "outside_range");
-  EXPECT_EQ(word_of(findings_of("psyfit", head + "c,1,10,5\nc,2,10,5\nc,3,10,5\n", options),
+  EXPECT_EQ(word_of(findings_of("psyfit", head + "c,1,20,10\nc,2,20,11\nc,3,20,13\n", options),
                     "threshold.status"),
             "outside_range");
   EXPECT_EQ(

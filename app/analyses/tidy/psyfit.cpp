@@ -92,6 +92,11 @@ Word word_of(PsychometricStatus status) {
       return {"quasi_separated",
               "all but one level are all right or all wrong: present levels "
               "nearer to it"};
+    case PsychometricStatus::not_increasing:
+      return {"not_increasing",
+              "the proportion of hits does not rise with the level, so that no threshold exists: "
+              "check which responses count as hits and whether the levels increase with the "
+              "stimulus, or fit the levels with the opposite sign"};
   }
   return {};
 }
@@ -108,17 +113,22 @@ class PsychometricList final {
       n_ += static_cast<std::size_t>(block.trials);
     }
     const PsychometricJudgement judgement = judge(condition.blocks, question_.model);
-    const auto [word, sentence] = word_of(judgement.status);
+    std::optional<PsychometricFit> fit{};
+    PsychometricStatus status = judgement.status;
+    if (status == PsychometricStatus::ok) {
+      fit = fit_psychometric(condition.blocks, question_);
+      if (!fit) status = PsychometricStatus::not_increasing;
+    }
+    const auto [word, sentence] = word_of(status);
     list_.word("status", key_, word, sentence, basis("whether a function can be fitted"));
     if (judgement.bracket) {
       number("threshold.bracket.lower", judgement.bracket->low, "the threshold is above it");
       number("threshold.bracket.upper", judgement.bracket->high, "the threshold is below it");
     }
-    if (judgement.status != PsychometricStatus::ok) return std::nullopt;
-    const PsychometricFit fit = fit_psychometric(condition.blocks, question_);
-    parameters(fit);
-    threshold(fit);
-    say_where_outside(fit.threshold, condition.blocks);
+    if (!fit) return std::nullopt;
+    parameters(*fit);
+    threshold(*fit);
+    say_where_outside(fit->threshold, condition.blocks);
     return fit;
   }
 
@@ -232,9 +242,9 @@ class PsychometricList final {
     if (std::isnan(threshold) || (threshold >= lowest && threshold <= highest)) return;
     list_.word(
         "threshold.status", key_, "outside_range",
-        "the threshold is not among the tested levels, and rests on the form of the function "
-        "alone: present levels around it, and see whether more is more often right",
-        basis("whether the levels tell of the threshold"));
+        "the threshold is outside the tested levels and rests on the form of the function alone: "
+        "present levels around it",
+        basis("whether the tested levels include the threshold"));
   }
 
   PsychometricQuestion question_{};
