@@ -66,12 +66,19 @@ std::optional<PsychometricFit::Precision> precision_of(const PsychometricLikelih
   return answer;
 }
 
-// Where the profile of α has fallen by half the quantile of χ², on one side.
+// Where the profile of α has fallen by half the quantile of χ², on one side. Far beyond the levels
+// the best functions of α are constant: with F(α) or less above it, with more below.
 std::optional<double> profile_end(const PsychometricLikelihood& data, const CurveSolution& solution,
                                   double signed_error, double fall) {
   FreeParameters others = data.free();
   others[0] = false;
   const double alpha = solution.maximum.at(0);
+  const double at_alpha = standard_curve(data.model().shape, 0.0).F;
+  const double far_away = data.constant(signed_error < 0.0 ? CurveRange{.low = at_alpha}
+                                                           : CurveRange{.high = at_alpha});
+  if (solution.maximum.value - far_away < fall) {
+    return std::nullopt;
+  }
   const auto missing = [&](double at) {
     if (is_weibull(data.model().shape) && !(at > 0.0)) {
       return std::numeric_limits<double>::infinity();
@@ -80,8 +87,8 @@ std::optional<double> profile_end(const PsychometricLikelihood& data, const Curv
     start(0) = at;
     return solution.maximum.value - climb(data, start, others).value - fall;
   };
-  constexpr double kFurthest = 12.0;
-  for (double errors = 1.0; errors < kFurthest; errors += 0.5) {
+  constexpr double kFurthest = 1e6;
+  for (double errors = 1.0; errors < kFurthest; errors += std::max(0.5, 0.05 * errors)) {
     const double end = alpha + errors * signed_error;
     if (missing(end) >= 0.0) {
       // Bisection of the bracket by TOMS 748 needs finite ends.

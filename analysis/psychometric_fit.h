@@ -55,8 +55,10 @@ struct PsychometricFit {
     ConfidenceInterval threshold{};  ///< ± z standard errors
   };
   std::optional<Precision> precision{};
-  /// The α that the likelihood ratio does not reject, the other parameters fitted anew within their
-  /// bounds; an end is absent where it lies beyond 12 standard errors. Only with `precision`.
+  /// The α that the likelihood ratio does not reject, the other parameters fitted again within their
+  /// bounds. An end is absent where there is none: where one of the constant functions that the
+  /// likelihood approaches as α → ±∞ (0 for a weibull) and β → 0 is not rejected either. Only with
+  /// `precision`.
   std::optional<double> profile_low{};
   std::optional<double> profile_high{};
 };

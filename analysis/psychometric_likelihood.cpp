@@ -51,6 +51,10 @@ double log_probability_within(const HitCount& count, double low, double high) {
 
 }  // namespace
 
+bool is_impossible(const PsychometricBlock& block, const PsychometricModel& model) {
+  return is_weibull(model.shape) && block.x == 0.0 && block.hits > 0 && model.gamma == 0.0;
+}
+
 std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock> blocks,
                                                const PsychometricModel& model) {
   const auto refuse_rate = [](const std::optional<double>& rate, const char* name) {
@@ -74,6 +78,10 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
     if (!std::isfinite(block.x) || (is_weibull(model.shape) && block.x < 0.0)) {
       throw std::invalid_argument("x is " + number_text(block.x) +
                                   "; a level is a finite number, for a weibull from 0 up");
+    }
+    if (is_impossible(block, model)) {
+      throw std::invalid_argument("hits is " + std::to_string(block.hits) +
+                                  " at x = 0, where a weibull with gamma 0 has none");
     }
     if (block.trials > 0) {
       kept.push_back(block);

@@ -30,8 +30,12 @@ struct PsychometricModel {
   double greatest_lambda = 0.1;
 };
 
+/// Whether the count has the probability 0 whatever the function: hits at x = 0 of a weibull with
+/// γ = 0.
+bool is_impossible(const PsychometricBlock& block, const PsychometricModel& model);
+
 /// The blocks with trials. Throws std::invalid_argument for more hits than trials, levels that are not
-/// finite (or negative for a weibull), and rates outside [0, 1).
+/// finite (or negative for a weibull), impossible counts, and rates outside [0, 1).
 std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock> blocks,
                                                const PsychometricModel& model);
 

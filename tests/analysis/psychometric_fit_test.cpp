@@ -66,7 +66,7 @@ TEST(PsychometricJudgement, HasAWordForDataWithoutAFit) {
   EXPECT_EQ(status_of({{1, 4, 4}, {2, 4, 4}}), PsychometricStatus::all_correct);
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 0}, {3, 0, 0}}), PsychometricStatus::all_wrong);
   EXPECT_EQ(status_of({{1, 4, 1}, {1, 4, 3}, {2, 0, 0}}), PsychometricStatus::one_level);
-  EXPECT_EQ(status_of({{0, 4, 1}, {2, 4, 3}}, {.shape = PsychometricShape::weibull}),
+  EXPECT_EQ(status_of({{0, 4, 0}, {2, 4, 3}}, {.shape = PsychometricShape::weibull}),
             PsychometricStatus::one_level);
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::quasi_separated);
   EXPECT_EQ(status_of({{1, 4, 1}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::ok);
@@ -122,7 +122,37 @@ TEST(PsychometricFit, DoesNotExistWhereHitsDoNotRise) {
   EXPECT_TRUE(fit_psychometric(Blocks{{1, 20, 10}, {2, 20, 12}, {3, 20, 14}}, guessing));
 }
 
+// Constant functions near 41/80 are as likely with α = −∞ as nearly with ∞. Those near 18/100 have
+// α = ∞: no large α is rejected.
+TEST(PsychometricFit, HasAnOpenProfileWhereAConstantIsNotRejected) {
+  const PsychometricQuestion question{};
+  const auto barely =
+      fit_psychometric(Blocks{{1, 20, 10}, {2, 20, 10}, {3, 20, 10}, {6, 20, 11}}, question);
+  ASSERT_TRUE(barely && barely->precision);
+  EXPECT_FALSE(barely->profile_low);
+  EXPECT_FALSE(barely->profile_high);
+  const auto steep =
+      fit_psychometric(Blocks{{1, 20, 1}, {2, 20, 6}, {3, 20, 13}, {4, 20, 19}}, question);
+  ASSERT_TRUE(steep && steep->precision);
+  EXPECT_LT(*steep->profile_low, steep->function.alpha);
+  EXPECT_GT(*steep->profile_high, steep->function.alpha);
+  const auto low = fit_psychometric(
+      Blocks{{1, 20, 2}, {2, 20, 3}, {3, 20, 4}, {4, 20, 4}, {5, 20, 5}}, question);
+  ASSERT_TRUE(low && low->precision);
+  ASSERT_TRUE(low->profile_low);
+  EXPECT_FALSE(low->profile_high);
+  EXPECT_LT(*low->profile_low, low->function.alpha);
+}
+
 TEST(PsychometricFit, RefusesImpossibleCounts) {
+  const PsychometricModel without_guessing{.shape = PsychometricShape::weibull};
+  EXPECT_THROW(judge(Blocks{{0, 10, 1}, {1, 10, 2}, {2, 10, 5}}, without_guessing),
+               std::invalid_argument);
+  EXPECT_EQ(status_of({{0, 10, 0}, {1, 10, 2}, {2, 10, 5}}, without_guessing),
+            PsychometricStatus::ok);
+  EXPECT_EQ(status_of({{0, 10, 1}, {1, 10, 2}, {2, 10, 5}},
+                      {.shape = PsychometricShape::weibull, .gamma = std::nullopt}),
+            PsychometricStatus::ok);
   EXPECT_THROW(judge(Blocks{{1, 4, 5}}, {}), std::invalid_argument);
   EXPECT_THROW(judge(Blocks{{-1, 4, 2}}, {.shape = PsychometricShape::weibull}),
                std::invalid_argument);

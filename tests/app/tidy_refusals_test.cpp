@@ -51,6 +51,10 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
   EXPECT_THAT(
       family_refusal("magnitude", "subject,probe,spacing,estimate\nAnna,1,1,0\n", kMagnitude),
       HasSubstr("all estimates of Anna are 0"));
+  EXPECT_EQ(family_refusal("psyfit", "condition,x,n,k\nc,0,10,1\nc,1,10,2\nc,2,10,5\n",
+                           R"({"shape": "weibull", "gamma": 0, "lambda": 0, "pt": 0.5})"),
+            "t.csv:2:4: k is 1 at x 0, where a weibull with gamma 0 has no hits; set gamma to the "
+            "rate of hits without a stimulus, or to free, or correct the row");
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
               HasSubstr("t.csv:3:2: \"q\" is no level of s"));
   EXPECT_THAT(family_refusal("group", "subject,group,correct,trials\nA,a,5,4\n", kGroups),
@@ -124,6 +128,14 @@ TEST(TidyRefusals, SayWhichOptionIsWrong) {
   EXPECT_THAT(family_refusal("psyfit", "condition,x,n,k\nc,1,4,2\n",
                              R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
               HasSubstr("\"shape\" is \"cauchy\""));
+  for (const char* performance : {"0.5", "0.98", "1.5", "-1"}) {
+    EXPECT_EQ(family_refusal("psyfit", "condition,x,n,k\nc,1,4,2\nc,2,4,3\n",
+                             R"({"shape": "normal", "gamma": 0.5, "lambda": 0.02, "pt": )" +
+                                 std::string(performance) + '}'),
+              "the option \"pt\" is " + std::string(performance) +
+                  "; the performance at the threshold must lie between gamma and 1 - lambda, which "
+                  "are 0.5 and 0.98");
+  }
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,b,1\nB,a,2\nB,b,4\n",
                              R"({"within": {"s": ["a", "b"]}, "type": 1})"),
               HasSubstr("\"type\" is 1"));
@@ -300,6 +312,14 @@ TEST(TidyRefusals, HaveNoThresholdOfDataThatDoNotRise) {
     EXPECT_EQ(word_of(findings, "status"), "not_increasing");
     EXPECT_EQ(findings.size(), 1U) << "no alpha, no standard error, no JND";
   }
+}
+
+TEST(TidyRefusals, SayThatAnIntervalHasNoEnd) {
+  const std::vector<Finding> findings =
+      findings_of("psyfit", "condition,x,n,k\nc,1,20,10\nc,2,20,10\nc,3,20,12\n",
+                  R"({"shape": "logistic", "gamma": 0, "lambda": 0, "pt": 0.5})");
+  EXPECT_EQ(word_of(findings, "alpha.profile.lower"), "unbounded");
+  EXPECT_EQ(word_of(findings, "alpha.profile.upper"), "unbounded");
 }
 
 // A threshold outside the levels rests on the form of the function alone.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "analysis/psychometric_bootstrap.h"
 #include "analysis/psychometric_fit.h"
 #include "analysis/psychometric_maximum.h"
@@ -25,7 +26,7 @@ struct Condition {
   Blocks blocks{};
 };
 
-std::vector<Condition> read_conditions(const TidyTable& table) {
+std::vector<Condition> read_conditions(const TidyTable& table, const PsychometricModel& model) {
   const LabelColumn names = table.all_labels("condition");
   const std::vector<double> levels = table.all_numbers("x");
   const std::vector<std::uint64_t> trials = table.counts("n");
@@ -38,8 +39,14 @@ std::vector<Condition> read_conditions(const TidyTable& table) {
                    "k is " + std::to_string(hits[row]) + " of n " + std::to_string(trials[row]) +
                        "; at most all can be hits");
     }
-    conditions[names.codes[row]].blocks.push_back(
-        {.x = levels[row], .trials = trials[row], .hits = hits[row]});
+    const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
+    if (is_impossible(block, model)) {
+      table.refuse(row, "k",
+                   "k is " + std::to_string(block.hits) +
+                       " at x 0, where a weibull with gamma 0 has no hits; set gamma to the rate "
+                       "of hits without a stimulus, or to free, or correct the row");
+    }
+    conditions[names.codes[row]].blocks.push_back(block);
   }
   return conditions;
 }
@@ -60,13 +67,27 @@ std::optional<double> rate_of(const FamilyOptions& options, const std::string& n
   return options.number(name);
 }
 
+/// A rate that is fitted can be 0.
+void refuse_unreachable(double performance, const PsychometricModel& model) {
+  const double low = model.gamma.value_or(0.0);
+  const double high = 1.0 - model.lambda.value_or(0.0);
+  if (performance > low && performance < high) return;
+  throw std::runtime_error("the option \"pt\" is " + number_text(performance) +
+                           "; the performance at the threshold must lie between gamma and 1 - "
+                           "lambda, which are " +
+                           number_text(low) + " and " + number_text(high));
+}
+
 PsychometricQuestion question_of(const FamilyOptions& options) {
-  return {.model = {.shape = shape_of(options.text("shape")),
-                    .gamma = rate_of(options, "gamma"),
-                    .lambda = rate_of(options, "lambda"),
-                    .greatest_lambda = options.number_or("lambda_max", 0.1)},
-          .performance = options.number("pt"),
-          .confidence = options.confidence()};
+  const PsychometricQuestion question{
+      .model = {.shape = shape_of(options.text("shape")),
+                .gamma = rate_of(options, "gamma"),
+                .lambda = rate_of(options, "lambda"),
+                .greatest_lambda = options.number_or("lambda_max", 0.1)},
+      .performance = options.number("pt"),
+      .confidence = options.confidence()};
+  refuse_unreachable(question.performance, question.model);
+  return question;
 }
 
 struct Word {
@@ -200,6 +221,8 @@ class PsychometricList final {
       return;
     }
     Basis estimate = basis("x at the asked performance; delta interval");
+    estimate.undefined =
+        "the fitted function does not take the value pt: its gamma or lambda is too large";
     if (fit.precision) {
       estimate.interval = fit.precision->threshold;
       estimate.confidence = question_.confidence;
@@ -211,8 +234,8 @@ class PsychometricList final {
       number("threshold.se", fit.precision->threshold_se, "delta method");
       number("threshold.delta.lower", fit.precision->threshold.low, "delta interval");
       number("threshold.delta.upper", fit.precision->threshold.high, "delta interval");
-      number("alpha.profile.lower", fit.profile_low.value_or(kUndefined), "profile interval");
-      number("alpha.profile.upper", fit.profile_high.value_or(kUndefined), "profile interval");
+      profile_end("alpha.profile.lower", fit.profile_low, "smaller");
+      profile_end("alpha.profile.upper", fit.profile_high, "larger");
     } else {
       list_.word("se.alpha", key_, "undefined_singular_information",
                  "the likelihood is flat at its maximum: present other levels",
@@ -228,6 +251,18 @@ class PsychometricList final {
           .shape = shape, .alpha = fit.function.alpha, .beta = fit.function.beta};
       number("jnd", 0.5 * (plain.inverse(0.75) - plain.inverse(0.25)), "(x75 − x25)/2 of F");
     }
+  }
+
+  void profile_end(const char* quantity, const std::optional<double>& end, const char* side) {
+    if (end) {
+      number(quantity, *end, "profile interval");
+      return;
+    }
+    list_.word(quantity, key_, "unbounded",
+               std::string("the likelihood ratio rejects no ") + side +
+                   " alpha, however far: a function that is constant over the levels fits nearly "
+                   "as well; present more trials, or levels on both sides of the threshold",
+               basis("profile interval"));
   }
 
   /// A threshold that no level is beyond rests on the form of the function alone.
@@ -267,8 +302,8 @@ std::vector<std::vector<std::uint64_t>> read_resampled_hits(const TidyTable& tab
 }  // namespace
 
 std::vector<Finding> psyfit_findings(const TidyInput& input) {
-  const std::vector<Condition> conditions = read_conditions(input.table());
   const PsychometricQuestion question = question_of(input.options);
+  const std::vector<Condition> conditions = read_conditions(input.table(), question.model);
   PsychometricList list(question);
   std::vector<const Condition*> fitted{};
   double separate = 0.0;

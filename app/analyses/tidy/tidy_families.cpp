@@ -46,7 +46,7 @@ constexpr std::array kFamilies{
                "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
-               "lambda_max; pt: performance at the threshold; conf",
+               "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; conf",
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,conf", 2},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
