@@ -8,10 +8,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace asperity {
 
@@ -85,6 +87,16 @@ IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t t
   for (int digit = static_cast<int>(std::bit_width(times)) - 1; digit >= 0; --digit) {
     sum = sum_of(sum, sum);
     if ((times >> digit & 1U) == 1) sum = sum_of(one, sum);
+  }
+  return sum;
+}
+
+IntegerDistribution sum_of_all(std::span<const IntegerDistribution> numbers) {
+  std::map<std::pair<std::int64_t, std::vector<double>>, std::uint64_t> times{};
+  for (const IntegerDistribution& one : numbers) ++times[{one.lowest, one.probability}];
+  IntegerDistribution sum{};
+  for (const auto& [one, count] : times) {
+    sum = sum_of(sum, repeated_sum({.lowest = one.first, .probability = one.second}, count));
   }
   return sum;
 }

@@ -25,12 +25,16 @@ struct IntegerDistribution {
   double at(std::int64_t value) const;          ///< P(X = value)
   double upper_tail(std::int64_t value) const;  ///< P(X ≥ value)
   double lower_tail(std::int64_t value) const;  ///< P(X ≤ value)
+  /// P(X = the largest value): no one-sided test of these data can give a smaller p.
+  double smallest_upper_tail() const { return probability.back(); }
 };
 /// What at either end is less probable than 10⁻³⁰⁰ is left out; in sums of more than some ten
 /// thousand values, where that would take long, what is less probable than 10⁻⁴⁰.
 IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistribution& b);
 /// Of so many numbers with the same distribution.
 IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t times);
+/// Of independent numbers, many of which have the same distribution.
+IntegerDistribution sum_of_all(std::span<const IntegerDistribution> numbers);
 
 /// Σ s_i·d_i with every pattern of signs s_i = ±1 equally likely: what differences of one unit each
 /// (a participant's count of A minus the count of B) amount to when both labels mean the same.

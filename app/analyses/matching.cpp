@@ -161,7 +161,7 @@ TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
   return input;
 }
 
-/// A row of the table of items: how many are right, against random permutations.
+/// A row of the table of items: how many are right, against one relabelling of the pictures per participant.
 void add_item_row(const GatheredAnswers& gathered, const std::string& column,
                   const std::string& person, Chosen assignments, NamedTable& table,
                   AnalysisOutcome& outcome) {
@@ -197,17 +197,18 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   const auto share = [&](const char* quantity) {
     return found.value(quantity).value_or(0.0) / static_cast<double>(of);
   };
-  const double p = found.value("exact.p.greater").value_or(1.0);
-  cells.insert(cells.end(),
-               {of, static_cast<std::int64_t>(persons.size()), found.cell("prop.correct"),
-                1.0 / static_cast<double>(items), share("null.lower"), share("null.upper"), p});
+  const double p = found.value("relabel.p.greater").value_or(1.0);
+  cells.insert(cells.end(), {of, static_cast<std::int64_t>(persons.size()),
+                             found.cell("prop.correct"), 1.0 / static_cast<double>(items),
+                             share("relabel.null.lower"), share("relabel.null.upper"), p});
   finding.value = found.value("prop.correct");
   finding.method = "right items of all items; chance 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
   finding.quantity = "p";
   finding.value = p;
-  finding.method = "one-sided test of the number of right items against random permutations of " +
-                   std::to_string(items);
+  finding.method =
+      "one-sided permutation test of the number of right items, one relabelling of the " +
+      std::to_string(items) + " pictures per participant";
   outcome.tests_in_tables.insert(name_of(finding));
   outcome.findings.push_back(std::move(finding));
 }
@@ -258,9 +259,10 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Assign
         "chance_high", "p"},
        {}},
       phrase("Analysis",
-             "Chance is 1/m. The items of one go are not independent (all but one right is "
-             "impossible): the interval holds 95 % of what random permutations give, and p is "
-             "the probability that they give as many right items or more.")};
+             "The chance level is 1/m. p: exact permutation test, one-sided, not corrected for the "
+             "number of rows: one random relabelling of the pictures per participant, common to "
+             "the participant's trials. The interval contains 95 % of the permutation "
+             "distribution.")};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
     for (std::size_t sex = 0; sex < sexes; ++sex) {
       add_item_row(gathered, cells.columns()[column], cells.sexes()[sex],
@@ -358,24 +360,28 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
                       p_text(*test));
   };
   const Sayings sayings{
+      with_numbers(
+          phrase("Analysis",
+                 "Yes: on average %1 of a participant's items were matched correctly (%2), "
+                 "where the chance level is %3; permutation test over participants, %4.")),
       with_numbers(phrase("Analysis",
-                          "They do: %1 of a participant's items are right on average (%2), where "
-                          "chance is %3; %4 against random permutations.")),
+                          "Not significantly more often: on average %1 of a participant's items "
+                          "were matched correctly (%2), where the chance level is %3; permutation "
+                          "test over participants, %4.")),
       with_numbers(phrase("Analysis",
-                          "Nothing shows that they do: %1 of a participant's items are right on "
-                          "average (%2), where chance is %3; %4 against random permutations.")),
-      with_numbers(phrase("Analysis",
-                          "%1 of a participant's items are right on average (%2), where chance is "
-                          "%3; %4 against random permutations."))};
+                          "On average %1 of a participant's items were matched correctly (%2), "
+                          "where the chance level is %3; permutation test over participants, "
+                          "%4."))};
   add_question(
       outcome, "items",
       phrase("Analysis", "Do felt textures find their pictures more often than by chance?"),
       said_of(*test, sayings),
       phrase("Analysis",
-             "The share of each participant's own items, averaged over the participants, "
-             "with Student's interval. The number of right items of all goes is tested "
-             "against random permutations, exactly: the items of one go are not "
-             "independent, and a binomial test would find too much."),
+             "The proportion of each participant's correctly matched items, averaged over the "
+             "participants, with Student's interval. The total of correctly matched items is "
+             "compared with its exact permutation distribution: the pictures are relabelled once "
+             "per participant, in all trials alike, so that the test also holds for participants "
+             "who guess one assignment and keep it."),
       "items", mean);
 }
 
@@ -392,14 +398,14 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
   add_question(
       outcome, "whole", phrase("Analysis", "How often is a whole go right?"),
       phrase("Analysis",
-             "Assignments with every item correct: %1 of %2, %3 (%4); %5 against random "
-             "permutations.")
+             "Trials with all items correct: %1 of %2, %3 (%4); permutation test over "
+             "participants, %5.")
           .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
                 percent(*share.value), interval_text(share), p_text(*test)),
       phrase(
           "Analysis",
-          "Exact binomial test against 1/m!, with Wilson's interval. Goes of one participant are "
-          "taken as independent."),
+          "Exact permutation test: the pictures are relabelled once per participant, in all trials "
+          "alike. Wilson's interval, which takes the trials of a participant as independent."),
       "whole_permutations", &share, CountedUnit::goes);
 }
 
@@ -480,16 +486,16 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_persons(found, persons, "answers", "share_of_items_correct", outcome);
   constexpr std::array kMeasures{
       Measure{"right_items_per_go", "mean.correct"}, Measure{"by_chance_in_all", "null.mean"},
-      Measure{"right_items_in_all", "total.correct", Measure::Form::count}, Measure{"z", "z"},
-      Measure{"mallows_theta", "mallows.theta"}};
+      Measure{"right_items_in_all", "total.correct", Measure::Form::count},
+      Measure{"z", "relabel.z"}, Measure{"mallows_theta", "mallows.theta"}};
   add_measures(found, kMeasures, outcome);
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
-  tests.add("items", "", found.find("exact.p.greater"), "goes");
-  tests.add("whole", "", found.find("perfect.p.greater"), "goes");
+  tests.add("items", "", found.find("relabel.p.greater"));
+  tests.add("whole", "", found.find("perfect.relabel.p.greater"));
   for (const std::string& texture : felt) {
-    tests.add("textures", texture, found.find("texture.p.greater", texture), "goes");
+    tests.add("textures", texture, found.find("texture.relabel.p.greater", texture));
   }
   if (const Finding* sexes = found.find("group.perm.p.two", "F-M")) {
     tests.add("sexes", "F|M", sexes);

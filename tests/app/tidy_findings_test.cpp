@@ -301,6 +301,9 @@ TEST(TidyFamilies, TakeRowsThatStandForSeveral) {
   // A permutation of three has 0, 1 or 3 right in 2, 3 and 1 of 6 orders. Five or more of three goes:
   // two 3 at least (16 of 216), or one 3 and twice 1 (27 of 216).
   EXPECT_NEAR(value_of(goes, "exact.p.greater", ""), 43.0 / 216.0, 1e-12);
+  // Of one relabelling per participant: x has 0, 2 or 6 right, y 0, 1 or 3: 6 of x (6 of 36) or 2 and 3 (3 of 36).
+  EXPECT_NEAR(value_of(goes, "relabel.p.greater", ""), 9.0 / 36.0, 1e-12);
+  EXPECT_NEAR(value_of(goes, "relabel.p.smallest", ""), 1.0 / 36.0, 1e-12);
 }
 
 }  // namespace

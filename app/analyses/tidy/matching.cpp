@@ -16,6 +16,7 @@
 #include "analysis/mallows.h"
 #include "analysis/matching_null.h"
 #include "analysis/proportion.h"
+#include "analysis/relabelled_matching.h"
 #include "analysis/t_test.h"
 #include "analysis/tail_probabilities.h"
 #include "analysis/two_samples.h"
@@ -279,6 +280,97 @@ struct ItemCounts {
   }
 };
 
+/// Every participant's own distributions under one relabelling of the pictures.
+std::vector<RelabelledMatching> relabelled_participants(const Matching& read,
+                                                        bool permutations_only) {
+  std::vector<std::vector<RepeatedTrial>> trials(read.participants.size());
+  for (const TidyTrial& trial : read.trials) {
+    if (permutations_only && !trial.permutation) continue;
+    trials[trial.participant].push_back({.items = read.items_of(trial), .times = trial.times});
+  }
+  std::vector<RelabelledMatching> participants{};
+  for (const std::vector<RepeatedTrial>& own : trials) {
+    if (!own.empty()) participants.emplace_back(own);
+  }
+  return participants;
+}
+
+/// A one-sided test of a count, with the participant as the unit. `quantity` ends in ".p.greater"; the smallest p that
+/// these data can give stands next to it, as ".p.smallest".
+void add_relabelling_test(const std::string& quantity, const std::string& key, std::uint64_t count,
+                          std::span<const IntegerDistribution> participants, const std::string& of,
+                          FindingList& findings) {
+  const IntegerDistribution chance = sum_of_all(participants);
+  const std::string method = of +
+                             ": permutation test, exact and one-sided, one relabelling of the "
+                             "pictures per participant, common to the trials";
+  findings.number(quantity + ".p.greater", key, chance.upper_tail(static_cast<std::int64_t>(count)),
+                  {.n = participants.size(), .method = method});
+  findings.number(quantity + ".p.smallest", key, chance.smallest_upper_tail(),
+                  {.n = participants.size(), .method = "smallest attainable p; " + method});
+}
+
+/// The right items of all participants.
+void add_relabelled_items(const Matching& read, FindingList& findings) {
+  std::uint64_t right = 0;
+  for (const TidyTrial& trial : read.trials) right += trial.right * trial.times;
+  std::vector<IntegerDistribution> own{};
+  for (const RelabelledMatching& one : relabelled_participants(read, false)) {
+    own.push_back(one.right());
+  }
+  add_relabelling_test("relabel", "", right, own, "correctly matched items", findings);
+  const IntegerDistribution chance = sum_of_all(own);
+  const CountInterval usual = central_interval(chance, read.confidence);
+  const Basis basis{.n = own.size(),
+                    .method =
+                        "the narrowest totals that hold the confidence of the permutation "
+                        "distribution, one relabelling per participant"};
+  findings.count("relabel.null.lower", "", usual.low, basis);
+  findings.count("relabel.null.upper", "", usual.high, basis);
+  findings.number(
+      "relabel.z", "", (static_cast<double>(right) - chance.mean()) / std::sqrt(chance.variance()),
+      {.n = own.size(),
+       .method = "correctly matched items, standardised by the permutation distribution "
+                 "with one relabelling per participant"});
+}
+
+/// Trials with all items correct, and the answers to each felt item.
+void add_relabelled_permutations(const Matching& read, FindingList& findings) {
+  const std::vector<RelabelledMatching> participants = relabelled_participants(read, true);
+  if (participants.empty()) return;
+  std::uint64_t whole = 0;
+  std::map<std::size_t, std::uint64_t> hits{};
+  for (const TidyTrial& trial : read.trials) {
+    if (!trial.permutation) continue;
+    whole += trial.whole() ? trial.times : 0;
+    for (const MatchedItem& item : read.items_of(trial)) {
+      hits[item.felt] += item.chosen == item.felt ? trial.times : 0;
+    }
+  }
+  std::vector<IntegerDistribution> own{};
+  for (const RelabelledMatching& one : participants) {
+    if (one.whole()) own.push_back(*one.whole());
+  }
+  if (own.size() == participants.size()) {
+    add_relabelling_test("perfect.relabel", "", whole, own, "trials with all items correct",
+                         findings);
+  } else {
+    findings.word("perfect.relabel.p.greater", "", "not_testable",
+                  "the trials of a participant present different items in common, which no "
+                  "relabelling of the pictures exchanges",
+                  {.n = participants.size()});
+  }
+  for (const std::size_t label : read.felt) {
+    own.clear();
+    for (const RelabelledMatching& one : participants) {
+      if (one.presents(label)) own.push_back(one.right_of(label));
+    }
+    if (own.empty()) continue;
+    add_relabelling_test("texture.relabel", read.labels[label], hits[label], own,
+                         "correct responses to this item", findings);
+  }
+}
+
 /// Single textures. In trials of different sizes their chances differ, and the hits of chance are a
 /// sum of unequal coins.
 void add_textures(const Matching& read, FindingList& findings) {
@@ -424,9 +516,11 @@ std::vector<Finding> matching_findings(const TidyInput& input) {
   FindingList findings{};
   if (parts == "all") add_fixed_points(read, findings);
   add_totals(read, findings);
+  add_relabelled_items(read, findings);
   if (parts == "totals") return findings.take();
   add_whole(read, findings);
   add_textures(read, findings);
+  add_relabelled_permutations(read, findings);
   add_mallows(read, findings);
   add_participants(read, findings);
   return findings.take();
