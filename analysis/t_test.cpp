@@ -68,14 +68,16 @@ std::optional<WelchT> welch_t(const TwoSamples& samples, double confidence) {
       std::sqrt(((n1 - 1.0) * spread_1 * spread_1 + (n2 - 1.0) * spread_2 * spread_2) / f);
   WelchT answer;
   answer.difference = difference;
-  answer.t = difference / std::sqrt(v1 + v2);
+  answer.standard_error = std::sqrt(v1 + v2);
+  answer.t = difference / answer.standard_error;
   answer.df = (v1 + v2) * (v1 + v2) / (v1 * v1 / (n1 - 1.0) + v2 * v2 / (n2 - 1.0));
   answer.p = *two_sided_tail(TStatistic{.value = answer.t, .df = answer.df});
-  const double half = *t_limit({.confidence = confidence, .df = answer.df}) * std::sqrt(v1 + v2);
+  const double half = *t_limit({.confidence = confidence, .df = answer.df}) * answer.standard_error;
   answer.interval = {.low = difference - half, .high = difference + half};
   answer.d = difference / pooled;
-  answer.g =
-      answer.d * std::exp(std::lgamma(0.5 * f) - std::lgamma(0.5 * (f - 1.0))) / std::sqrt(0.5 * f);
+  answer.bias_correction =
+      std::exp(std::lgamma(0.5 * f) - std::lgamma(0.5 * (f - 1.0))) / std::sqrt(0.5 * f);
+  answer.g = answer.d * answer.bias_correction;
   return answer;
 }
 

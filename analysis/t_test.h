@@ -47,12 +47,14 @@ OneSampleT one_sample_t(std::span<const double> sample, const OneSampleQuestion&
 /// effect size and related estimators.
 struct WelchT {
   double difference = 0.0;
+  double standard_error = 0.0;  ///< √(s₁²/n₁ + s₂²/n₂)
   ConfidenceInterval interval{};
   double t = 0.0;
   double df = 0.0;
   double p = 0.0;  ///< two-sided
   double d = 0.0;
   double g = 0.0;
+  double bias_correction = 1.0;  ///< J
 };
 struct TwoSamples {
   std::span<const double> first{};

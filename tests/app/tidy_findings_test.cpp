@@ -1,5 +1,7 @@
 // Options of an analysis, and its findings for people and programs.
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -282,6 +284,33 @@ double value_of(const std::vector<Finding>& findings, const std::string& quantit
 }
 
 // A table of counts says what a table of single trials says.
+// The numbers are those of equivalence_test.cpp and effect_size_test.cpp of the same values.
+TEST(TidyFamilies, CompareTwoSamplesForEquivalence) {
+  const std::string table =
+      "subject,group,value\na,x,5\nb,x,7\nc,x,8\nd,x,6\ne,x,9\n"
+      "f,y,6\ng,y,9\nh,y,7\ni,y,11\nj,y,8\nk,y,10\nl,y,7\nm,y,\n";
+  const auto tested =
+      equivalence_findings(input_of(table, R"({"groups": ["x", "y"], "lower": -3, "upper": 3})"));
+  EXPECT_NEAR(value_of(tested, "tost.p", ""), 0.0564843604938138, 1e-12);
+  EXPECT_NEAR(value_of(tested, "equivalence.margin", ""), 3.07473095602759, 1e-11);
+  EXPECT_NEAR(value_of(tested, "jzs.bf10", "0.7071"), 0.773757847439147, 1e-10);
+  EXPECT_NEAR(value_of(tested, "cohen.d.ci.lower", ""), -1.92491586125751, 1e-8);
+  EXPECT_NEAR(value_of(tested, "hedges.g.ci.upper", ""), 0.42460597382058, 1e-8);
+  EXPECT_EQ(value_of(tested, "n.incomplete", ""), 1.0);
+  const auto described = equivalence_findings(input_of(table, R"({"groups": ["x", "y"]})"));
+  EXPECT_NEAR(value_of(described, "equivalence.margin", ""), 3.07473095602759, 1e-11);
+  EXPECT_TRUE(std::none_of(described.begin(), described.end(), [](const Finding& finding) {
+    return finding.quantity == "equivalent" || finding.quantity == "tost.p";
+  })) << "there is no verdict without bounds";
+}
+
+TEST(TidyFamilies, CompareOneSampleWithNothing) {
+  const auto found = equivalence_findings(
+      input_of("subject,value\na,1\nb,2\nc,3\n", R"({"lower": -9, "upper": 9})"));
+  EXPECT_NEAR(value_of(found, "t", ""), 2.0 * std::sqrt(3.0), 1e-13);
+  EXPECT_NEAR(value_of(found, "dz", ""), 2.0, 1e-14);
+}
+
 TEST(TidyFamilies, TakeRowsThatStandForSeveral) {
   const char* options = R"({"items": ["a", "b"]})";
   const auto single = paired_findings(input_of(

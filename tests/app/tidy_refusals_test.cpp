@@ -121,6 +121,27 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
       "cell are averaged: see whether a row stands twice, or names another participant or cell");
 }
 
+TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
+  const std::string pairs = "subject,a,b\nA,1,2\nB,2,4\n";
+  EXPECT_EQ(family_refusal("equivalence", pairs, R"({"lower": -1})"),
+            "the option \"upper\" is missing: bounds of equivalence are two, \"lower\" and "
+            "\"upper\", or none");
+  EXPECT_THAT(family_refusal("equivalence", pairs, R"({"lower": 1, "upper": 1})"),
+              HasSubstr("the lower bound must be less than the upper one"));
+  EXPECT_THAT(family_refusal("equivalence", pairs, R"({"alpha": 0.5})"),
+              HasSubstr("\"alpha\" is 0.5"));
+  EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,2\nB,2,3\n", "{}"), "tost.p"),
+            "undefined_zero_variance");
+  EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,\n", "{}"), "diff"), "no_data");
+  EXPECT_EQ(family_refusal("icc", "target,rater,score\nx,A,1\nx,A,2\n", "{}"),
+            "t.csv:3:3: x has a score of A already; a target is rated once by each rater");
+  EXPECT_EQ(word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\n", "{}"), "icc"),
+            "too_few");
+  EXPECT_EQ(
+      word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\ny,B,1\n", "{}"), "icc"),
+      "undefined_zero_variance");
+}
+
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
               HasSubstr("\"within\" must be an object of factors with their levels, like "

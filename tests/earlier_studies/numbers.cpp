@@ -222,6 +222,13 @@ bool holds_in_order(const std::string& now, const std::string& stored) {
   return found == wanted.size();
 }
 
+/// Whether a number of the stored table had no interval: a later version may give it one.
+bool lacks_interval(const NumberTable& stored, std::size_t row, std::size_t column) {
+  const std::string& name = stored.columns[column];
+  return stored.may_grow && stored.rows[row][column].empty() &&
+         (name == "low" || name == "high" || name == "confidence");
+}
+
 /// Compares rows of two tables by the columns of the stored one.
 class RowComparison final {
  public:
@@ -235,6 +242,7 @@ class RowComparison final {
     std::vector<std::size_t> columns{};
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (!places_[i]) continue;  // reported once, by missing_columns
+      if (lacks_interval(stored_, stored_row, i)) continue;
       const std::string& then = stored_.rows[stored_row][i];
       const std::string& today = now_.rows[now_row][*places_[i]];
       const bool same = stored_.name == kReport ? holds_in_order(today, then) : agree(then, today);

@@ -47,7 +47,7 @@ std::vector<Correction> read_corrections(std::string_view text);
 void correct(Numbers& stored, const std::vector<Correction>& corrections);
 
 /// Tables, columns, rows and cells of `stored` that `now` lacks, a sentence each. Tables and columns may be added, and
-/// rows to a table that `may_grow`. Numbers agree to a part in 10⁹, or to 10⁻¹²:
+/// rows to a table that `may_grow`, and there `low`, `high` and `confidence` to a row that had none. Numbers agree to a part in 10⁹, or to 10⁻¹²:
 /// their last digits depend on the compiler.
 std::vector<std::string> differences(const Numbers& stored, const Numbers& now);
 

@@ -32,6 +32,16 @@ TEST(Numbers, AreTheSameWhereTablesColumnsAndFindingsWereAdded) {
   EXPECT_THAT(differences(kStored, now), IsEmpty());
 }
 
+TEST(Numbers, AreTheSameWhereAFindingHasGotAnInterval) {
+  const Numbers stored = read_numbers("##+ findings\nquantity\tvalue\tlow\nd\t0.5\t\n\n");
+  Numbers now = stored;
+  now[0].rows[0][2] = "0.25";
+  EXPECT_THAT(differences(stored, now), IsEmpty());
+  EXPECT_EQ(differences(now, stored).size(), 1U) << "an interval that is missing is a difference";
+  now[0].rows[0][1] = "";
+  EXPECT_EQ(differences(stored, now).size(), 1U);
+}
+
 TEST(Numbers, AreTheSameToTheLastDigitsOfACompiler) {
   Numbers now = kStored;
   now[0].rows[0][1] = "0.25000000000001";

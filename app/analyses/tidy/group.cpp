@@ -1,13 +1,17 @@
 // Two groups of participants and their hits.
 
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "analysis/effect_size.h"
 #include "analysis/mixed_logit.h"
 #include "analysis/t_test.h"
+#include "analysis/tail_probabilities.h"
 #include "analysis/two_by_two.h"
 #include "analysis/two_samples.h"
 #include "app/analyses/tidy/finding_list.h"
@@ -103,6 +107,19 @@ class GroupComparison final {
   void number(const char* quantity, double value, std::string method) {
     number(quantity, "", value, std::move(method));
   }
+  /// An effect size and, where there is one, its interval.
+  void effect(const std::string& quantity, double value,
+              const std::optional<ConfidenceInterval>& interval, std::string method) {
+    Basis shown = basis(std::move(method));
+    if (interval) {
+      shown.interval = interval;
+      shown.confidence = confidence_;
+    }
+    list_.number(quantity, "", value, shown);
+    if (!interval) return;
+    list_.number(quantity + ".ci.lower", "", interval->low, basis("limit of " + quantity));
+    list_.number(quantity + ".ci.upper", "", interval->high, basis("limit of " + quantity));
+  }
   void coefficients(const char* quantity, const LogitCoefficients& values,
                     const std::string& method) {
     number(quantity, "intercept", values.intercept, method);
@@ -131,13 +148,20 @@ class GroupComparison final {
     number("fisher.or.lower", fisher.interval.low, "exact limit of the odds ratio");
     number("fisher.or.upper", fisher.interval.high, "exact limit of the odds ratio");
     const HaldaneRatio haldane = haldane_ratio(table);
-    number("or.haldane", haldane.odds_ratio, "½ added to every cell");
+    const double factor = std::exp(normal_limit(confidence_) * haldane.log_standard_error);
+    effect(
+        "or.haldane", haldane.odds_ratio,
+        ConfidenceInterval{.low = haldane.odds_ratio / factor, .high = haldane.odds_ratio * factor},
+        "½ added to every cell; Wald interval of the logarithm" + independent);
     number("or.haldane.selog", haldane.log_standard_error, "of the logarithm");
     const ShareDifference difference = newcombe_difference(table, confidence_);
     Basis newcombe = basis("first minus second; interval of Newcombe" + independent);
     newcombe.interval = difference.interval;
     newcombe.confidence = confidence_;
     list_.number("diff", "", difference.difference, newcombe);
+    const ArcsineDifference arcsine = cohen_h(table.first, table.second, confidence_);
+    effect("cohen.h", arcsine.h, arcsine.interval,
+           "Cohen's h, difference of arcsines" + independent);
     number("diff.newcombe.lower", difference.interval.low, "interval of Newcombe");
     number("diff.newcombe.upper", difference.interval.high, "interval of Newcombe");
   }
@@ -153,8 +177,15 @@ class GroupComparison final {
       number("welch.t", welch->t, "Welch's t over participants");
       number("welch.df", welch->df, "Welch's degrees of freedom");
       number("welch.p.two", welch->p, "Welch's t over participants, two-sided");
-      number("cohen.d", welch->d, "difference over the pooled standard deviation");
-      number("hedges.g", welch->g, "d without its bias, exact J");
+      const auto limits =
+          standardised_difference_interval(welch->d,
+                                           {.first = static_cast<double>(samples.first.size()),
+                                            .second = static_cast<double>(samples.second.size())},
+                                           confidence_);
+      effect("cohen.d", welch->d, limits,
+             "difference over the pooled standard deviation; interval by the noncentral t");
+      effect("hedges.g", welch->g, bias_corrected(*welch, limits),
+             "d without its bias, exact J; interval by the noncentral t");
     } else {
       list_.word("welch.t", "", "undefined_zero_variance",
                  "a group has a single participant, or nobody differs: there is no t",

@@ -2,6 +2,7 @@
 
 #include "analysis/proportion.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -87,7 +88,15 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
            "exact binomial mid-p, one-sided " + against);
     number("midp.two", binomial_mid_test(count, chance),
            "exact binomial mid-p, two-sided " + against);
-    number("cohen.h", cohen_h(count, chance), "Cohen's h " + against);
+    const auto arcsine = [chance](double share) {
+      return 2.0 * std::asin(std::sqrt(share)) - 2.0 * std::asin(std::sqrt(chance));
+    };
+    findings.number(
+        "cohen.h", id, cohen_h(count, chance),
+        {.n = count.trials,
+         .method = "Cohen's h " + against + "; from the Wilson limits",
+         .interval = ConfidenceInterval{.low = arcsine(wilson.low), .high = arcsine(wilson.high)},
+         .confidence = confidence});
     keys.push_back(id);
     p.push_back(two_sided);
   }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/comparison_graph.h"
+#include "analysis/effect_size.h"
 #include "analysis/number_text.h"
 #include "analysis/plackett_luce.h"
 #include "analysis/tail_probabilities.h"
@@ -174,7 +176,13 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
   if (read.ranks.rows() > 0) {
     const auto rows = static_cast<std::size_t>(read.ranks.rows());
     add_friedman(friedman_test(read.ranks),
-                 {.n = rows, .none = {}, .one = "one ranking agrees with no other: gather more"},
+                 {.n = rows,
+                  .none = {},
+                  .one = "one ranking agrees with no other: gather more",
+                  // Rankings of one participant are not independent.
+                  .concordance =
+                      rows == n ? concordance_interval(read.ranks, read.confidence) : std::nullopt,
+                  .confidence = read.confidence},
                  findings);
     for (std::size_t i = 0; i < read.items.size(); ++i) {
       findings.number("mean.rank", read.items[i],

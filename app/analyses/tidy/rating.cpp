@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/effect_size.h"
 #include "analysis/friedman.h"
 #include "analysis/multiplicity.h"
 #include "app/analyses/tidy/scale_findings.h"
@@ -112,7 +113,9 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   add_friedman(test,
                {.n = n,
                 .none = "nobody scored every item",
-                .one = "one participant agrees or disagrees with nobody: run more"},
+                .one = "one participant agrees or disagrees with nobody: run more",
+                .concordance = concordance_interval(scores, input.options.confidence()),
+                .confidence = input.options.confidence()},
                findings);
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
     const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));

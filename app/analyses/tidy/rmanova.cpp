@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/effect_size.h"
 #include "analysis/multiplicity.h"
 #include "analysis/number_text.h"
 #include "analysis/repeated_measures.h"
@@ -197,7 +198,7 @@ class AnovaList final {
     }
     const AnovaTable table = repeated_measures_anova(design_.data, type_of(input_.options));
     number("SS.error.total", "", table.all_errors, "all error strata, participants included");
-    for (const AnovaEffect& one : table.effects) effect(one);
+    for (const AnovaEffect& one : table.effects) effect(one, table.all_errors);
     means();
     for (std::size_t factor = 0; factor < design_.within.size(); ++factor) {
       const Eigen::MatrixXd marginal = marginal_means(design_.data, factor);
@@ -226,7 +227,34 @@ class AnovaList final {
     return name;
   }
 
-  void effect(const AnovaEffect& effect) {
+  /// The interval of partial η², from F with the degrees of freedom of its corrected test.
+  std::optional<ConfidenceInterval> eta_interval(const AnovaEffect& effect) const {
+    if (!effect.F) return std::nullopt;
+    double epsilon = 1.0;
+    if (effect.sphericity) {
+      if (!effect.sphericity->gg) return std::nullopt;
+      epsilon = *effect.sphericity->gg;
+    }
+    return partial_eta_interval(
+        {.value = *effect.F, .df1 = epsilon * effect.df1, .df2 = epsilon * effect.df2},
+        confidence_);
+  }
+
+  void effect_size(const std::string& quantity, const std::string& key,
+                   const std::optional<double>& value,
+                   const std::optional<ConfidenceInterval>& interval, const std::string& method) {
+    Basis shown = basis(method);
+    if (value && interval) {
+      shown.interval = interval;
+      shown.confidence = confidence_;
+    }
+    list_.number(quantity, key, value.value_or(kUndefined), shown);
+    if (!value || !interval) return;
+    list_.number(quantity + ".ci.lower", key, interval->low, basis("limit of " + quantity));
+    list_.number(quantity + ".ci.upper", key, interval->high, basis("limit of " + quantity));
+  }
+
+  void effect(const AnovaEffect& effect, double all_errors) {
     const std::string key = name_of(effect);
     number("SS", key, effect.sum_of_squares, "sum of squares");
     number("SS.error", key, effect.error_sum_of_squares, "of the effect's own error");
@@ -234,8 +262,18 @@ class AnovaList final {
     number("df2", key, effect.df2, "degrees of freedom of the error");
     number("F", key, effect.F, "F");
     number("p", key, effect.p, "F, without a correction for sphericity");
-    number("pes", key, effect.pes, "partial η²");
-    number("ges", key, effect.ges, "generalised η², all factors manipulated");
+    const std::optional<ConfidenceInterval> partial = eta_interval(effect);
+    std::optional<ConfidenceInterval> generalised{};
+    if (partial && effect.error_sum_of_squares > 0.0) {
+      const double errors = all_errors / effect.error_sum_of_squares;
+      generalised = {.low = generalised_eta(partial->low, errors),
+                     .high = generalised_eta(partial->high, errors)};
+    }
+    effect_size("pes", key, effect.pes, partial,
+                "partial η²; interval by the noncentral F, degrees of freedom corrected for "
+                "sphericity");
+    effect_size("ges", key, effect.ges, generalised,
+                "generalised η², all factors manipulated; interval by the noncentral F");
     if (!design_.between.empty()) {
       number("ges.observed", key, effect.ges_observed, "generalised η², between factor measured");
     }
@@ -364,7 +402,11 @@ class AnovaList final {
         if (!t.test) continue;
         number("pair.ci.lower", key, t.test->interval.low, "t interval");
         number("pair.ci.upper", key, t.test->interval.high, "t interval");
-        number("pair.dz", key, t.mean / *t.sd, "mean over the spread of the differences");
+        const double dz = t.mean / *t.sd;
+        effect_size("pair.dz", key, dz,
+                    standardised_mean_interval(dz, static_cast<double>(t.n), confidence_),
+                    "mean over the standard deviation of the differences; interval by the "
+                    "noncentral t");
         keys.push_back(key);
         p.push_back(t.test->p);
       }

@@ -42,7 +42,17 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);
   findings.number("friedman.p", "", test.p, friedman);
-  findings.number("kendall.W", "", test.concordance, with_method("Kendall's concordance"));
+  Basis concordance = with_method("Kendall's W");
+  if (rows.concordance) {
+    concordance.interval = rows.concordance;
+    concordance.confidence = rows.confidence;
+    concordance.method += "; interval by the jackknife of the mean rank correlation";
+  }
+  findings.number("kendall.W", "", test.concordance, concordance);
+  if (rows.concordance) {
+    findings.number("kendall.W.ci.lower", "", rows.concordance->low, with_method("limit of W"));
+    findings.number("kendall.W.ci.upper", "", rows.concordance->high, with_method("limit of W"));
+  }
   findings.number("iman.davenport.F", "", test.f, iman);
   findings.number("iman.davenport.p", "", test.f_p, iman);
 }

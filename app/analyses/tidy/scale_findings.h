@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,11 +26,13 @@ struct ScaleNames {
 void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
                FindingList& findings);
 
-/// How many rows were judged, with the sentences for none and for a single one.
+/// How many rows were judged, with the sentences for none and for a single one, and the interval of W.
 struct FriedmanRows {
   std::size_t n = 0;
   std::string none{};
   std::string one{};
+  std::optional<ConfidenceInterval> concordance{};
+  double confidence = 0.95;
 };
 /// Friedman's test with Kendall's W and the F of Iman and Davenport; of fewer than two rows the word
 /// for why there are none.

@@ -15,8 +15,18 @@ namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
+    TidyFamily{"equivalence",
+               "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
+               "subject,group,value: two samples; one row per participant",
+               "lower, upper: differences between them count as none, both or neither; alpha of "
+               "either one-sided test; groups: two names, in order, of two samples; conf",
+               equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: two names, in order; conf", group_findings, "groups,conf"},
+    TidyFamily{"icc",
+               "target,rater,score: one rating per target and rater (or repetition), empty where "
+               "there is none",
+               "conf", icc_findings, "conf"},
     TidyFamily{"magnitude",
                "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
                "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "

@@ -63,7 +63,9 @@ std::string family_names();
 /// Throws std::runtime_error with the families that there are.
 const TidyFamily& tidy_family(const std::string& name);
 
+std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
+std::vector<Finding> icc_findings(const TidyInput& input);
 std::vector<Finding> magnitude_findings(const TidyInput& input);
 std::vector<Finding> matching_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);
