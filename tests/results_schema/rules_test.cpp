@@ -340,6 +340,21 @@ INSTANTIATE_TEST_SUITE_P(ForeignTools, Rules, testing::Values(false, true), [](c
   return param.param ? "WithForeignKeysAndRecursiveTriggers" : "WithEverythingSwitchedOff";
 });
 
+TEST(TidyViews, CallAnEmergencyStopAnEmergencyStop) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 2);
+  for (int trial = 1; trial <= 2; ++trial) {
+    AttemptRow attempt = some_attempt(trial, 1);
+    attempt.outcome = trial == 1 ? AttemptOutcome::emergency_stop : AttemptOutcome::device_fault;
+    attempt.valid = false;
+    attempt.servo->fault = trial == 1 ? "emergency_stop" : "device";
+    study.add_attempt(session, attempt);
+  }
+  ForeignTool tool(folder / "s", false);
+  EXPECT_THAT(tool.column("SELECT outcome FROM tidy_attempt ORDER BY trial"),
+              testing::ElementsAre("emergency_stop", "device_fault"));
+}
+
 TEST(TidyViews, GiveOneRowPerThingWithNaturalKeysFirst) {
   const TemporaryFolder folder;
   fill(folder / "s");
