@@ -84,6 +84,22 @@ std::string share_study(const std::filesystem::path& study, const std::string& g
   return group_of(study);
 }
 
+std::optional<std::filesystem::path> folder_closed_to_group(const std::filesystem::path& study) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::canonical(study, error);
+  struct stat status {};
+  if (error || ::stat(folder.c_str(), &status) != 0) return {};
+  const gid_t group = status.st_gid;
+  std::filesystem::path above{};
+  for (const std::filesystem::path& name : folder.parent_path()) {
+    above /= name;
+    if (::stat(above.c_str(), &status) != 0) return above;
+    const mode_t needed = status.st_gid == group ? S_IXGRP : S_IXOTH;
+    if ((status.st_mode & needed) == 0) return above;
+  }
+  return {};
+}
+
 bool is_readable_by_others(const std::filesystem::path& study) {
   const auto others_may = [](const std::filesystem::path& path, mode_t what) {
     struct stat status {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -23,6 +24,10 @@ void make_folders(const std::filesystem::path& folder);
 /// `group` is the name of a group; empty: the group that the folder has. Returns the group's name.
 /// Errors: ResultsError for an unknown group, and for the first file whose permissions cannot be changed.
 std::string share_study(const std::filesystem::path& study, const std::string& group = {});
+
+/// The first folder above a study, from the root, that the members of its group cannot pass by the permissions of the
+/// group and of others: a home, often. Nothing where they get in.
+std::optional<std::filesystem::path> folder_closed_to_group(const std::filesystem::path& study);
 
 /// Errors: ResultsError for a group that is not there.
 void require_group(const std::string& group);

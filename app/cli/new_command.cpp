@@ -47,6 +47,12 @@ void add_new(CLI::App& program, Job& job) {
         std::cout << ", shared with the group " << share_study(options->folder, options->group);
       }
       std::cout << '\n';
+      if (!options->shared) return 0;
+      if (const auto closed = folder_closed_to_group(options->folder)) {
+        std::cerr << "asperity: warning: members of the group cannot get to the study: the folder "
+                  << closed->string()
+                  << " is closed to them. Open it with chmod, or move the study out of it\n";
+      }
       return 0;
     };
   });

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -123,6 +124,16 @@ int as_member(gid_t group, uid_t user, Action action) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(SharedStudy, IsOutOfReachInAFolderThatIsClosedToItsGroup) {
+  const TemporaryFolder folder;
+  { Study::create(folder / "s", "x"); }
+  share_study(folder / "s");
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0700), 0);
+  EXPECT_EQ(folder_closed_to_group(folder / "s"), std::filesystem::canonical(folder.path()));
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0711), 0);
+  EXPECT_EQ(folder_closed_to_group(folder / "s"), std::nullopt);
 }
 
 TEST(SharedStudy, IsWorkedInByTwoMembersOfItsGroup) {
