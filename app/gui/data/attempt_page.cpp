@@ -71,6 +71,7 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   body().addWidget(summary_);
   names_ = new StateLabel(this);
   names_->setObjectName("attempt_names");
+  names_->hide();  // until an attempt is shown that it is true of
   names_->set_state(State::look,
                     tr("Textures and models are shown by name, though the session is not complete: "
                        "who goes on with it is no longer blind to them."));
@@ -134,6 +135,7 @@ void AttemptPage::add_actions() {
 }
 
 void AttemptPage::show_attempt(qlonglong attempt_id) {
+  attempt_ = attempt_id;
   form_->cancel();
   forget_readings();
   read_with<Reading>(

@@ -28,6 +28,8 @@ class AttemptPage final : public StudyPage {
   explicit AttemptPage(OpenStudy& study, QWidget* parent = nullptr);
 
   void show_attempt(qlonglong attempt_id);
+  /// Nothing before one was shown.
+  std::optional<qlonglong> attempt() const noexcept { return attempt_; }
 
  signals:
   void back_wanted();
@@ -43,6 +45,7 @@ class AttemptPage final : public StudyPage {
   void ask_where_to_export();
   void export_to(const QString& file);
 
+  std::optional<qlonglong> attempt_{};
   std::optional<AttemptDetail> detail_{};
   std::optional<std::int64_t> recording_of_{};  ///< the attempt whose recording is shown or read
   ModeBand* band_ = nullptr;

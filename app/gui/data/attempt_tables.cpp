@@ -96,8 +96,9 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("period: longest"), us(servo.period_maximum_s)},
       {MeasureTables::tr("lateness: 99 of 100 below"), us(servo.lateness_p99_s)},
       {MeasureTables::tr("lateness: greatest"), us(servo.lateness_maximum_s)},
+      // Judged in contact alone, where these are counted apart.
       {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines),
-       none(servo.missed_deadlines)},
+       in_contact ? State::unknown : none(servo.missed_deadlines)},
       {MeasureTables::tr("missed deadlines in contact"),
        in_contact ? count(*in_contact) : MeasureTables::tr("not counted"),
        in_contact ? none(*in_contact) : State::unknown},
@@ -260,7 +261,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
   if (attempt.servo) {
     for (const LoopRow& row : loop_rows(*attempt.servo)) {
       // Read from top to bottom: what it was, how regular, what went wrong.
-      add({text_cell(row.name, QVariant::fromValue(rows.size())), number_cell(row.value, 0.0),
+      add({text_cell(row.name, static_cast<int>(rows.size())), number_cell(row.value, 0.0),
            row.state == State::unknown
                ? text_cell({})
                : state_cell(row.state, row.state == State::fine ? tr("fine") : tr("look at it"))});
@@ -273,7 +274,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
       // How long there was contact is what the others are a part of.
       const bool is_limit = limit.kind != "contact";
       add({number_cell(surface.position),
-           text_cell(limit_words(limit.kind), QVariant::fromValue(rows.size())),
+           text_cell(limit_words(limit.kind), static_cast<int>(rows.size())),
            number_cell(QString::number(limit.ticks), static_cast<double>(limit.ticks)),
            !is_limit          ? text_cell({})
            : limit.ticks == 0 ? state_cell(State::fine, tr("fine"))

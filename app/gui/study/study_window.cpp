@@ -1,6 +1,7 @@
 #include "app/gui/study/study_window.h"
 
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include <QtCore/QDateTime>
@@ -19,6 +20,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/data/attempt_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/about_dialog.h"
@@ -27,6 +29,7 @@
 #include "app/gui/study/settings.h"
 #include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/shown_text.h"
+#include "app/gui/study/trials_page.h"
 #include "app/gui/study/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
@@ -73,6 +76,10 @@ void StudyWindow::refill() {
   const auto* worked_on = qobject_cast<WorkbenchPage*>(made_page("workbench"));
   const auto work =
       worked_on == nullptr ? std::nullopt : std::optional<WorkbenchPage::Work>(worked_on->work());
+  const auto* trials = qobject_cast<TrialsPage*>(made_page("trials"));
+  const std::int64_t session = trials == nullptr ? 0 : trials->session();
+  const auto* opened = qobject_cast<AttemptPage*>(made_page("attempt"));
+  const std::optional<qlonglong> attempt = opened == nullptr ? std::nullopt : opened->attempt();
   remove_pages();
   make_menus();
   auto* centre = new QWidget(this);
@@ -115,6 +122,8 @@ void StudyWindow::refill() {
   make_pages();
   if (!edited.empty()) qobject_cast<ProtocolEditorPage*>(page("editor"))->open(edited);
   if (work) qobject_cast<WorkbenchPage*>(page("workbench"))->resume(*work);
+  if (session != 0) qobject_cast<TrialsPage*>(page("trials"))->show_session(session);
+  if (attempt) qobject_cast<AttemptPage*>(page("attempt"))->show_attempt(*attempt);
   if (!shown.isEmpty() && page(shown) != nullptr) show_page(shown);
 }
 
@@ -420,6 +429,14 @@ void StudyWindow::share_with(const QString& group) {
   if (study_ == nullptr) return;
   try {
     share_study(study_->folder(), group.toStdString());
+    if (const auto closed = folder_closed_to_group(study_->folder())) {
+      banner_->show_news(
+          State::look,
+          tr("The study is shared with the group %1, but its members cannot get to it: the folder "
+             "%2 is closed to them. Open that folder to the group, or move the study out of it.")
+              .arg(group, QString::fromStdString(closed->string())));
+      return;
+    }
     banner_->show_news(
         State::fine,
         tr("The study is shared with the group %1. Other users cannot read it.").arg(group));

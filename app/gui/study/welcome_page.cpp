@@ -117,8 +117,8 @@ QWidget* WelcomePage::make_demo_card() {
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   layout->addWidget(make_heading(tr("See it work"), card));
   layout->addWidget(make_text(
-      tr("Six textures and four protocols, ready to run with the simulated device. No hardware "
-         "and no network are needed."),
+      tr("Textures and protocols of every kind, ready to run with the simulated device. No "
+         "hardware and no network are needed."),
       card));
   demo_place_ = make_text({}, card, true);
   demo_place_->setObjectName("welcome_demo_place");

@@ -8479,6 +8479,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Fr&amp;eigeben…</translation>
     </message>
     <message>
+        <source>The study is shared with the group %1, but its members cannot get to it: the folder %2 is closed to them. Open that folder to the group, or move the study out of it.</source>
+        <translation>Die Studie ist für die Gruppe %1 freigegeben, aber deren Mitglieder erreichen sie nicht: Der Ordner %2 ist für sie geschlossen. Öffnen Sie diesen Ordner für die Gruppe, oder verschieben Sie die Studie.</translation>
+    </message>
+    <message>
         <source>The study is shared with the group %1. Other users cannot read it.</source>
         <translation>Die Studie ist für die Gruppe %1 freigegeben. Andere Benutzer können sie nicht lesen.</translation>
     </message>
@@ -8861,8 +8865,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
     </message>
     <message>
-        <source>Six textures and four protocols, ready to run with the simulated device. No hardware and no network are needed.</source>
-        <translation>Sechs Texturen und vier Protokolle, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
+        <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
+        <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
     </message>
 </context>
 <context>

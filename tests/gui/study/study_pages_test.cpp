@@ -561,6 +561,37 @@ TEST_F(StudyPages, StayWithTheStudyWhenTheThemeChanges) {
   apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
 }
 
+TEST_F(StudyPages, KeepTheAttemptThroughAChangeOfTheme) {
+  open_lively();
+  const Study& study = window_.study()->study();
+  const SessionRow session = study.sessions().at(0);
+  const std::int64_t id = study.attempts(session.id).at(0).id;
+  qobject_cast<TrialsPage*>(window_.page("trials"))->show_session(session.id);
+  qobject_cast<AttemptPage*>(window_.page("attempt"))->show_attempt(id);
+  window_.show_page("attempt");
+  const auto summary = [this] {
+    return child<QLabel>(*window_.page("attempt"), "attempt_summary").text();
+  };
+  ASSERT_TRUE(eventually([&] { return !summary().isEmpty(); }));
+  const QString before = summary();
+  const auto& loop = child<StudyTable>(*window_.page("attempt"), "attempt_loop");
+  const int rows = loop.shown_rows();
+  ASSERT_GT(rows, 10) << "more than one digit, to be sorted by number";
+  EXPECT_TRUE(loop.text_at(0, 0).startsWith("ticks, at"));
+  EXPECT_EQ(loop.text_at(rows - 1, 0), "fault");
+  const QPointer<QWidget> old = window_.page("attempt");
+  for (QAction* action : window_.findChildren<QAction*>()) {
+    if (action->text() == "&Dark") action->trigger();
+  }
+  ASSERT_TRUE(eventually([&old] { return old.isNull(); })) << "its pages are made anew";
+  EXPECT_TRUE(eventually([&] { return summary() == before; }));
+  EXPECT_EQ(window_.shown_page(), "attempt");
+  EXPECT_EQ(qobject_cast<TrialsPage*>(window_.page("trials"))->session(), session.id);
+  EXPECT_EQ(child<QLabel>(*window_.page("attempt"), "attempt_names").isVisible(),
+            session.state != SessionState::completed);
+  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
+}
+
 /// A survey of two drivers: one of a device that is not set up yet, one without its maker's library.
 std::vector<SurveyedDriver> found_devices(bool has_firmware) {
   AttachedDevice falcon{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"};
