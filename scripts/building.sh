@@ -36,7 +36,7 @@ configure() {
 # writes to the screen how many there are, and each tenth of them.
 report_progress() {
   local name=$1 log=$2 line finished steps shown=-1
-  local -r few=3  # a link or two
+  local -r few=10  # what is linked and checked anew without a change, and some files
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
