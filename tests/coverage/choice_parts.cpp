@@ -1,0 +1,340 @@
+// Proportions of right answers, assignments, choices of the best, groups.
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/forced_choice.h"
+#include "tests/coverage/coverage_parts.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kSpreads{0.0, 1.0};
+constexpr std::array kNoSpread{0.0};
+
+std::vector<CheckedInterval> no_intervals(const CoverageSetting&) { return {}; }
+
+// --- recognition: one of four pictures -----------------------------------------------------------
+
+constexpr std::array<std::string_view, 4> kPictures{"a", "b", "c", "d"};
+constexpr double kChance = 0.25;
+constexpr std::array kProportions{0.05, 0.25, 0.5, 0.71, 0.87, 0.95, 0.98};
+
+/// A participant's own probability of a right answer: its logit is normal.
+double own_probability(const CoverageSetting& setting, double mu, Random& random) {
+  return 1.0 / (1.0 + std::exp(-(mu + setting.spread * random.normal())));
+}
+
+TidyInput draw_recognition(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,stimulus,response");
+  const double mu = mu_of_mean(setting.effect, setting.spread);
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const std::string subject = participant_label(i);
+    const double p = own_probability(setting, mu, random);
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      const std::size_t shown = (trial + i) % kPictures.size();
+      std::size_t said = shown;
+      if (random.uniform() >= p) {
+        said = (shown + 1 + random.below(kPictures.size() - 1)) % kPictures.size();
+      }
+      table.add({subject, kPictures[shown], kPictures[said]});
+    }
+  }
+  TidyInput input = std::move(table).as_input();
+  input.options.add("labels", "a,b,c,d");
+  return input;
+}
+
+std::vector<CheckedInterval> recognition_intervals(const CoverageSetting& setting) {
+  const double p = setting.effect;
+  return {{.quantity = "subj.mean", .truth = p},
+          {.quantity = "pc", .truth = p, .lower = "pc.wilson.lower", .upper = "pc.wilson.upper"},
+          {.quantity = "dprime",
+           .truth = ForcedChoice{.alternatives = kPictures.size()}.dprime(p),
+           .lower = "dprime.lower",
+           .upper = "dprime.upper"}};
+}
+
+std::vector<CheckedTest> recognition_tests(const CoverageSetting& setting) {
+  if (setting.effect != kChance || setting.spread > 0.0) return {};
+  return {{.quantity = "subj.t.p.two"}, {.quantity = "pc.p.greater"}, {.quantity = "G.p"}};
+}
+
+// --- matching: four pictures to four surfaces ------------------------------------------------------
+
+constexpr std::size_t kItems = 4;
+constexpr std::array kThetas{0.0, 0.4, 0.8, 1.6, 3.0};
+constexpr std::array kThetaSpreads{0.0, 0.5};
+/// Of the 24 permutations those with 0, 1, … right items.
+constexpr std::array<double, kItems + 1> kPermutations{9.0, 8.0, 6.0, 0.0, 1.0};
+
+using Permutation = std::array<std::size_t, kItems>;
+
+/// With `right` items in their places, all such permutations equally likely.
+Permutation permutation_with(std::size_t right, Random& random) {
+  Permutation drawn{};
+  do {  // 1 in 24 has all items right, and is at hand without drawing
+    std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+    if (right == kItems) return drawn;
+    random.shuffle(std::span<std::size_t>(drawn));
+  } while ([&] {
+    std::size_t places = 0;
+    for (std::size_t i = 0; i < kItems; ++i) places += drawn[i] == i ? 1 : 0;
+    return places != right;
+  }());
+  return drawn;
+}
+
+std::array<double, kItems + 1> mallows_weights(double theta) {
+  std::array<double, kItems + 1> weights = kPermutations;
+  for (std::size_t k = 0; k <= kItems; ++k) weights[k] *= std::exp(theta * static_cast<double>(k));
+  return weights;
+}
+
+/// The mean over participants of what `of_weights` makes of their probabilities of 0, 1, … right items.
+template <class OfWeights>
+double mean_over_thetas(const CoverageSetting& setting, OfWeights of_weights) {
+  constexpr int kSteps = 160;
+  constexpr double kFurthest = 8.0;
+  double sum = 0.0;
+  double all = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double z = kFurthest * (2.0 * i / kSteps - 1.0);
+    const double weight = std::exp(-0.5 * z * z);
+    std::array<double, kItems + 1> own = mallows_weights(setting.effect + setting.spread * z);
+    const double total = std::accumulate(own.begin(), own.end(), 0.0);
+    for (double& one : own) one /= total;
+    sum += weight * of_weights(own);
+    all += weight;
+  }
+  return sum / all;
+}
+
+void add_assignment(const std::string& subject, std::size_t trial, const Permutation& chosen,
+                    DrawnTable& table) {
+  const std::string number = std::to_string(trial + 1);
+  for (std::size_t i = 0; i < kItems; ++i) {
+    table.add({subject, number, kPictures[i], kPictures[chosen[i]]});
+  }
+}
+
+TidyInput draw_matching(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,trial,stimulus,response");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const auto weights = mallows_weights(setting.effect + setting.spread * random.normal());
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      add_assignment(participant_label(i), trial,
+                     permutation_with(drawn_by_weight(weights, random), random), table);
+    }
+  }
+  return std::move(table).as_input();
+}
+
+std::vector<CheckedInterval> matching_intervals(const CoverageSetting& setting) {
+  std::vector<CheckedInterval> intervals{
+      {.quantity = "subj.mean",
+       .truth = mean_over_thetas(setting,
+                                 [](const auto& own) {
+                                   double right = 0.0;
+                                   for (std::size_t k = 0; k <= kItems; ++k) {
+                                     right += own[k] * static_cast<double>(k);
+                                   }
+                                   return right / static_cast<double>(kItems);
+                                 })},
+      {.quantity = "perfect",
+       .truth = mean_over_thetas(setting, [](const auto& own) { return own[kItems]; }),
+       .lower = "perfect.wilson.lower",
+       .upper = "perfect.wilson.upper"}};
+  if (setting.spread == 0.0) {
+    intervals.push_back({.quantity = "mallows.theta",
+                         .truth = setting.effect,
+                         .lower = "mallows.ci.lower",
+                         .upper = "mallows.ci.upper"});
+  }
+  return intervals;
+}
+
+std::vector<CheckedTest> tests_of_guessing(const CoverageSetting&) {
+  return {{.quantity = "exact.p.greater"},
+          {.quantity = "perfect.p.greater"},
+          {.quantity = "texture.p.greater", .key = "a"}};
+}
+
+std::vector<CheckedTest> matching_tests(const CoverageSetting& setting) {
+  if (setting.effect != 0.0 || setting.spread > 0.0) return {};
+  return tests_of_guessing(setting);
+}
+
+TidyInput draw_kept_matching(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,trial,stimulus,response");
+  const auto weights = mallows_weights(0.0);
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const Permutation kept = permutation_with(drawn_by_weight(weights, random), random);
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      add_assignment(participant_label(i), trial, kept, table);
+    }
+  }
+  return std::move(table).as_input();
+}
+
+// --- selection: the best of three --------------------------------------------------------------------
+
+constexpr std::array<std::string_view, 3> kModels{"A", "B", "C"};
+constexpr std::array kAdvantages{-2.0, 0.0, 1.0, 2.5, 4.0};
+
+/// A participant's own utilities: normal about the advantage of A and twice zero.
+std::array<double, 3> own_weights(const CoverageSetting& setting, Random& random) {
+  std::array<double, 3> weights{};
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    weights[j] = std::exp((j == 0 ? setting.effect : 0.0) + setting.spread * random.normal());
+  }
+  return weights;
+}
+
+TidyInput draw_selection(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,sample,choice");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const auto weights = own_weights(setting, random);
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      table.add({participant_label(i), "s", kModels[drawn_by_weight(weights, random)]});
+    }
+  }
+  TidyInput input = std::move(table).as_input();
+  input.options.add("renderers", "A,B,C");
+  input.options.add("target", "A");
+  return input;
+}
+
+/// Of A, over participants. The difference of two utilities is normal, which leaves two integrals.
+double mean_choice_of_first(const CoverageSetting& setting) {
+  if (setting.spread == 0.0) {
+    return std::exp(setting.effect) / (std::exp(setting.effect) + 2.0);
+  }
+  constexpr int kSteps = 60;
+  constexpr double kFurthest = 6.0;
+  double sum = 0.0;
+  double all = 0.0;
+  const auto place = [](int i) { return kFurthest * (2.0 * i / kSteps - 1.0); };
+  for (int a = 0; a <= kSteps; ++a) {
+    for (int b = 0; b <= kSteps; ++b) {
+      for (int c = 0; c <= kSteps; ++c) {
+        const double weight =
+            std::exp(-0.5 * (place(a) * place(a) + place(b) * place(b) + place(c) * place(c)));
+        const double first = std::exp(setting.effect + setting.spread * place(a));
+        const double others =
+            std::exp(setting.spread * place(b)) + std::exp(setting.spread * place(c));
+        sum += weight * first / (first + others);
+        all += weight;
+      }
+    }
+  }
+  return sum / all;
+}
+
+std::vector<CheckedInterval> selection_intervals(const CoverageSetting& setting) {
+  const double p = mean_choice_of_first(setting);
+  return {{.quantity = "subj.mean", .key = "A", .truth = p}};
+}
+
+std::vector<CheckedTest> selection_tests(const CoverageSetting& setting) {
+  if (setting.effect != 0.0) return {};
+  return {{.quantity = "relabel.exact.p"},
+          {.quantity = "signflip.p.two", .key = "A|B"},
+          {.quantity = "subj.t.p.two", .key = "A"}};
+}
+
+// --- two groups ------------------------------------------------------------------------------------
+
+TidyInput draw_groups(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,group,correct,trials");
+  const double mu = mu_of_mean(setting.effect, setting.spread);
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double p = own_probability(setting, mu, random);
+    std::size_t correct = 0;
+    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
+      correct += random.uniform() < p ? 1 : 0;
+    }
+    table.add({participant_label(i), i % 2 == 0 ? "F" : "M", std::to_string(correct),
+               std::to_string(setting.trials)});
+  }
+  TidyInput input = std::move(table).as_input();
+  input.options.add("groups", "F,M");
+  return input;
+}
+
+std::vector<CheckedInterval> group_intervals(const CoverageSetting& setting) {
+  return {{.quantity = "subj.mean", .key = "F", .truth = setting.effect},
+          {.quantity = "subj.diff", .truth = 0.0}};
+}
+
+std::vector<CheckedTest> group_tests(const CoverageSetting&) {
+  return {{.quantity = "perm.p.two"},
+          {.quantity = "welch.p.two"},
+          {.quantity = "mannwhitney.exact.p.two"},
+          {.quantity = "mixed.lr.group.p"}};
+}
+
+}  // namespace
+
+std::span<const CoveragePart> choice_parts() {
+  static const auto kOfProportions = all_designs(kProportions, kSpreads);
+  static const auto kOfThetas = all_designs(kThetas, kThetaSpreads);
+  static const auto kOfGuessing = all_designs(std::array{0.0}, kNoSpread);
+  static const auto kOfAdvantages = all_designs(kAdvantages, kSpreads);
+  static const std::array kParts{
+      CoveragePart{.name = "recognition",
+                   .family = "recognition",
+                   .model = "one of four pictures; a participant's logit of a correct answer is "
+                            "normal, wrong answers are equally likely",
+                   .effect = "mean proportion correct",
+                   .spread = "SD of the logits",
+                   .settings = kOfProportions,
+                   .draw = draw_recognition,
+                   .intervals = recognition_intervals,
+                   .tests = recognition_tests},
+      CoveragePart{.name = "matching",
+                   .family = "matching",
+                   .model = "four pictures to four surfaces by Mallows' model (Hamming distance); "
+                            "a participant's theta is normal",
+                   .effect = "mean theta",
+                   .spread = "SD of theta",
+                   .settings = kOfThetas,
+                   .draw = draw_matching,
+                   .intervals = matching_intervals,
+                   .tests = matching_tests},
+      CoveragePart{.name = "matching_kept",
+                   .family = "matching",
+                   .model = "four pictures to four surfaces; each participant guesses one "
+                            "assignment and keeps it in all trials",
+                   .effect = "always 0",
+                   .spread = "always 0",
+                   .settings = kOfGuessing,
+                   .draw = draw_kept_matching,
+                   .intervals = no_intervals,
+                   .tests = tests_of_guessing},
+      CoveragePart{.name = "selection",
+                   .family = "selection",
+                   .model = "the best of three; a participant's utilities are normal, and the "
+                            "choice follows Luce",
+                   .effect = "mean utility of the target above the others",
+                   .spread = "SD of the utilities",
+                   .settings = kOfAdvantages,
+                   .draw = draw_selection,
+                   .intervals = selection_intervals,
+                   .tests = selection_tests},
+      CoveragePart{.name = "groups",
+                   .family = "group",
+                   .model = "two groups of half the participants each, alike; a participant's "
+                            "logit of a correct answer is normal",
+                   .effect = "mean proportion correct in both groups",
+                   .spread = "SD of the logits",
+                   .settings = kOfProportions,
+                   .draw = draw_groups,
+                   .intervals = group_intervals,
+                   .tests = group_tests}};
+  return kParts;
+}
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+#include "tests/coverage/coverage_parts.h"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace asperity {
+
+std::vector<CoveragePart> coverage_parts() {
+  std::vector<CoveragePart> parts(choice_parts().begin(), choice_parts().end());
+  parts.insert(parts.end(), scale_parts().begin(), scale_parts().end());
+  return parts;
+}
+
+std::vector<CoverageSetting> all_designs(std::span<const double> effects,
+                                         std::span<const double> spreads) {
+  constexpr std::pair<std::size_t, std::size_t> kDesigns[]{{20, 3}, {12, 12}, {6, 20}, {5, 12},
+                                                           {4, 12}, {3, 12},  {2, 12}};
+  std::vector<CoverageSetting> settings{};
+  for (const auto& [participants, trials] : kDesigns) {
+    for (const double spread : spreads) {
+      for (const double effect : effects) {
+        settings.push_back(
+            {.participants = participants, .trials = trials, .effect = effect, .spread = spread});
+      }
+    }
+  }
+  return settings;
+}
+
+double mean_of_logistic(double mu, double spread) {
+  // The trapezium rule converges geometrically for a smooth integrand that vanishes at both ends.
+  constexpr int kSteps = 200;
+  constexpr double kFurthest = 9.0;
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double z = kFurthest * (2.0 * i / kSteps - 1.0);
+    const double weight = std::exp(-0.5 * z * z);
+    sum += weight / (1.0 + std::exp(-(mu + spread * z)));
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+double mu_of_mean(double mean, double spread) {
+  if (!(mean > 0.0 && mean < 1.0)) throw std::invalid_argument("a mean proportion lies in (0, 1)");
+  double low = -40.0;
+  double high = 40.0;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (mean_of_logistic(middle, spread) < mean ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+void DrawnTable::add(std::initializer_list<std::string_view> cells) {
+  const char* between = "";
+  for (const std::string_view cell : cells) {
+    text_ += between;
+    text_ += cell;
+    between = ",";
+  }
+  text_ += '\n';
+}
+
+TidyInput DrawnTable::as_input() && {
+  TidyInput input{};
+  input.tables.emplace_back(std::move(text_), "drawn.csv");
+  return input;
+}
+
+std::string participant_label(std::size_t participant) {
+  const std::string number = std::to_string(participant + 1);
+  return number.size() < 2 ? "S0" + number : "S" + number;
+}
+
+std::size_t drawn_by_weight(std::span<const double> weights, Random& random) {
+  double left = random.uniform() * std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t i = 0; i + 1 < weights.size(); ++i) {
+    left -= weights[i];
+    if (left < 0.0) return i;
+  }
+  return weights.size() - 1;
+}
+
+}  // namespace asperity

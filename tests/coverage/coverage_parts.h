@@ -1,0 +1,87 @@
+// What is drawn to see whether intervals cover and tests keep their size.
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/random.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+
+/// One cell of the grid: how many participants give how many answers, and what is true of them.
+struct CoverageSetting {
+  std::size_t participants = 0;
+  std::size_t trials = 0;  ///< of each participant
+  double effect = 0.0;     ///< in the unit of the part's model
+  double spread =
+      0.0;  ///< standard deviation between participants, in the unit of the part's model
+};
+
+/// An interval that the family reports: of a finding, or between two findings where `lower` and `upper` name these.
+struct CheckedInterval {
+  std::string quantity{};
+  std::string key{};
+  double truth = 0.0;
+  std::string lower{};
+  std::string upper{};
+};
+
+/// A p-value whose null hypothesis is true in the setting.
+struct CheckedTest {
+  std::string quantity{};
+  std::string key{};
+};
+
+/// A model that tables are drawn from, the family that analyses them, and what must hold of its findings.
+///
+/// To add one: its functions in one of the files *_parts.cpp, its row in that file's array.
+struct CoveragePart {
+  std::string_view name{};
+  std::string_view family{};
+  std::string_view model{};   ///< a sentence for the documentation
+  std::string_view effect{};  ///< what CoverageSetting::effect is
+  std::string_view spread{};  ///< what CoverageSetting::spread is
+  std::span<const CoverageSetting> settings{};
+  TidyInput (*draw)(const CoverageSetting&, Random&) = nullptr;
+  std::vector<CheckedInterval> (*intervals)(const CoverageSetting&) = nullptr;
+  std::vector<CheckedTest> (*tests)(const CoverageSetting&) = nullptr;
+};
+
+/// In the order of the documentation.
+std::vector<CoveragePart> coverage_parts();
+
+/// Of proportions and choices.
+std::span<const CoveragePart> choice_parts();
+/// Of scales: worths of compared items, estimated magnitudes.
+std::span<const CoveragePart> scale_parts();
+
+/// All combinations: the designs are 20 × 3, 12 × 12, 6 × 20 and 2 to 5 participants × 12.
+std::vector<CoverageSetting> all_designs(std::span<const double> effects,
+                                         std::span<const double> spreads);
+
+/// The mean of 1/(1 + exp(−(μ + spread·z))) over standard normal z.
+double mean_of_logistic(double mu, double spread);
+/// The μ with that mean. Throws std::invalid_argument where `mean` is not between 0 and 1.
+double mu_of_mean(double mean, double spread);
+
+/// Text of a table: a line of column names, then rows.
+class DrawnTable {
+ public:
+  explicit DrawnTable(std::string_view columns) : text_(std::string(columns) + '\n') {}
+  void add(std::initializer_list<std::string_view> cells);
+  TidyInput as_input() &&;
+
+ private:
+  std::string text_{};
+};
+/// "S01".
+std::string participant_label(std::size_t participant);
+/// The first of the `weights` with the probability of its share of their sum, and so on.
+std::size_t drawn_by_weight(std::span<const double> weights, Random& random);
+
+}  // namespace asperity

@@ -1,0 +1,123 @@
+// The counts are those of known intervals, the same however they are made, and every number that is looked for is there.
+
+#include "tests/coverage/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "results_schema/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAreArray;
+
+CoveragePart part_named(const std::string& name) {
+  for (const CoveragePart& part : coverage_parts()) {
+    if (part.name == name) return part;
+  }
+  throw std::runtime_error("no part " + name);
+}
+
+std::vector<std::string> rows_of(const std::vector<CoverageCount>& counts) {
+  std::vector<std::string> rows{};
+  for (const CoverageCount& count : counts) rows.push_back(row_of(count));
+  return rows;
+}
+
+const CoverageCount& count_of(const std::vector<CoverageCount>& counts,
+                              const std::string& quantity) {
+  const auto found = std::find_if(counts.begin(), counts.end(), [&](const CoverageCount& count) {
+    return count.quantity == quantity;
+  });
+  if (found == counts.end()) throw std::runtime_error("no count of " + quantity);
+  return *found;
+}
+
+/// Four standard errors of a proportion of `n` about `p`.
+double four_errors(double p, double n) { return 4.0 * std::sqrt(p * (1.0 - p) / n); }
+
+// The exact coverage of Wilson's interval for 60 trials at .5 and .87, and the exact size of the binomial test against
+// 1/4, summed over the binomial distribution.
+TEST(CoverageCounts, AreThoseOfKnownIntervalsAndTests) {
+  constexpr std::size_t kTables = 1500;
+  const CoveragePart part = part_named("recognition");
+  for (const auto& [p, exact] : {std::pair{0.5, 0.9481061}, std::pair{0.87, 0.9459820}}) {
+    const auto counts = counts_in(part, {.participants = 20, .trials = 3, .effect = p},
+                                  {.seed = 3, .tables = kTables});
+    const CoverageCount& wilson = count_of(counts, "pc");
+    EXPECT_EQ(wilson.given, kTables);
+    const double covered =
+        1.0 - static_cast<double>(wilson.below + wilson.above) / static_cast<double>(kTables);
+    EXPECT_NEAR(covered, exact, four_errors(exact, kTables)) << p;
+  }
+  constexpr double kSize = 0.0298009;
+  const auto counts = counts_in(part, {.participants = 20, .trials = 3, .effect = 0.25},
+                                {.seed = 3, .tables = kTables});
+  const double rejected =
+      static_cast<double>(count_of(counts, "pc.p.greater").rejected) / static_cast<double>(kTables);
+  EXPECT_NEAR(rejected, kSize, four_errors(kSize, kTables));
+}
+
+TEST(CoverageCounts, AreTheSameForAnyNumberOfJobs) {
+  const CoveragePart part = part_named("selection");
+  const CoverageSetting setting{.participants = 6, .trials = 4, .effect = 0.0, .spread = 1.0};
+  const auto one = rows_of(counts_in(part, setting, {.seed = 7, .tables = 60, .jobs = 1}));
+  EXPECT_THAT(rows_of(counts_in(part, setting, {.seed = 7, .tables = 60, .jobs = 3})),
+              ElementsAreArray(one));
+  EXPECT_NE(rows_of(counts_in(part, setting, {.seed = 8, .tables = 60})), one);
+}
+
+TEST(CoverageCounts, GoOnWhereTheyWereStopped) {
+  const TemporaryFolder folder;
+  CoveragePart part = part_named("groups");
+  const std::vector<CoverageSetting> settings{
+      {.participants = 6, .trials = 4, .effect = 0.5},
+      {.participants = 6, .trials = 4, .effect = 0.7, .spread = 1.0}};
+  const CoverageRun run{.seed = 1, .tables = 20};
+  const auto append = [&](const std::string& file, std::size_t how_many) {
+    part.settings = std::span(settings).first(how_many);
+    std::size_t told = 0;
+    append_counts(file, {part}, run, [&told](const std::string&) { ++told; });
+    return told;
+  };
+  const std::string at_once = (folder / "once.tsv").string();
+  const std::string in_parts = (folder / "parts.tsv").string();
+  EXPECT_EQ(append(at_once, 2), 2U);
+  EXPECT_EQ(append(in_parts, 1), 1U);
+  EXPECT_EQ(append(in_parts, 2), 1U);
+  EXPECT_EQ(append(in_parts, 2), 0U);
+  EXPECT_EQ(read_file(in_parts), read_file(at_once));
+  write_file(folder / "other.tsv", "a\tb\n", Overwrite::refuse);
+  EXPECT_THROW(append((folder / "other.tsv").string(), 1), std::runtime_error);
+}
+
+// A quantity that a family no longer has would count as never given.
+TEST(CoverageParts, FindEveryNumberThatTheyLookFor) {
+  for (const CoveragePart& part : coverage_parts()) {
+    const auto rows = [&](const CoverageSetting& setting) { return setting.participants == 12; };
+    for (const CoverageSetting& setting : part.settings) {
+      if (!rows(setting) || std::abs(setting.effect) > 2.0) continue;
+      for (const CoverageCount& count : counts_in(part, setting, {.seed = 1, .tables = 2})) {
+        EXPECT_GT(count.given, 0U) << row_of(count);
+      }
+    }
+  }
+}
+
+TEST(CoverageParts, KnowTheMeanOfALogisticVariable) {
+  EXPECT_DOUBLE_EQ(mean_of_logistic(0.0, 1.0), 0.5);
+  EXPECT_NEAR(mean_of_logistic(1.0, 0.0), 1.0 / (1.0 + std::exp(-1.0)), 1e-15);
+  for (const double p : {0.05, 0.5, 0.98}) {
+    EXPECT_NEAR(mean_of_logistic(mu_of_mean(p, 1.0), 1.0), p, 1e-12);
+  }
+  EXPECT_THROW(mu_of_mean(1.0, 0.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
