@@ -1,8 +1,12 @@
 #include "analysis/pooled_share.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "analysis/number_text.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 
@@ -32,6 +36,44 @@ PooledShare pooled_share(std::span<const HitCount> participants) {
   pooled.binomial_standard_error = std::sqrt(binomial);
   pooled.design_effect = binomial > 0.0 ? clustered / binomial : kNone;
   return pooled;
+}
+
+std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> participants,
+                                                      const MeanShareQuestion& question) {
+  const double all = pooled_share(participants).share;  // refuses what is impossible
+  if (!(question.confidence > 0.0 && question.confidence < 1.0)) {
+    throw std::invalid_argument("confidence is " + number_text(question.confidence) +
+                                "; it must lie between 0 and 1");
+  }
+  if (!(question.least_design_effect >= 1.0)) {
+    throw std::invalid_argument("least_design_effect is " +
+                                number_text(question.least_design_effect) + "; it is at least 1");
+  }
+  const auto n = static_cast<double>(participants.size());
+  const std::optional<double> t = t_limit({.confidence = question.confidence, .df = n - 1.0});
+  if (!t) return std::nullopt;
+  double mean = 0.0;
+  double reciprocal_trials = 0.0;
+  for (const HitCount& own : participants) {
+    mean += proportion(own) / n;
+    reciprocal_trials += 1.0 / static_cast<double>(own.trials);
+  }
+  double trials = n * n / reciprocal_trials / question.least_design_effect;
+  if (all > 0.0 && all < 1.0) {
+    double between = 0.0;
+    for (const HitCount& own : participants) between += std::pow(proportion(own) - mean, 2);
+    between /= n * (n - 1.0);
+    const double binomial = mean * (1.0 - mean) / trials;
+    trials = mean * (1.0 - mean) / std::max(between, binomial);
+  } else {
+    mean = all;  // exactly
+  }
+  const double shrunk = (trials * mean + 0.5) / (trials + 1.0);
+  const double logit = std::log(shrunk / (1.0 - shrunk));
+  const double half = *t / std::sqrt((trials + 1.0) * shrunk * (1.0 - shrunk));
+  const auto share = [](double of_logit) { return 1.0 / (1.0 + std::exp(-of_logit)); };
+  return ConfidenceInterval{.low = mean == 0.0 ? 0.0 : share(logit - half),
+                            .high = mean == 1.0 ? 1.0 : share(logit + half)};
 }
 
 }  // namespace asperity

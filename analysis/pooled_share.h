@@ -1,7 +1,8 @@
-// The share of hits over the trials of several participants, with the participant as the unit.
+// Proportions of hits over the trials of several participants, with the participant as the unit.
 
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "analysis/proportion.h"
@@ -20,5 +21,30 @@ struct PooledShare {
 
 /// Throws std::invalid_argument for no participant and for one without trials.
 PooledShare pooled_share(std::span<const HitCount> participants);
+
+struct MeanShareQuestion {
+  double confidence = 0.95;
+  /// By how much the variance of a participant's count exceeds the binomial one at least, where the trials are not
+  /// independent by their very nature.
+  double least_design_effect = 1.0;
+};
+
+/// The interval of p, the mean of the participants' own proportions x_s/m_s, by Student's t on the logit scale.
+///
+/// The variance v of p is s²/N, of the proportions between participants, but at least the binomial one: p(1 − p)/n with
+/// n = N²/Σ(1/m_s) trials. So p rests on n' = p(1 − p)/v effective independent trials (n where p is 0 or 1), and with
+/// half a hit and half a miss added to them, q = (n'p + ½)/(n' + 1), the interval is logit q ∓ t/√((n' + 1)q(1 − q))
+/// with N − 1 degrees of freedom, 0 and 1 included where p is 0 or 1.
+///
+/// Student's interval of p itself is too short near 0 and 1, where p and its standard error depend on each other, and
+/// does not exist where all participants are alike. docs/analysis.md has the coverage of both; [Dean 2015] compare
+/// such intervals.
+///
+/// Nothing for a single participant. Throws std::invalid_argument as `pooled_share` does, for a confidence outside
+/// 0 … 1 and for a design effect below 1.
+///
+/// [Dean 2015] Dean, Pagano: Evaluating confidence interval methods for binomial proportions in clustered surveys.
+std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> participants,
+                                                      const MeanShareQuestion& question = {});
 
 }  // namespace asperity

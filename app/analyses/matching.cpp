@@ -356,7 +356,7 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(percent(*mean->value), interval_text(*mean),
                       items ? percent(1.0 / static_cast<double>(*items))
-                            : phrase("Analysis", "different from go to go"),
+                            : phrase("Analysis", "different from trial to trial"),
                       p_text(*test));
   };
   const Sayings sayings{
@@ -378,8 +378,9 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
       said_of(*test, sayings),
       phrase("Analysis",
              "The proportion of each participant's correctly matched items, averaged over the "
-             "participants, with Student's interval. The total of correctly matched items is "
-             "compared with its exact permutation distribution: the pictures are relabelled once "
+             "participants, with a CI by Student's t on the logit scale. The total of correctly "
+             "matched items is compared with its exact permutation distribution: the pictures are "
+             "relabelled once "
              "per participant, in all trials alike, so that the test also holds for participants "
              "who guess one assignment and keep it."),
       "items", mean);
@@ -388,25 +389,23 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
 void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("whole");
   const Finding* hits = found.find("perfect.trials");
-  if (test == nullptr || !test->p || hits == nullptr || hits->n == 0) return;
-  Finding share = *hits;
+  const Finding* mean = found.find("perfect.subj.mean");
+  if (test == nullptr || !test->p || hits == nullptr || mean == nullptr || !mean->value) return;
+  Finding share = *mean;
   share.quantity = "perfect.share";
-  share.value = *hits->value / static_cast<double>(hits->n);
-  share.low = found.value("perfect.wilson.lower");
-  share.high = found.value("perfect.wilson.upper");
-  share.confidence = 0.95;
   add_question(
       outcome, "whole", phrase("Analysis", "How often is a whole go right?"),
       phrase("Analysis",
-             "Trials with all items correct: %1 of %2, %3 (%4); permutation test over "
-             "participants, %5.")
+             "Trials with all items correct: %1 of %2, on average %3 of a participant's trials "
+             "(%4); permutation test over participants, %5.")
           .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
                 percent(*share.value), interval_text(share), p_text(*test)),
       phrase(
           "Analysis",
           "Exact permutation test: the pictures are relabelled once per participant, in all trials "
-          "alike. Wilson's interval, which takes the trials of a participant as independent."),
-      "whole_permutations", &share, CountedUnit::goes);
+          "alike. The CI of the participants' mean proportion is by Student's t on the logit "
+          "scale."),
+      "whole_permutations", &share);
 }
 
 /// The same finding with its numbers in this unit, which is that many times as large.

@@ -258,9 +258,10 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   const Phrase question = phrase("Analysis", "Are felt textures recognised?");
   const Phrase method =
       phrase("Analysis",
-             "The share of each participant's own answers, averaged over the participants, with "
-             "Student's interval and test against chance; with a single participant the exact "
-             "binomial test. Answers “cannot tell” name no picture and are left out here; the "
+             "The proportion of each participant's correct responses, averaged over the "
+             "participants, with a CI by Student's t on the logit scale and Student's t test "
+             "against chance; with a single participant the exact binomial test. Answers “cannot "
+             "tell” name no picture and are left out here; the "
              "table of shares counts them as not right.");
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
   if (!test->p) {

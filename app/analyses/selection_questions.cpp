@@ -257,8 +257,9 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   const GreatestMean most = greatest_mean(selection.items, choice);
   const Phrase method =
       phrase("Analysis",
-             "The share of each participant's own choices, averaged over the participants, with "
-             "Student's interval. That all models mean the same is tested by exchanging the models "
+             "The proportion of each participant's own choices, averaged over the participants, "
+             "with a CI by Student's t on the logit scale. That all models mean the same is tested "
+             "by exchanging the models "
              "within each participant's choices at random (relabelling), which holds however the "
              "choices of a participant depend on each other.");
   const StudyTests::Test* test = tests.find("preference");

@@ -21,16 +21,12 @@ constexpr std::size_t kMostRows = 200;  // of one table: nobody reads more
 constexpr std::size_t kRowsOfLonger = 100;
 constexpr const char* kInterval = " interval";
 
-/// Student's interval of a mean share stands as it stands everywhere: as far as a share can go. Uncut
-/// it is a finding of its own, for programs that compare it.
-std::string reading_value(const Finding& finding, const FoundNumbers& found) {
-  const bool is_low = finding.quantity == "subj.ci.lower";
-  if (is_low || finding.quantity == "subj.ci.upper") {
-    const Finding* mean = found.find("subj.mean", finding.key);
-    if (mean != nullptr && mean->low && mean->high) {
-      return reading_number(is_low ? *mean->low : *mean->high);
-    }
-  }
+/// Student's interval of a mean proportion is shown as far as a proportion can go; programs that compare it have it
+/// uncut.
+std::string reading_value(const Finding& finding) {
+  const bool is_of_share =
+      finding.quantity == "subj.ci.lower" || finding.quantity == "subj.ci.upper";
+  if (is_of_share && finding.value) return reading_number(std::clamp(*finding.value, 0.0, 1.0));
   return finding.value ? reading_number(*finding.value) : finding.word;
 }
 
@@ -128,7 +124,7 @@ std::vector<Column> columns_of(std::span<const Finding> findings) {
     const auto [known, first] = place.emplace(name, columns.size());
     if (first) columns.push_back({.name = name});
     Column& column = columns[known->second];
-    const std::string value = reading_value(finding, found);
+    const std::string value = reading_value(finding);
     if (is_end && !end->is_lower && !column.keys.empty() && column.keys.back() == finding.key) {
       column.values.back() += ", " + value + ']';
       continue;

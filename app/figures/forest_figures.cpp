@@ -228,9 +228,9 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
                 .note = means.empty() ? note
                                       : (has_intervals(means)
                                              ? phrase("Figures",
-                                                      "%1 Squares are means of the persons' own "
-                                                      "shares with t intervals: a person is the "
-                                                      "unit.")
+                                                      "%1 Squares are means of the participants' "
+                                                      "own proportions with 95 % CIs by t on the "
+                                                      "logit scale: the participant is the unit.")
                                              : phrase("Figures",
                                                       "%1 Squares are means of the persons' own "
                                                       "shares: a person is the unit."))
@@ -259,8 +259,9 @@ std::optional<Figure> people_forest(const NamedTable& table, std::optional<doubl
                 .title = table.title,
                 .note = has_intervals(rows)
                             ? phrase("Figures",
-                                     "Squares are means of the persons' own shares, bars their "
-                                     "95 % intervals by t: a person is the unit.")
+                                     "Squares are means of the participants' own proportions, bars "
+                                     "their 95 % CIs by t on the logit scale: the participant is "
+                                     "the unit.")
                             : phrase("Figures",
                                      "Squares are means of the persons' own shares: a person is "
                                      "the unit.")};
@@ -403,7 +404,7 @@ Figure recognition_forest(const FoundNumbers& found) {
       .note = phrase("Figures",
                      "Circles are shares of the trials with that stimulus, with intervals by "
                      "Wilson that take trials as independent. The square is the mean of the "
-                     "participants' own shares with a t interval.")};
+                     "participants' own proportions with a CI by t on the logit scale.")};
   std::vector<ForestRow> rows{};
   for (const Finding* recall : found.all("recall")) {
     // Its n are participants; the trials stand in the row of the confusions.

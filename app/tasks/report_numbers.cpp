@@ -72,10 +72,19 @@ const std::map<std::string, NumberWords>& known_numbers() {
 
 /// Alternatives of a test that is listed as well.
 bool is_another_form(const std::string& quantity) {
-  static const std::set<std::string> kAlternatives{
-      "G.p",           "exact.midp.greater",  "exact.p.less",         "fisher.p.greater",
-      "fisher.p.less", "mauchly.p.car",       "mauchly.p.firstorder", "multinom.exact.p",
-      "p.lower",       "pairwise.binom.p.two"};
+  static const std::set<std::string> kAlternatives{"G.p",
+                                                   "exact.midp.greater",
+                                                   "exact.p.greater",
+                                                   "exact.p.less",
+                                                   "fisher.p.greater",
+                                                   "fisher.p.less",
+                                                   "mauchly.p.car",
+                                                   "mauchly.p.firstorder",
+                                                   "multinom.exact.p",
+                                                   "p.lower",
+                                                   "pairwise.binom.p.two",
+                                                   "perfect.p.greater",
+                                                   "texture.p.greater"};
   return kAlternatives.contains(quantity);
 }
 

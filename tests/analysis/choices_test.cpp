@@ -1,7 +1,10 @@
 // Tests of choices where the answer can be counted by hand or is published.
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +14,7 @@
 #include "analysis/equal_error_information.h"
 #include "analysis/matching_null.h"
 #include "analysis/pooled_share.h"
+#include "analysis/random.h"
 #include "analysis/uniform_counts.h"
 
 namespace asperity {
@@ -23,6 +27,58 @@ TEST(PooledShare, CountsParticipantsNotAnswers) {
   EXPECT_EQ(pooled.share, 0.5);
   EXPECT_NEAR(pooled.design_effect, 3.0 * 4.0 / 3.0, 1e-12);
   EXPECT_THROW(pooled_share({}), std::invalid_argument);
+}
+
+// 60 trials of 20 participants without an error: logit 60.5/61 less 2.093 standard errors of 1.420.
+TEST(MeanShareInterval, ExistsWhereAllParticipantsAreAlike) {
+  const std::vector<HitCount> all_right(20, {3, 3});
+  const std::optional<ConfidenceInterval> high = mean_share_interval(all_right);
+  EXPECT_NEAR(high.value().low, 0.8610, 5e-4);
+  EXPECT_EQ(high->high, 1.0);
+  const std::vector<HitCount> all_wrong(20, {0, 3});
+  EXPECT_NEAR(mean_share_interval(all_wrong).value().high, 1.0 - high->low, 1e-12);
+  EXPECT_EQ(mean_share_interval(all_wrong)->low, 0.0);
+  const std::vector<HitCount> alike(5, {2, 4});
+  EXPECT_LT(mean_share_interval(alike).value().low, 0.4);
+  EXPECT_FALSE(mean_share_interval(std::vector<HitCount>{{2, 4}}).has_value());
+}
+
+TEST(MeanShareInterval, RefusesWhatIsNoQuestion) {
+  const std::vector<HitCount> two{{1, 2}, {2, 2}};
+  EXPECT_THROW(mean_share_interval({}), std::invalid_argument);
+  EXPECT_THROW(mean_share_interval(two, {.confidence = 1.0}), std::invalid_argument);
+  EXPECT_THROW(mean_share_interval(two, {.least_design_effect = 0.5}), std::invalid_argument);
+}
+
+struct SimulatedDesign {
+  std::size_t participants = 0;
+  std::uint64_t trials = 0;
+  double mean_logit = 0.0;  ///< of participants with an SD of 1
+  double mean = 0.0;        ///< of their proportions
+};
+
+// Six participants whose mean is .95 and 20 with three trials each: Student's interval covers .88 and .85 of them.
+TEST(MeanShareInterval, CoversNearOne) {
+  constexpr int kStudies = 2000;
+  for (const SimulatedDesign& design :
+       {SimulatedDesign{20, 3, 3.3714, 0.95}, SimulatedDesign{6, 20, 3.3714, 0.95},
+        SimulatedDesign{12, 12, 2.2351, 0.87}}) {
+    Random random(5);
+    int covered = 0;
+    for (int study = 0; study < kStudies; ++study) {
+      std::vector<HitCount> own(design.participants, {0, design.trials});
+      for (HitCount& one : own) {
+        const double p = 1.0 / (1.0 + std::exp(-design.mean_logit - random.normal()));
+        for (std::uint64_t trial = 0; trial < design.trials; ++trial) {
+          one.hits += random.uniform() < p ? 1 : 0;
+        }
+      }
+      const ConfidenceInterval interval = mean_share_interval(own).value();
+      covered += interval.low <= design.mean && design.mean <= interval.high ? 1 : 0;
+    }
+    EXPECT_GE(covered, 0.94 * kStudies) << design.participants;
+    EXPECT_LE(covered, 0.99 * kStudies) << design.participants;
+  }
 }
 
 // 12, 7 and 1 of 20 against thirds: Σx²·3/20 − 20 = 9.1.

@@ -203,6 +203,7 @@ TEST(TableFindings, EndTheIntervalOfAMeanShareWhereSharesEnd) {
   const TableFindings findings{.kind = "recognition", .findings = recognition_findings(input)};
   EXPECT_THAT(reading_text_of(findings),
               testing::ContainsRegex("subj\\.ci interval +\\[0\\.4772, 1\\]\n"));
+  EXPECT_THAT(reading_text_of(findings), HasSubstr("subj.mean interval"));
   EXPECT_THAT(findings_json(findings), HasSubstr("1.27")) << "uncut for who compares it";
 }
 

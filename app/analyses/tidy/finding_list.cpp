@@ -66,16 +66,21 @@ std::string way_of_counting(std::size_t drawn) {
   return "random (" + std::to_string(drawn) + " draws, seed " + std::to_string(kSeedOfTests) + ")";
 }
 
-void add_mean_share(const std::string& key, const OneSampleT& t, const std::string& method,
-                    double confidence, FindingList& findings) {
-  Basis basis{.n = t.n,
-              .method = method + "; t interval, cut at 0 and 1",
+void add_mean_share(const std::string& quantity, const std::string& key,
+                    std::span<const HitCount> participants, const std::string& method,
+                    const MeanShareQuestion& question, FindingList& findings) {
+  Basis basis{.n = participants.size(),
+              .method = method + "; t interval on the logit scale",
               .undefined = "there is no participant with a share"};
-  if (t.test) {
-    basis.interval = within(kShares, t.test->interval);
-    basis.confidence = confidence;
+  double mean = kUndefined;
+  if (!participants.empty()) {
+    std::vector<double> shares{};
+    for (const HitCount& own : participants) shares.push_back(proportion(own));
+    mean = one_sample_t(shares).mean;
+    basis.interval = mean_share_interval(participants, question);
+    if (basis.interval) basis.confidence = question.confidence;
   }
-  findings.number("subj.mean", key, t.mean, basis);
+  findings.number(quantity, key, mean, basis);
 }
 
 void add_mean_of_group(const std::string& quantity, const std::string& key,

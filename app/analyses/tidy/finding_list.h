@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/finding.h"
+#include "analysis/pooled_share.h"
 #include "analysis/proportion.h"
 #include "analysis/t_test.h"
 
@@ -61,11 +62,12 @@ void add_spread(const std::string& key, std::span<const double> shares, FindingL
 /// "exact", or "random (9999 draws, seed 1)", for a method; `drawn` of 0 is exact.
 std::string way_of_counting(std::size_t drawn);
 
-/// The mean of participants' own shares with Student's interval, where there is one, as far as a share
-/// can go (`within`). `method`: of what it is the mean. Whatever shows the interval of a mean share
-/// takes it from here.
-void add_mean_share(const std::string& key, const OneSampleT& t, const std::string& method,
-                    double confidence, FindingList& findings);
+/// The mean of participants' own proportions, `subj.mean` as a rule, with its interval (`mean_share_interval`) where there are
+/// two participants. `method`: of what it is the mean. Whatever shows the interval of a mean proportion takes it from
+/// here.
+void add_mean_share(const std::string& quantity, const std::string& key,
+                    std::span<const HitCount> participants, const std::string& method,
+                    const MeanShareQuestion& question, FindingList& findings);
 
 /// The numbers of single participants, with what these can be where there are bounds to it.
 struct GroupScale {

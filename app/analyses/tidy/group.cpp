@@ -169,8 +169,15 @@ class GroupComparison final {
   void participants() {
     const TwoSamples samples{.first = groups_.first, .second = groups_.second};
     const GroupScale shares{.confidence = confidence_, .possible = kShares};
-    add_mean_of_group("subj.mean", groups_.names[0], samples.first, shares, list_);
-    add_mean_of_group("subj.mean", groups_.names[1], samples.second, shares, list_);
+    for (const bool second : {false, true}) {
+      std::vector<HitCount> own{};
+      for (const GroupedHits& one : groups_.participants) {
+        if (one.second_group == second) own.push_back(one.count);
+      }
+      add_mean_share("subj.mean", groups_.names[second ? 1 : 0], own,
+                     "mean of the group's participants, their own proportions",
+                     {.confidence = confidence_}, list_);
+    }
     const std::optional<WelchT> welch = welch_t(samples, confidence_);
     add_difference_of_means("subj.diff", "", samples, shares, list_);
     if (welch) {

@@ -1,6 +1,7 @@
 // Each trial assigns several felt textures to as many images.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -251,12 +252,25 @@ void add_whole(const Matching& read, FindingList& findings) {
   const Basis wilson{.n = whole.trials, .method = "interval of Wilson, of permutation trials"};
   findings.number("perfect.wilson.lower", "", basis.interval->low, wilson);
   findings.number("perfect.wilson.upper", "", basis.interval->high, wilson);
+  std::vector<HitCount> own(read.participants.size());
+  for (const TidyTrial& trial : read.trials) {
+    own[trial.participant].trials += trial.permutation ? trial.times : 0;
+    own[trial.participant].hits += trial.whole() ? trial.times : 0;
+  }
+  std::erase_if(own, [](const HitCount& one) { return one.trials == 0; });
+  add_mean_share("perfect.subj.mean", "", own,
+                 "mean of the participants' own proportions of trials with all items correct",
+                 {.confidence = read.confidence}, findings);
   if (!read.equal_size) return;
   findings.number(
       "perfect.p.greater", "", binomial_upper_tail(whole, whole_chance(read.items)),
       {.n = whole.trials,
        .method = "exact binomial, one-sided against 1/" + std::to_string(read.items) + "!"});
 }
+
+/// The wrong items of a permutation are two at least: under Mallows' model with four items their number varies up to
+/// 2.1 times as much as that of independent ones.
+constexpr double kLeastDesignEffect = 2.0;
 
 /// Answers by what was felt and what was chosen, both as labels.
 struct ItemCounts {
@@ -432,17 +446,41 @@ void add_mallows(const Matching& read, FindingList& findings) {
   findings.number("mallows.ci.upper", "", fit.finite->interval.high, basis);
 }
 
-/// `means`: right items of a trial, by participant.
-void add_groups(const Matching& read, const std::vector<double>& means, FindingList& findings) {
+/// Of one group: correctly matched items of a trial.
+void add_group_mean(const Matching& read, const std::string& group, std::span<const double> means,
+                    std::span<const HitCount> own, const GroupScale& scale, FindingList& findings) {
+  if (!read.equal_size) {
+    add_mean_of_group("group.mean", group, means, scale, findings);
+    return;
+  }
+  Basis basis{.n = means.size(),
+              .method = scale.of + "; t interval on the logit scale of the proportions",
+              .interval = mean_share_interval(own, {.confidence = scale.confidence,
+                                                    .least_design_effect = kLeastDesignEffect})};
+  if (basis.interval) {
+    basis.interval->low *= static_cast<double>(read.items);
+    basis.interval->high *= static_cast<double>(read.items);
+    basis.confidence = scale.confidence;
+  }
+  findings.number("group.mean", group, one_sample_t(means).mean, basis);
+}
+
+/// `means`: right items of a trial, by participant; `own` of all items.
+void add_groups(const Matching& read, const std::vector<double>& means,
+                std::span<const HitCount> own, FindingList& findings) {
   const std::set<std::string> groups(read.groups.begin(), read.groups.end());
   std::vector<std::string> names(groups.begin(), groups.end());
   std::erase(names, "");
   if (names.size() != 2) return;
   std::vector<double> first{};
   std::vector<double> second{};
+  std::array<std::vector<HitCount>, 2> own_of{};
   for (std::size_t person = 0; person < means.size(); ++person) {
     if (read.groups[person] == names[0]) first.push_back(means[person]);
     if (read.groups[person] == names[1]) second.push_back(means[person]);
+    for (std::size_t group = 0; group < 2; ++group) {
+      if (read.groups[person] == names[group]) own_of[group].push_back(own[person]);
+    }
   }
   const TwoSamples samples{.first = first, .second = second};
   const std::string key = names[0] + '-' + names[1];
@@ -451,8 +489,8 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
   const GroupScale scale{
       .confidence = read.confidence,
       .possible = ConfidenceInterval{.low = 0.0, .high = static_cast<double>(most)}};
-  add_mean_of_group("group.mean", names[0], first, scale, findings);
-  add_mean_of_group("group.mean", names[1], second, scale, findings);
+  add_group_mean(read, names[0], first, own_of[0], scale, findings);
+  add_group_mean(read, names[1], second, own_of[1], scale, findings);
   add_difference_of_means("group.diff", key, samples, scale, findings);
   const SplitTest test = permutation_test(samples);
   findings.number("group.perm.p.two", key, test.p,
@@ -467,7 +505,9 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
   std::vector<double> shares{};
   for (const HitCount& count : own) shares.push_back(proportion(count));
   const OneSampleT t = one_sample_t(shares, {.confidence = confidence});
-  add_mean_share("", t, "mean of the participants' shares of right items", confidence, findings);
+  add_mean_share("subj.mean", "", own,
+                 "mean of the participants' own proportions of correctly matched items",
+                 {.confidence = confidence, .least_design_effect = kLeastDesignEffect}, findings);
   findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
                   {.n = t.n,
                    .method = "of the participants' shares",
@@ -501,7 +541,7 @@ void add_participants(const Matching& read, FindingList& findings) {
         {.n = trials[person], .method = "exact, one-sided, against random orders of the answers"});
   }
   add_shares_of_participants(own, read.confidence, findings);
-  add_groups(read, means, findings);
+  add_groups(read, means, own, findings);
 }
 
 }  // namespace

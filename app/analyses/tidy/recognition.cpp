@@ -136,7 +136,8 @@ class Recognition final {
     std::vector<double> shares{};
     for (const HitCount& one : trials_.participants) shares.push_back(proportion(one));
     const OneSampleT t = one_sample_t(shares, {.null_mean = chance(), .confidence = confidence_});
-    add_mean_share("", t, "mean of the participants' shares", confidence_, list_);
+    add_mean_share("subj.mean", "", trials_.participants,
+                   "mean of the participants' own proportions", {.confidence = confidence_}, list_);
     const auto of_spread = [this](const char* method) {
       Basis made = basis(method);
       made.undefined = "one participant has no spread: run more";

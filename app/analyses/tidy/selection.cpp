@@ -203,7 +203,8 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const OneSampleT t =
       n > 0 ? one_sample_t(shares, {.null_mean = chance, .confidence = read.confidence})
             : OneSampleT{.mean = kNoNumber};
-  add_mean_share(target, t, "mean of the participants' shares", read.confidence, findings);
+  add_mean_share("subj.mean", target, own, "mean of the participants' own proportions",
+                 {.confidence = read.confidence}, findings);
   number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' shares");
   const std::string method =
       "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());

@@ -92,10 +92,6 @@
         <translation>Einzelne Zuordnungen: Anteil der richtigen</translation>
     </message>
     <message>
-        <source>Chance is 1/m. The items of one go are not independent (all but one right is impossible): the interval holds 95 % of what random permutations give, and p is the probability that they give as many right items or more.</source>
-        <translation>Der Zufall trifft mit 1/m. Die Zuordnungen einer Runde sind nicht unabhängig (alle bis auf eine richtig ist unmöglich): Das Intervall enthält 95 % dessen, was zufällige Permutationen ergeben, und p ist die Wahrscheinlichkeit, dass sie ebenso viele oder mehr richtige ergeben.</translation>
-    </message>
-    <message>
         <source>Share of right items, by felt texture</source>
         <translation>Anteil richtiger Zuordnungen nach gefühlter Textur</translation>
     </message>
@@ -204,32 +200,12 @@
         <translation>Durchgänge mit so vielen richtigen Zuordnungen</translation>
     </message>
     <message>
-        <source>They do: %1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
-        <translation>Ja: im Mittel sind %1 der Zuordnungen einer Person richtig (%2), wo der Zufall %3 gäbe; %4 gegen zufällige Permutationen.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that they do: %1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
-        <translation>Nichts zeigt das: im Mittel sind %1 der Zuordnungen einer Person richtig (%2), wo der Zufall %3 gäbe; %4 gegen zufällige Permutationen.</translation>
-    </message>
-    <message>
         <source>Do felt textures find their pictures more often than by chance?</source>
         <translation>Finden gefühlte Texturen häufiger als durch Zufall zu ihren Bildern?</translation>
     </message>
     <message>
-        <source>The share of each participant&apos;s own items, averaged over the participants, with Student&apos;s interval. The number of right items of all goes is tested against random permutations, exactly: the items of one go are not independent, and a binomial test would find too much.</source>
-        <translation>Der Anteil an den eigenen Zuordnungen jeder Person, gemittelt über die Personen, mit dem Intervall von Student. Die Zahl der richtigen Zuordnungen aller Durchgänge wird exakt gegen zufällige Permutationen geprüft: die Zuordnungen eines Durchgangs sind nicht unabhängig, und ein Binomialtest fände zu viel.</translation>
-    </message>
-    <message>
         <source>How often is a whole go right?</source>
         <translation>Wie oft ist ein ganzer Durchgang richtig?</translation>
-    </message>
-    <message>
-        <source>Assignments with every item correct: %1 of %2, %3 (%4); %5 against random permutations.</source>
-        <translation>Zuordnungen, in denen alles richtig ist: %1 von %2, %3 (%4); %5 gegen zufällige Permutationen.</translation>
-    </message>
-    <message>
-        <source>Exact binomial test against 1/m!, with Wilson&apos;s interval. Goes of one participant are taken as independent.</source>
-        <translation>Exakter Binomialtest gegen 1/m! mit dem Intervall von Wilson. Durchgänge einer Person gelten dabei als unabhängig.</translation>
     </message>
     <message>
         <source>Which textures are confused?</source>
@@ -332,10 +308,6 @@
         <translation>Welche Darstellung ist die wirklichkeitsnächste?</translation>
     </message>
     <message>
-        <source>The share of each participant&apos;s own choices, averaged over the participants, with Student&apos;s interval. That all models mean the same is tested by exchanging the models within each participant&apos;s choices at random (relabelling), which holds however the choices of a participant depend on each other.</source>
-        <translation>Der Anteil an den eigenen Wahlen jeder Person, gemittelt über die Personen, mit dem Intervall von Student. Dass alle Modelle dasselbe bedeuten, wird geprüft, indem die Modelle innerhalb der Wahlen jeder Person zufällig vertauscht werden; das gilt, wie immer die Wahlen einer Person voneinander abhängen.</translation>
-    </message>
-    <message>
         <source>Nobody has chosen one yet.</source>
         <translation>Noch hat niemand eine gewählt.</translation>
     </message>
@@ -404,24 +376,12 @@
         <translation>eine einzelne Person ergibt kein Intervall</translation>
     </message>
     <message>
-        <source>all participants alike, which gives no interval</source>
-        <translation>alle Personen gleich, was kein Intervall ergibt</translation>
-    </message>
-    <message>
         <source>Do women and men differ?</source>
         <translation>Unterscheiden sich Frauen und Männer?</translation>
     </message>
     <message>
         <source>Measures of all answers together</source>
         <translation>Maße aus allen Antworten zusammen</translation>
-    </message>
-    <message>
-        <source>different from go to go</source>
-        <translation>von Durchgang zu Durchgang verschieden</translation>
-    </message>
-    <message>
-        <source>%1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
-        <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2), wo Zufall %3 ist; %4 gegen zufällige Permutationen.</translation>
     </message>
     <message>
         <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
@@ -490,10 +450,6 @@
     <message>
         <source>Similarity: Luce&apos;s choice model, 1 for what cannot be told apart, with the favourite answers taken out. Dissimilarity: Shepard&apos;s −ln of it from the counts plus ½, not below 0.</source>
         <translation>Ähnlichkeit: Luces Wahlmodell, 1 für Ununterscheidbares, ohne den Einfluss bevorzugter Antworten. Unähnlichkeit: Shepards −ln davon aus den Anzahlen plus ½, nicht unter 0.</translation>
-    </message>
-    <message>
-        <source>The share of each participant&apos;s own answers, averaged over the participants, with Student&apos;s interval and test against chance; with a single participant the exact binomial test. Answers “cannot tell” name no picture and are left out here; the table of shares counts them as not right.</source>
-        <translation>Der Anteil an den eigenen Antworten jeder Versuchsperson, über die Versuchspersonen gemittelt, mit Students Intervall und Test gegen den Zufall; bei einer einzigen Versuchsperson der exakte Binomialtest. Antworten „Weiß nicht“ nennen kein Bild und bleiben hier außer Betracht; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
     </message>
     <message>
         <source>d′ is %1 (95 % interval %2 to %3, n = %4 answers)</source>
@@ -702,18 +658,6 @@
     <message>
         <source>Of these participants %1; women less men is %2. Splitting the participants anew gives %3.</source>
         <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s. The p is of another method, which assumes less: all ways to split the participants into groups of these sizes. Where one just excludes that there is no difference, the other need not.</source>
-        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch. Das p ist das eines anderen Verfahrens, das weniger voraussetzt: alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen. Wo das eine gerade noch ausschließt, dass es keinen Unterschied gibt, muss das andere es nicht.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s. The p is of another method, which assumes less: %1 random ways to split the participants into groups of these sizes, of which there are too many to count all. Where one just excludes that there is no difference, the other need not.</source>
-        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch. Das p ist das eines anderen Verfahrens, das weniger voraussetzt: %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen; alle zu zählen wären zu viele. Wo das eine gerade noch ausschließt, dass es keinen Unterschied gibt, muss das andere es nicht.</translation>
-    </message>
-    <message>
-        <source>The interval of the mean is Student&apos;s, over the persons, cut at 0 and 1: a share cannot lie beyond, so that it covers as often.</source>
-        <translation>Das Intervall des Mittelwerts ist das von Student, über die Personen, bei 0 und 1 abgeschnitten: Ein Anteil kann nicht jenseits liegen, daher enthält es ihn ebenso oft.</translation>
     </message>
     <message>
         <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is Student&apos;s, of the logarithms. raw: participants as they count. left out: those of the persons who are in raw alone, because somewhere they have no estimate and so no scale that could be taken out.</source>
@@ -934,6 +878,58 @@
     <message>
         <source>Is one level of %1 preferred to another?</source>
         <translation>Wird eine Stufe von %1 einer anderen vorgezogen?</translation>
+    </message>
+    <message>
+        <source>The chance level is 1/m. p: exact permutation test, one-sided, not corrected for the number of rows: one random relabelling of the pictures per participant, common to the participant&apos;s trials. The interval contains 95 % of the permutation distribution.</source>
+        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: eine zufällige Umbenennung der Bilder je Versuchsperson, allen ihren Durchgängen gemeinsam. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
+    </message>
+    <message>
+        <source>different from trial to trial</source>
+        <translation>von Durchgang zu Durchgang verschieden</translation>
+    </message>
+    <message>
+        <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
+        <translation>Ja: im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+    </message>
+    <message>
+        <source>Not significantly more often: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
+        <translation>Nicht signifikant häufiger: im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+    </message>
+    <message>
+        <source>On average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
+        <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s correctly matched items, averaged over the participants, with a CI by Student&apos;s t on the logit scale. The total of correctly matched items is compared with its exact permutation distribution: the pictures are relabelled once per participant, in all trials alike, so that the test also holds for participants who guess one assignment and keep it.</source>
+        <translation>Der Anteil der richtigen Zuordnungen jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala. Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
+    </message>
+    <message>
+        <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
+        <translation>Durchgänge, in denen alles richtig ist: %1 von %2, im Mittel %3 der Durchgänge einer Versuchsperson (%4); Permutationstest über die Versuchspersonen, %5.</translation>
+    </message>
+    <message>
+        <source>Exact permutation test: the pictures are relabelled once per participant, in all trials alike. The CI of the participants&apos; mean proportion is by Student&apos;s t on the logit scale.</source>
+        <translation>Exakter Permutationstest: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich. Das Konfidenzintervall des mittleren Anteils der Versuchspersonen ist nach Students t auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s correct responses, averaged over the participants, with a CI by Student&apos;s t on the logit scale and Student&apos;s t test against chance; with a single participant the exact binomial test. Answers “cannot tell” name no picture and are left out here; the table of shares counts them as not right.</source>
+        <translation>Der Anteil der richtigen Antworten jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala und Students t-Test gegen den Zufall; bei einer einzigen Versuchsperson der exakte Binomialtest. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s own choices, averaged over the participants, with a CI by Student&apos;s t on the logit scale. That all models mean the same is tested by exchanging the models within each participant&apos;s choices at random (relabelling), which holds however the choices of a participant depend on each other.</source>
+        <translation>Der Anteil an den eigenen Wahlen jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala. Dass alle Modelle dasselbe bedeuten, wird geprüft, indem die Modelle innerhalb der Wahlen jeder Versuchsperson zufällig vertauscht werden; das gilt, wie auch immer die Wahlen einer Person voneinander abhängen.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with CIs by Student&apos;s t, of proportions on the logit scale; their difference with Welch&apos;s CI. The p is of another method, which assumes less: all ways to split the participants into groups of these sizes. Where one just excludes that there is no difference, the other need not.</source>
+        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen mit Konfidenzintervallen nach Students t, für Anteile auf der Logit-Skala; ihr Unterschied mit dem Konfidenzintervall nach Welch. Das p stammt von einem anderen Verfahren, das weniger voraussetzt: alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen. Wo eines gerade noch ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with CIs by Student&apos;s t, of proportions on the logit scale; their difference with Welch&apos;s CI. The p is of another method, which assumes less: %1 random ways to split the participants into groups of these sizes, of which there are too many to count all. Where one just excludes that there is no difference, the other need not.</source>
+        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen mit Konfidenzintervallen nach Students t, für Anteile auf der Logit-Skala; ihr Unterschied mit dem Konfidenzintervall nach Welch. Das p stammt von einem anderen Verfahren, das weniger voraussetzt: %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, von denen es zu viele gibt, um alle zu zählen. Wo eines gerade noch ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
+    </message>
+    <message>
+        <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
+        <translation>95-%-Konfidenzintervall des Mittels: Students t über die Versuchspersonen auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
     </message>
 </context>
 <context>
@@ -1913,10 +1909,6 @@
         <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson; leere Punkte sind Teile der vollen.</translation>
     </message>
     <message>
-        <source>Squares are means of the persons&apos; own shares, bars their 95 % intervals by t: a person is the unit.</source>
-        <translation>Quadrate sind Mittel der eigenen Anteile der Personen, Striche ihre 95-%-Intervalle nach t: Die Person ist die Einheit.</translation>
-    </message>
-    <message>
         <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson.</source>
         <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson.</translation>
     </message>
@@ -1979,10 +1971,6 @@
     <message>
         <source>How often each was recognised</source>
         <translation>Wie oft jedes erkannt wurde</translation>
-    </message>
-    <message>
-        <source>Circles are shares of the trials with that stimulus, with intervals by Wilson that take trials as independent. The square is the mean of the participants&apos; own shares with a t interval.</source>
-        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, mit Intervallen nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist das Mittel der eigenen Anteile der Versuchspersonen mit t-Intervall.</translation>
     </message>
     <message>
         <source>Shares with intervals by Wilson, one choice per person and experiment; all together: as if independent.</source>
@@ -2133,16 +2121,8 @@
         <translation>richtige Zuordnungen einer Runde, Mittelwert mit %1-%-Intervall</translation>
     </message>
     <message>
-        <source>%1 Squares are means of the persons&apos; own shares with t intervals: a person is the unit.</source>
-        <translation>%1 Quadrate sind Mittelwerte der Anteile der einzelnen Personen mit t-Intervallen: Eine Person ist die Einheit.</translation>
-    </message>
-    <message>
         <source>Both groups: means of the participants</source>
         <translation>Beide Gruppen: Mittelwerte der Versuchspersonen</translation>
-    </message>
-    <message>
-        <source>Points are means of the participants&apos; own results, bars their %1 % t intervals. That intervals overlap is no test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der Ergebnisse der einzelnen Versuchspersonen, Balken ihre %1-%-t-Intervalle. Dass Intervalle überlappen, ist kein Test eines Unterschieds.</translation>
     </message>
     <message>
         <source>The difference between the groups</source>
@@ -2387,6 +2367,22 @@
     <message>
         <source>%1 Small outlined marks: the %2 that a sweep of %3 predicts, all times one factor.</source>
         <translation>%1 Kleine umrandete Zeichen: %2, wie ein Durchlauf von „sweep“ mit %3 sie vorhersagt, alle mal denselben Faktor.</translation>
+    </message>
+    <message>
+        <source>%1 Squares are means of the participants&apos; own proportions with 95 % CIs by t on the logit scale: the participant is the unit.</source>
+        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>Squares are means of the participants&apos; own proportions, bars their 95 % CIs by t on the logit scale: the participant is the unit.</source>
+        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>Circles are shares of the trials with that stimulus, with intervals by Wilson that take trials as independent. The square is the mean of the participants&apos; own proportions with a CI by t on the logit scale.</source>
+        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, mit Intervallen nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit einem Konfidenzintervall nach t auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. That intervals overlap is no test of a difference.</source>
+        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Dass Intervalle sich überlappen, prüft keinen Unterschied.</translation>
     </message>
 </context>
 <context>
