@@ -71,6 +71,19 @@ std::optional<double> kappa(const ConfusionCounts& counts) {
   return (counts.trace() / n - by_chance) / (1.0 - by_chance);
 }
 
+PairConfusions pair_confusions(const ConfusionCounts& counts) {
+  refuse_impossible_counts(counts);
+  PairConfusions pairs{.confusions =
+                           static_cast<std::uint64_t>(std::llround(counts.sum() - counts.trace()))};
+  for (Eigen::Index i = 0; i < counts.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < counts.cols(); ++j) {
+      ++pairs.pairs;
+      if (counts(i, j) + counts(j, i) == 0.0) ++pairs.never_confused;
+    }
+  }
+  return pairs;
+}
+
 std::optional<double> balanced_share(const ConfusionCounts& counts) {
   refuse_impossible_counts(counts);
   double sum = 0.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -37,6 +38,17 @@ std::optional<HitCount> precision(const ConfusionCounts& counts, std::size_t lab
 /// Cohen's κ = (p − e)/(1 − e), e the agreement of independent rows and columns. Nothing without
 /// trials, and where e = 1 (one stimulus only, always answered alike).
 std::optional<double> kappa(const ConfusionCounts& counts);
+
+/// What similarities of stimuli rest on.
+struct PairConfusions {
+  std::uint64_t confusions = 0;    ///< incorrect answers
+  std::size_t pairs = 0;           ///< of different stimuli
+  std::size_t never_confused = 0;  ///< pairs that were not confused in either direction
+  /// Whether half of the pairs or more were never confused: their dissimilarities and the fit of any model to them are
+  /// those of what is added to empty cells.
+  bool are_too_few() const noexcept { return 2 * never_confused >= pairs; }
+};
+PairConfusions pair_confusions(const ConfusionCounts& counts);
 
 /// Mean recall of the stimuli that were presented.
 std::optional<double> balanced_share(const ConfusionCounts& counts);

@@ -176,7 +176,12 @@ StoredProtocol stored_protocol(const std::string& source) {
       read.trial_questions[name] = {.name = text_in(asked, "name"),
                                     .prompt = text_in(asked, "prompt")};
     }
+    const std::vector<std::string> own = texts_in(asked, "pictures");
+    read.pictures.insert(read.pictures.end(), own.begin(), own.end());
   });
+  for (const auto& [name, factor] : read.factors) {
+    for (auto& [level, number] : levels_in(root, name)) read.pictures.push_back(std::move(level));
+  }
   return read;
 }
 

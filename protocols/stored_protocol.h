@@ -37,6 +37,8 @@ struct StoredProtocol {
   std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
+  /// Of matching and recognition: the pictures of its questions in their order, then the levels of its factors.
+  std::vector<std::string> pictures{};
   /// Of a selection whose alternatives differ in nothing but the level of one parameter: its name.
   std::optional<std::string> compared_parameter{};
 };

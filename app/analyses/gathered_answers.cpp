@@ -97,6 +97,12 @@ class Gathering {
         }
       }
     }
+    for (std::string& picture : specified.pictures) {
+      std::vector<std::string>& known = gathered.pictures;
+      if (std::find(known.begin(), known.end(), picture) == known.end()) {
+        known.push_back(std::move(picture));
+      }
+    }
     if (sources_.size() == 1) {
       gathered.declared = std::move(specified.analysis);
       gathered.compared_parameter = std::move(specified.compared_parameter);

@@ -108,6 +108,7 @@ struct GatheredAnswers {
   std::size_t sources = 0;  ///< different files that carry this name and version
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
+  std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order
   /// Of a selection: what alone its alternatives differ in, by all of those files.
   std::optional<std::string> compared_parameter{};
   bool declared_alike = true;  ///< by all of those files; otherwise nothing counts as declared

@@ -186,9 +186,35 @@ bool is_about_likeness(const Finding& finding) {
   });
 }
 
+/// Takes back the fit of the choice model where it fits little but the halves that were added.
+void withhold_fit(std::vector<Finding>& likeness) {
+  const bool too_few = std::any_of(likeness.begin(), likeness.end(), [](const Finding& one) {
+    return one.quantity == "scm.too.few" && one.word == "TRUE";
+  });
+  if (!too_few) return;
+  for (Finding& one : likeness) {
+    if (one.quantity != "scm.p" && one.quantity != "scm.G2" && one.quantity != "scm.X2") continue;
+    one.value.reset();
+    one.word = "too_few_confusions";
+    one.status = "half of the pairs or more were never confused: there is nothing to fit";
+  }
+}
+
 /// Similarities, map and tree of the pictures that were felt.
 void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumbers& found,
                          AnalysisOutcome& outcome) {
+  const Finding* too_few = found.find("scm.too.few");
+  if (too_few != nullptr && too_few->word == "TRUE" && felt.size() > 1) {
+    const auto count = [&](const char* quantity) {
+      return fixed(found.value(quantity).value_or(0.0), 0);
+    };
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Similarities, map and tree rest on too few confusions (number of confusions: %1): "
+               "%2 of %3 pairs of textures were never confused, and their dissimilarities are set "
+               "by the ½ that is added to every count.")
+            .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
+  }
   if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
   NamedTable pairs{
       "similarity",
@@ -517,6 +543,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
           analysis_of("similarity", "recognition", trials_table(gathered, judged, pictures.felt));
       std::erase_if(likeness, [](const Finding& one) { return !is_about_likeness(one); });
     }
+    withhold_fit(likeness);
     keep_findings(findings, outcome,
                   [](const Finding& finding) { return !is_about_likeness(finding); });
     keep_findings(likeness, outcome);

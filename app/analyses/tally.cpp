@@ -3,6 +3,7 @@
 #include "app/analyses/tally.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "analysis/number_text.h"
@@ -235,24 +236,34 @@ std::size_t ConfusionTally::at(std::uint32_t felt, std::uint32_t answer) const {
 void ConfusionTally::add_table(const GatheredAnswers& gathered,
                                const std::set<std::string>& options,
                                AnalysisOutcome& outcome) const {
-  std::map<std::string, std::uint32_t> rows{};
-  std::set<std::string> columns = options;
+  std::map<std::string, std::uint32_t> felt_words{};
+  std::set<std::string> names = options;
   for (const auto& [pair, times] : counts_) {
-    rows.emplace(gathered.word(pair.first), pair.first);
-    columns.insert(gathered.word(pair.second));
+    felt_words.emplace(gathered.word(pair.first), pair.first);
+    names.insert({gathered.word(pair.first), gathered.word(pair.second)});
   }
+  const auto rank = [&](const std::string& name) {
+    const std::vector<std::string>& pictures = gathered.pictures;
+    return std::tuple(name == kCannotTell, !felt_words.contains(name),
+                      std::find(pictures.begin(), pictures.end(), name) - pictures.begin());
+  };
+  std::vector<std::string> columns(names.begin(), names.end());
+  std::stable_sort(columns.begin(), columns.end(),
+                   [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
   NamedTable made{kConfusion,
-                  phrase("Analysis", "Confusions: felt (down) and chosen picture (across)"),
+                  phrase("Analysis", "Confusion matrix: stimulus (rows) and response (columns)"),
                   {},
                   {}};
   made.table.columns.push_back("felt");
   made.table.columns.insert(made.table.columns.end(), columns.begin(), columns.end());
-  for (const auto& [felt, place] : rows) {
+  for (const std::string& felt : columns) {
+    const auto word = felt_words.find(felt);
+    if (word == felt_words.end()) continue;
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.push_back(felt);
     for (const std::string& column : columns) {
       const std::optional<std::uint32_t> answer = gathered.words.find(column);
-      cells.push_back(count_cell(answer ? at(place, *answer) : 0));
+      cells.push_back(count_cell(answer ? at(word->second, *answer) : 0));
     }
   }
   outcome.tables.push_back(std::move(made));

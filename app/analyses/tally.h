@@ -148,7 +148,8 @@ class ConfusionTally final {
     counts_[{felt, answer}] += times;
   }
   std::size_t at(std::uint32_t felt, std::uint32_t answer) const;
-  /// Felt down, chosen across, both by name. `options` are columns even if nobody chose them.
+  /// Stimuli down, responses across: what was felt in the protocol's order, so that correct responses are the
+  /// diagonal, then the other responses, “cannot tell” last. `options` are columns even if nobody chose them.
   void add_table(const GatheredAnswers& gathered, const std::set<std::string>& options,
                  AnalysisOutcome& outcome) const;
 

@@ -1,4 +1,4 @@
-// What was felt, and what it was taken for.
+// The confusion matrix: stimuli down, responses across.
 
 #include <algorithm>
 #include <cmath>
@@ -30,15 +30,15 @@ Phrase word_of_name(const std::string& name) {
 
 Figure figure_of(const Confusions& confusions) {
   Figure figure{.name = "confusions",
-                .title = phrase("Figures", "What was felt, and what it was taken for"),
+                .title = phrase("Figures", "Confusion matrix"),
                 .note = phrase("Figures",
-                               "Numbers are answers; the shade is the share among the answers to "
-                               "what was felt. Right answers are framed."),
+                               "Numbers are responses; the shade is their proportion among the "
+                               "responses to the stimulus. Correct responses are framed."),
                 .shape = FigureShape::square,
-                .shade_name = phrase("Figures", "share of the row")};
+                .shade_name = phrase("Figures", "proportion of the row")};
   double all = 0.0;
-  figure.x.name = phrase("Figures", "chosen");
-  figure.y.name = phrase("Figures", "felt");
+  figure.x.name = phrase("Figures", "response");
+  figure.y.name = phrase("Figures", "stimulus");
   for (const std::string& name : confusions.chosen) figure.x.places.push_back(word_of_name(name));
   for (std::size_t row = 0; row < confusions.felt.size(); ++row) {
     figure.y.places.push_back(confusions.felt[row]);

@@ -46,6 +46,18 @@ std::optional<Distances> distances_of(const FoundNumbers& found, const std::stri
 
 Phrase dissimilarity_axis() { return phrase("Figures", "dissimilarity, −ln η (Shepard)"); }
 
+/// Warns where the distances rest on too few confusions.
+Phrase with_warning(const Phrase& note, const FoundNumbers& found) {
+  const Finding* too_few = found.find("scm.too.few");
+  if (too_few == nullptr || too_few->word != "TRUE") return note;
+  return phrase(
+             "Figures",
+             "%1 Too few confusions: %2 of %3 pairs were never confused, and their distances are "
+             "set by the ½ added to every count.")
+      .with(note, fixed(found.value("scm.pairs.never").value_or(0.0), 0),
+            fixed(found.value("scm.pairs").value_or(0.0), 0));
+}
+
 /// Items that have joined, in the order in which they are drawn.
 struct Cluster {
   std::vector<std::size_t> items{};
@@ -57,10 +69,11 @@ struct Cluster {
 
 Figure dendrogram(const FoundNumbers& found) {
   Figure figure{.name = "similarity_tree",
-                .title = phrase("Figures", "Which were taken for one another"),
-                .note = phrase("Figures",
-                               "Clusters by average linkage: the further left two join, the more "
-                               "often they are confused."),
+                .title = phrase("Figures", "Dendrogram of the confusions"),
+                .note = with_warning(phrase("Figures",
+                                            "Average linkage (UPGMA): the further left two join, "
+                                            "the more often they are confused."),
+                                     found),
                 .shape = FigureShape::rows};
   const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
   if (!read) {
@@ -105,7 +118,7 @@ Figure dendrogram(const FoundNumbers& found) {
 
 Figure similarity_map(const FoundNumbers& found) {
   Figure figure{.name = "similarity_map",
-                .title = phrase("Figures", "How near they feel to one another"),
+                .title = phrase("Figures", "Map of the dissimilarities (classical scaling)"),
                 .shape = FigureShape::square};
   const std::optional<Distances> read = distances_of(found, "mds.shepard.dist2d");
   if (!read || !(read->matrix.maxCoeff() > 0.0)) {
@@ -113,10 +126,12 @@ Figure similarity_map(const FoundNumbers& found) {
         phrase("Figures", "There is no one map of these confusions: the distances fit many.");
     return figure;
   }
-  figure.note = phrase("Figures",
-                       "Classical scaling in two dimensions: only distances mean something, "
-                       "not directions. The plane holds %1 % of the distances.")
-                    .with(fixed(100.0 * found.value("mds.shepard.gof1").value_or(0.0), 0));
+  figure.note =
+      with_warning(phrase("Figures",
+                          "Classical scaling: distances can be interpreted, directions cannot. Two "
+                          "dimensions account for %1 % of the sum of the absolute eigenvalues.")
+                       .with(fixed(100.0 * found.value("mds.shepard.gof1").value_or(0.0), 0)),
+                   found);
   // Distances in a plane are known to the last digit but for its turning: scaling them gives places.
   const Eigen::MatrixXd places = classical_scaling(read->matrix).points;
   const Eigen::RowVector2d middle =

@@ -703,6 +703,10 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   ASSERT_EQ(tree.rows.size(), 3U);
   EXPECT_EQ(std::get<std::string>(tree.rows[0][1]), "metal");
   EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
+  EXPECT_THAT(outcome.remarks,
+              testing::Contains(says("(number of confusions: 3): 5 of 6 pairs of textures")));
+  EXPECT_EQ(finding_of(outcome, "similarity", "scm.p").word, "too_few_confusions");
+  EXPECT_FALSE(finding_of(outcome, "similarity", "scm.G2").value.has_value());
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
             "Most alike are metal / stone: one was taken for the other in 3 of 8 answers.");
   EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("too few"));

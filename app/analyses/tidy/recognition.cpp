@@ -248,6 +248,14 @@ class Recognition final {
     number("scm.X2", "", model.X2, "Pearson's X² of Luce's similarity choice model");
     number("scm.df", "", model.df, "(m−1)(m−2)/2");
     number("scm.p", "", model.p.value_or(kUndefined), "χ² of the deviance");
+    const PairConfusions pairs = pair_confusions(trials_.counts);
+    list_.count("scm.confusions", "", pairs.confusions, of_trials("incorrect responses"));
+    list_.count("scm.pairs", "", pairs.pairs, of_trials("pairs of stimuli"));
+    list_.count("scm.pairs.never", "", pairs.never_confused,
+                of_trials("pairs that were never confused: their dissimilarity is that of the ½ "
+                          "added to every count"));
+    list_.truth("scm.too.few", "", pairs.are_too_few(),
+                of_trials("whether half of the pairs or more were never confused"));
     if (!model.parameters) {
       list_.word("scm.status", "", "boundary",
                  "the likeliest similarities are 0 or infinite: collect more answers",

@@ -156,10 +156,6 @@
         <translation>Die Person als Einheit: der eigene Anteil jeder Person, über die Personen</translation>
     </message>
     <message>
-        <source>Confusions: felt (down) and chosen picture (across)</source>
-        <translation>Verwechslungen: gefühlt (abwärts) und gewähltes Bild (quer)</translation>
-    </message>
-    <message>
         <source>Texture force (RMS) per model, as computed in the attempts</source>
         <translation>Texturkraft (RMS) je Modell, wie in den Versuchen berechnet</translation>
     </message>
@@ -930,6 +926,14 @@
     <message>
         <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
         <translation>95-%-Konfidenzintervall des Mittels: Students t über die Versuchspersonen auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
+    </message>
+    <message>
+        <source>Similarities, map and tree rest on too few confusions (number of confusions: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
+        <translation>Ähnlichkeiten, Karte und Baum beruhen auf zu wenigen Verwechslungen (Zahl der Verwechslungen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+    </message>
+    <message>
+        <source>Confusion matrix: stimulus (rows) and response (columns)</source>
+        <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
 </context>
 <context>
@@ -1821,26 +1825,6 @@
         <translation>weiß nicht</translation>
     </message>
     <message>
-        <source>What was felt, and what it was taken for</source>
-        <translation>Was gefühlt wurde und wofür es gehalten wurde</translation>
-    </message>
-    <message>
-        <source>Numbers are answers; the shade is the share among the answers to what was felt. Right answers are framed.</source>
-        <translation>Zahlen sind Antworten; die Tönung ist der Anteil an den Antworten auf das Gefühlte. Richtige Antworten sind umrahmt.</translation>
-    </message>
-    <message>
-        <source>share of the row</source>
-        <translation>Anteil an der Zeile</translation>
-    </message>
-    <message>
-        <source>chosen</source>
-        <translation>gewählt</translation>
-    </message>
-    <message>
-        <source>felt</source>
-        <translation>gefühlt</translation>
-    </message>
-    <message>
         <source>Nothing was answered: there are no confusions to show.</source>
         <translation>Es wurde nichts beantwortet: Es gibt keine Verwechslungen zu zeigen.</translation>
     </message>
@@ -2077,14 +2061,6 @@
         <translation>Unähnlichkeit, −ln η (Shepard)</translation>
     </message>
     <message>
-        <source>Which were taken for one another</source>
-        <translation>Welche miteinander verwechselt wurden</translation>
-    </message>
-    <message>
-        <source>Clusters by average linkage: the further left two join, the more often they are confused.</source>
-        <translation>Cluster nach mittlerem Abstand: Je weiter links sich zwei verbinden, desto öfter werden sie verwechselt.</translation>
-    </message>
-    <message>
         <source>There are no confusions that a tree could be made of.</source>
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Baum machen ließe.</translation>
     </message>
@@ -2093,16 +2069,8 @@
         <translation>Alle wurden gleich oft verwechselt: Ein Baum hätte keine Höhen.</translation>
     </message>
     <message>
-        <source>How near they feel to one another</source>
-        <translation>Wie nahe sie sich anfühlen</translation>
-    </message>
-    <message>
         <source>There is no one map of these confusions: the distances fit many.</source>
         <translation>Es gibt nicht die eine Karte dieser Verwechslungen: Die Abstände passen zu vielen.</translation>
-    </message>
-    <message>
-        <source>Classical scaling in two dimensions: only distances mean something, not directions. The plane holds %1 % of the distances.</source>
-        <translation>Klassische Skalierung in zwei Dimensionen: Nur Abstände bedeuten etwas, nicht Richtungen. Die Ebene fasst %1 % der Abstände.</translation>
     </message>
     <message>
         <source>first dimension of dissimilarity</source>
@@ -2383,6 +2351,46 @@
     <message>
         <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. That intervals overlap is no test of a difference.</source>
         <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Dass Intervalle sich überlappen, prüft keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>Confusion matrix</source>
+        <translation>Verwechslungsmatrix</translation>
+    </message>
+    <message>
+        <source>Numbers are responses; the shade is their proportion among the responses to the stimulus. Correct responses are framed.</source>
+        <translation>Zahlen sind Antworten; die Tönung ist ihr Anteil an den Antworten auf den Reiz. Richtige Antworten sind umrandet.</translation>
+    </message>
+    <message>
+        <source>proportion of the row</source>
+        <translation>Anteil an der Zeile</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>stimulus</source>
+        <translation>Reiz</translation>
+    </message>
+    <message>
+        <source>%1 Too few confusions: %2 of %3 pairs were never confused, and their distances are set by the ½ added to every count.</source>
+        <translation>%1 Zu wenige Verwechslungen: %2 von %3 Paaren wurden nie verwechselt, und ihre Abstände bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+    </message>
+    <message>
+        <source>Dendrogram of the confusions</source>
+        <translation>Dendrogramm der Verwechslungen</translation>
+    </message>
+    <message>
+        <source>Average linkage (UPGMA): the further left two join, the more often they are confused.</source>
+        <translation>Mittlere Verknüpfung (UPGMA): Je weiter links zwei sich vereinen, desto öfter werden sie verwechselt.</translation>
+    </message>
+    <message>
+        <source>Map of the dissimilarities (classical scaling)</source>
+        <translation>Karte der Unähnlichkeiten (klassische Skalierung)</translation>
+    </message>
+    <message>
+        <source>Classical scaling: distances can be interpreted, directions cannot. Two dimensions account for %1 % of the sum of the absolute eigenvalues.</source>
+        <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Zwei Dimensionen machen %1 % der Summe der Beträge der Eigenwerte aus.</translation>
     </message>
 </context>
 <context>

@@ -223,6 +223,8 @@ TEST(FiguresOf, KeepTheDistancesOfAMap) {
     }
   }
   EXPECT_NEAR(figure.x.high - figure.x.low, figure.y.high - figure.y.low, 1e-12);
+  EXPECT_NE(figure.note.english().find("% of the sum of the absolute eigenvalues"),
+            std::string::npos);
 }
 
 TEST(FiguresOf, OrderAScaleFromTheTopDown) {
