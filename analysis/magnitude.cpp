@@ -356,6 +356,11 @@ std::optional<double> Quadratic::peak() const noexcept {
   return c < 0.0 ? std::optional<double>(-b / (2.0 * c)) : std::nullopt;
 }
 
+std::optional<double> QuadraticFit::interior_maximum_p() const {
+  if (!ends[0].p || !ends[1].p) return std::nullopt;
+  return std::max(*ends[0].p, *ends[1].p);
+}
+
 QuadraticFit quadratic_fit(const MagnitudeCurves& curves) {
   const LeastSquares fit = least_squares(curves, 3);
   const Eigen::MatrixXd rows = coefficients_by_row(fit, curves.log10);

@@ -148,6 +148,8 @@ struct QuadraticFit {
   std::optional<double> F{};  ///< of the curve against the line, through the means
   std::optional<double> p{};
   std::array<EndSlope, 2> ends{};  ///< rising at the lowest x, falling at the highest
+  /// Of the test that the curve has its maximum between them; nothing where an end has no test.
+  std::optional<double> interior_maximum_p() const;
 
   PeakStatus status = PeakStatus::no_maximum;
   struct Peak {

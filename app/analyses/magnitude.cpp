@@ -158,11 +158,13 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
       {{"condition", "spacing_m", "persons", "left_out", "normalised", "normalised_low",
         "normalised_high", "raw"},
        {}},
-      phrase("Analysis",
-             "Geometric means. normalised: each participant's own scale taken out, by the mean of "
-             "the logarithms of all cells; its interval is Student's, of the logarithms. raw: "
-             "participants as they count. left out: those of the persons who are in raw alone, "
-             "because somewhere they have no estimate and so no scale that could be taken out.")};
+      phrase(
+          "Analysis",
+          "Geometric means. normalised: each participant's own scale taken out, by the mean of "
+          "the logarithms of all cells; its interval is within participants (Cousineau and "
+          "Morey): it compares cells and does not contain the spread between participants. "
+          "raw: participants as they count. left out: those of the persons who are in raw alone, "
+          "because somewhere they have no estimate and so no scale that could be taken out.")};
   NamedTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
@@ -206,17 +208,26 @@ Cell whole_cell(const FoundNumbers& found, const char* quantity, const std::stri
 
 /// An interval that holds every tested spacing says nothing of where the peak is.
 constexpr const char* kTooFew = "too_few_to_say";
+/// The test for an interior maximum is not significant.
+constexpr const char* kNoInterior = "no_interior_maximum";
+constexpr const char* kNotBoth = "not both conditions have an interior maximum";
 
-/// Of the peak of a condition: "ok", or why none is told.
+bool has_interior_maximum(const FoundNumbers& found, const std::string& condition) {
+  const Finding* significant = found.find("invU.significant", condition);
+  return significant != nullptr && significant->word == "TRUE";
+}
+
+/// Of the peak of a condition: "ok", or why none is reported.
 std::string peak_status(const FoundNumbers& found, const std::string& condition,
                         const std::vector<std::string>& spacings) {
   const Finding* status = found.find("peak.status", condition);
   if (status == nullptr) return {};
   const Finding* peak = found.find("peak", condition);
-  const bool says_nothing = peak != nullptr && peak->low && peak->high &&
-                            *peak->low < *number_in(spacings.front()) &&
+  if (peak == nullptr) return status->word;
+  const bool says_nothing = peak->low && peak->high && *peak->low < *number_in(spacings.front()) &&
                             *peak->high > *number_in(spacings.back());
-  return says_nothing ? kTooFew : status->word;
+  if (says_nothing) return kTooFew;
+  return has_interior_maximum(found, condition) ? status->word : kNoInterior;
 }
 
 void add_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
@@ -225,16 +236,20 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
       "peaks",
       phrase("Analysis", "Where it is roughest: a parabola per condition"),
       {{"condition", "status", "peak_m", "peak_m_low", "peak_m_high", "fieller_m_low",
-        "fieller_m_high", "height", "descending", "inverted_u", "other"},
+        "fieller_m_high", "height", "descending", "inverted_u", "other", "p_interior", "r_squared"},
        {}},
-      phrase("Analysis",
-             "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
-             "the peak is that of their mean, its interval by the delta method, and Fieller's "
-             "beside it. The last three columns count the participants' own curves.")};
+      phrase(
+          "Analysis",
+          "Parabolas of the logarithms over the logarithm of the spacing, one per participant; the "
+          "maximum is that of their mean, with CIs by the delta method and by Fieller. It is "
+          "reported where the test for an interior maximum (Lind and Mehlum: the mean curve "
+          "rises at the smallest and falls at the largest spacing, one-sided t over "
+          "participants, the larger p) has p < .05. R²: of the mean parabola over the cell "
+          "means. “Descending”, “inverted U” and “other” count the participants' own curves.")};
   for (const std::string& condition : conditions) {
     const std::string status = peak_status(found, condition, spacings);
     if (status.empty()) continue;
-    const bool is_told = status != kTooFew;
+    const bool is_told = status != kTooFew && status != kNoInterior;
     const auto [low, high] = found.interval("peak", condition);
     const auto told = [&](const char* quantity) {
       return is_told ? found.cell(quantity, condition) : Cell{};
@@ -244,12 +259,13 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
          is_told ? high : Cell{}, told("peak.fieller.lower"), told("peak.fieller.upper"),
          told("peak.height"), whole_cell(found, "curve.descending", condition),
          whole_cell(found, "curve.inverted_u", condition),
-         whole_cell(found, "curve.other", condition)});
+         whole_cell(found, "curve.other", condition), found.cell("invU.p", condition),
+         found.cell("pooled.quad.r2", condition)});
   }
   if (!peaks.table.rows.empty()) outcome.tables.push_back(std::move(peaks));
   NamedTable shifts{"peak_ratios",
                     phrase("Analysis", "How far the peaks lie apart"),
-                    {{"first", "second", "ratio", "ratio_low", "ratio_high", "p"}, {}},
+                    {{"first", "second", "ratio", "ratio_low", "ratio_high", "p", "status"}, {}},
                     phrase("Analysis",
                            "Spacing of the first peak over that of the second, the same "
                            "participants in both; delta method. p is not adjusted.")};
@@ -258,12 +274,20 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
       for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
         const std::string key = conditions[a] + '|' + conditions[b];
         if (found.find("peakratio", key) == nullptr) continue;
-        const auto [low, high] = found.interval("peakratio", key);
         if (const Finding* p = found.find("peakratio.p", key)) {
           outcome.tests_in_tables.insert(name_of(*p));
         }
-        shifts.table.rows.push_back({conditions[a], conditions[b], found.cell("peakratio", key),
-                                     low, high, found.cell("peakratio.p", key)});
+        std::vector<Cell>& row =
+            shifts.table.rows.emplace_back(std::vector<Cell>{conditions[a], conditions[b]});
+        if (has_interior_maximum(found, conditions[a]) &&
+            has_interior_maximum(found, conditions[b])) {
+          const auto [low, high] = found.interval("peakratio", key);
+          row.insert(row.end(), {found.cell("peakratio", key), low, high,
+                                 found.cell("peakratio.p", key), Cell{}});
+        } else {
+          row.resize(shifts.table.columns.size());
+          row.back() = kNotBoth;
+        }
       }
     }
   }
@@ -405,10 +429,22 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
                    "%1 cannot be told, because with %2 participants its interval is wider than the "
                    "tested spacings")
                 .with(condition, std::to_string(peak->n));
+    } else if (peak_status(found, condition, spacings) == kNoInterior) {
+      const std::optional<double> p = found.value("invU.p", condition);
+      one = p ? phrase("Analysis", "%1 without a significant interior maximum (%2)")
+                    .with(condition, reading_p(*p))
+              : phrase("Analysis",
+                       "%1 without a test for an interior maximum, because the "
+                       "participants do not differ")
+                    .with(condition);
     } else if (peak != nullptr && peak->value && peak->low && peak->high) {
-      one = phrase("Analysis", "%1 at %2 (95 % interval %3 to %4)")
+      one = phrase("Analysis",
+                   "%1 at %2 (95 % CI %3 to %4; test for an interior maximum %5; "
+                   "R² of the mean parabola %6)")
                 .with(condition, reading_quantity(*peak->value, "m"),
-                      reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"));
+                      reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"),
+                      reading_p(found.value("invU.p", condition).value_or(1.0)),
+                      fixed(found.value("pooled.quad.r2", condition).value_or(0.0), 2));
     } else if (status->word == "outside_range") {
       one = phrase("Analysis", "%1 not within the tested spacings").with(condition);
     } else {
@@ -421,8 +457,10 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
       outcome, "peaks", phrase("Analysis", "At which spacing does it feel roughest?"),
       phrase("Analysis", "By the peaks of the curves: %1.").with(answer),
       phrase("Analysis",
-             "The peak of the mean of the participants' parabolas, in logarithms; interval "
-             "by the delta method."),
+             "The maximum of the mean of the participants' parabolas, in logarithms; CI by the "
+             "delta method. It is reported where the test for an interior maximum by Lind and "
+             "Mehlum is significant: the mean curve rises at the smallest and falls at the largest "
+             "spacing."),
       "peaks", first);
 }
 
@@ -506,7 +544,14 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     const Finding* p = p_of(found_anova, effect);
     tests.add(name, "", p != nullptr ? p : no_anova);
   }
-  for (const Finding* ratio : found.all("peakratio.p")) tests.add("peaks", ratio->key, ratio);
+  for (const Finding* ratio : found.all("peakratio.p")) {
+    const std::size_t bar = ratio->key.find('|');
+    const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&
+                          has_interior_maximum(found, ratio->key.substr(bar + 1));
+    Finding none{};
+    none.status = kNotBoth;
+    tests.add("peaks", ratio->key, has_both ? ratio : &none);
+  }
   tests.finish(outcome);
   ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
              spacings, found_anova, tests, outcome);

@@ -42,19 +42,21 @@ Phrase roughness_note(const std::vector<FigureSeries>& means,
                       const std::vector<FigureSeries>& peaks, const std::string& percent) {
   Phrase note = has_any_interval(means)
                     ? phrase("Figures",
-                             "Full marks: geometric means of normalised estimates with %1 % t "
-                             "intervals over participants.")
+                             "Filled symbols: geometric means of normalised estimates with %1 % "
+                             "within-participant intervals (Cousineau and Morey), which compare "
+                             "cells and do not contain the spread between participants.")
                           .with(percent)
-                    : phrase("Figures", "Full marks: geometric means of normalised estimates.");
+                    : phrase("Figures", "Filled symbols: geometric means of normalised estimates.");
   if (has_curves(means)) {
     note = phrase("Figures", "%1 Curves: mean parabolas of the logarithms.").with(note);
   }
   if (peaks.empty()) return note;
   return (has_any_interval(peaks)
-              ? phrase("Figures",
-                       "%1 Outlined marks: their peaks within the tested spacings, with intervals "
-                       "by the delta method.")
-              : phrase("Figures", "%1 Outlined marks: their peaks within the tested spacings."))
+              ? phrase(
+                    "Figures",
+                    "%1 Open symbols: significant interior maxima of the curves, with CIs by the "
+                    "delta method.")
+              : phrase("Figures", "%1 Open symbols: significant interior maxima of the curves."))
       .with(note);
 }
 
@@ -117,9 +119,11 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     const Finding* peak = found.find("peak", probes[i]);
     const auto height = found.value("peak.height", probes[i]);
     const Finding* status = found.find("peak.status", probes[i]);
+    const Finding* interior = found.find("invU.significant", probes[i]);
     if (peak == nullptr || !peak->value || !height || status == nullptr || status->word != "ok") {
       continue;
     }
+    if (interior == nullptr || interior->word != "TRUE") continue;
     FigurePoint mark{
         .x = scale * *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
     // Wider than all that was tested, it says nothing of where the peak is.

@@ -1092,7 +1092,9 @@ TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
                                   [](const AnsweredQuestion& one) { return one.name == "peaks"; });
   ASSERT_NE(asked, outcome.questions.end());
-  EXPECT_THAT(asked->answer, says("By the peaks of the curves: small at 1 mm (95 % interval "));
+  EXPECT_THAT(asked->answer, says("By the peaks of the curves: small at 1 mm (95 % CI "));
+  EXPECT_THAT(asked->answer,
+              says("test for an interior maximum p < .001; R² of the mean parabola 1.00"));
 }
 
 TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
@@ -1105,6 +1107,26 @@ TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
   EXPECT_NEAR(std::get<double>(second[4]) / std::get<double>(first[4]), std::pow(10.0, 0.3), 0.15);
   EXPECT_NEAR(std::get<double>(second[5]) / std::get<double>(first[5]), 1.0, 0.08);
   EXPECT_EQ(table_of(outcome, "roughness").table.rows.size(), 10U);
+}
+
+// With the large tip the parabola of the means has its maximum near the smallest spacing (0.3 decades below 1 mm), and
+// three people's slopes there do not differ significantly from 0.
+TEST(Magnitudes, ReportNoMaximumThatTheTestOfAnInteriorOneDoesNotShow) {
+  const AnalysisOutcome outcome =
+      analyze_logarithms(3, [](int i, std::size_t level, bool is_small) {
+        const double x = std::log10(kSpacings_m.at(level) / 0.001);
+        const double away = x - 0.05 * (i - 1) + (is_small ? 0.0 : 0.25);
+        return -away * away;
+      });
+  const Table& peaks = table_of(outcome, "peaks").table;
+  EXPECT_EQ(row_of(peaks, {"large"})[1], Cell{"no_interior_maximum"});
+  EXPECT_EQ(row_of(peaks, {"large"})[2], Cell{});
+  EXPECT_GT(number(peaks, {"large"}, "p_interior"), 0.05);
+  EXPECT_GT(number(peaks, {"large"}, "r_squared"), 0.9);
+  EXPECT_THAT(question_of(outcome, "peaks").answer.english(),
+              HasSubstr("large without a significant interior maximum (p = "));
+  EXPECT_THAT(table_of(outcome, "tests").table.rows.back().back(),
+              Cell{"not both conditions have an interior maximum"});
 }
 
 // Their peaks are 0.15 decades apart, which t of one degree of freedom makes an interval of nearly two:

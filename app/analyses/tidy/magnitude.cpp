@@ -271,9 +271,16 @@ class MagnitudeList final {
         const double half = has_spread ? (*cell.half_width)(column) : kUndefined;
         const ConfidenceInterval ends{.low = std::pow(10.0, mean - half),
                                       .high = std::pow(10.0, mean + half)};
-        Basis shown = basis("geometric mean of normalised estimates; t interval of logarithms");
+        const ConfidenceInterval wider{.low = std::pow(10.0, mean - half * morey),
+                                       .high = std::pow(10.0, mean + half * morey)};
+        const bool is_within = normalisation_ == Normalisation::grand_mean;
+        Basis shown =
+            basis(is_within ? "geometric mean of normalised estimates; within-participant "
+                              "interval of logarithms (Cousineau and Morey)"
+                            : "geometric mean of normalised estimates; t interval of "
+                              "logarithms");
         if (has_spread) {
-          shown.interval = ends;
+          shown.interval = is_within ? wider : ends;
           shown.confidence = confidence_;
         }
         list_.number("geomean", key, std::pow(10.0, mean), shown);
@@ -286,10 +293,10 @@ class MagnitudeList final {
         };
         limit("geomean.ci.lower", ends.low, "t interval of logarithms");
         limit("geomean.ci.upper", ends.high, "t interval of logarithms");
-        if (normalisation_ == Normalisation::grand_mean) {
-          limit("geomean.ci.lower.morey", std::pow(10.0, mean - half * morey),
+        if (is_within) {
+          limit("geomean.ci.lower.morey", wider.low,
                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
-          limit("geomean.ci.upper.morey", std::pow(10.0, mean + half * morey),
+          limit("geomean.ci.upper.morey", wider.high,
                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
         }
       }
@@ -386,6 +393,11 @@ class MagnitudeList final {
       number("invU.p." + name, probe, end.p,
              "one-sided: rising at the low end, falling at the high end");
     }
+    number("invU.p", probe, fit.interior_maximum_p(),
+           "interior maximum: the larger of both one-sided p (Lind and Mehlum)");
+    list_.truth("invU.significant", probe,
+                fit.interior_maximum_p().value_or(1.0) < 1.0 - confidence_,
+                basis("whether the mean curve has a significant interior maximum"));
     peak(probe, fit);
     list_.count("peak.subjects.concave", probe, fit.concave_participants,
                 basis("participants whose curve bends down"));

@@ -564,10 +564,6 @@
         <translation>Wo es am rauesten ist: eine Parabel je Bedingung</translation>
     </message>
     <message>
-        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the peak is that of their mean, its interval by the delta method, and Fieller&apos;s beside it. The last three columns count the participants&apos; own curves.</source>
-        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; der Gipfel ist der ihres Mittels, sein Intervall nach der Delta-Methode, daneben das von Fieller. Die letzten drei Spalten zählen die eigenen Kurven der Versuchspersonen.</translation>
-    </message>
-    <message>
         <source>How far the peaks lie apart</source>
         <translation>Wie weit die Gipfel auseinanderliegen</translation>
     </message>
@@ -590,10 +586,6 @@
     <message>
         <source>At which spacing does it feel roughest?</source>
         <translation>Bei welchem Abstand fühlt es sich am rauesten an?</translation>
-    </message>
-    <message>
-        <source>The peak of the mean of the participants&apos; parabolas, in logarithms; interval by the delta method.</source>
-        <translation>Gipfel des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Intervall nach der Delta-Methode.</translation>
     </message>
     <message>
         <source>Which shapes do the participants&apos; own curves have?</source>
@@ -624,10 +616,6 @@
         <translation>Hängt die Kurve über die Abstände von der Bedingung ab?</translation>
     </message>
     <message>
-        <source>%1 at %2 (95 % interval %3 to %4)</source>
-        <translation>%1 bei %2 (95-%-Intervall %3 bis %4)</translation>
-    </message>
-    <message>
         <source>%1 not within the tested spacings</source>
         <translation>%1 nicht innerhalb der geprüften Abstände</translation>
     </message>
@@ -654,10 +642,6 @@
     <message>
         <source>Of these participants %1; women less men is %2. Splitting the participants anew gives %3.</source>
         <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
-    </message>
-    <message>
-        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is Student&apos;s, of the logarithms. raw: participants as they count. left out: those of the persons who are in raw alone, because somewhere they have no estimate and so no scale that could be taken out.</source>
-        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab der Versuchsperson (Mittel der Logarithmen aller Zellen); Intervall nach Student, der Logarithmen. roh: Versuchspersonen, wie sie zählen. ausgelassen: wer nur unter roh zählt, weil irgendwo eine Schätzung fehlt und damit der Maßstab, der herauszunehmen wäre.</translation>
     </message>
     <message>
         <source>%1 cannot be told, because with %2 participants its interval is wider than the tested spacings</source>
@@ -934,6 +918,30 @@
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
         <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
+    </message>
+    <message>
+        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is within participants (Cousineau and Morey): it compares cells and does not contain the spread between participants. raw: participants as they count. left out: those of the persons who are in raw alone, because somewhere they have no estimate and so no scale that could be taken out.</source>
+        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab jeder Person, über das Mittel der Logarithmen aller Zellen; das Intervall gilt innerhalb der Versuchspersonen (Cousineau und Morey): es vergleicht Zellen und enthält die Streuung zwischen den Versuchspersonen nicht. roh: Versuchspersonen, wie sie zählen. weggelassen: davon die Personen, die nur in roh stehen, weil ihnen irgendwo eine Schätzung und damit ein Maßstab fehlt.</translation>
+    </message>
+    <message>
+        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: of the mean parabola over the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
+        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das ihres Mittels, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es steht hier, wo der Test auf ein inneres Maximum (Lind und Mehlum: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand, einseitiges t über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: der mittleren Parabel an den Zellmitteln. „Fallend“, „umgekehrtes U“ und „andere“ zählen die eigenen Kurven der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 without a significant interior maximum (%2)</source>
+        <translation>%1 ohne signifikantes inneres Maximum (%2)</translation>
+    </message>
+    <message>
+        <source>%1 without a test for an interior maximum, because the participants do not differ</source>
+        <translation>%1 ohne Test auf ein inneres Maximum, weil sich die Versuchspersonen nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 at %2 (95 % CI %3 to %4; test for an interior maximum %5; R² of the mean parabola %6)</source>
+        <translation>%1 bei %2 (95-%-Konfidenzintervall %3 bis %4; Test auf ein inneres Maximum %5; R² der mittleren Parabel %6)</translation>
+    </message>
+    <message>
+        <source>The maximum of the mean of the participants&apos; parabolas, in logarithms; CI by the delta method. It is reported where the test for an interior maximum by Lind and Mehlum is significant: the mean curve rises at the smallest and falls at the largest spacing.</source>
+        <translation>Das Maximum des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Konfidenzintervall nach der Delta-Methode. Es wird genannt, wo der Test auf ein inneres Maximum nach Lind und Mehlum signifikant ist: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand.</translation>
     </message>
 </context>
 <context>
@@ -2001,24 +2009,8 @@
         <translation>Geschätzte Rauheit nach Abstand</translation>
     </message>
     <message>
-        <source>Full marks: geometric means of normalised estimates with %1 % t intervals over participants.</source>
-        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen mit %1-%-t-Intervallen über Versuchspersonen.</translation>
-    </message>
-    <message>
-        <source>Full marks: geometric means of normalised estimates.</source>
-        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen.</translation>
-    </message>
-    <message>
         <source>%1 Curves: mean parabolas of the logarithms.</source>
         <translation>%1 Kurven: mittlere Parabeln der Logarithmen.</translation>
-    </message>
-    <message>
-        <source>%1 Outlined marks: their peaks within the tested spacings, with intervals by the delta method.</source>
-        <translation>%1 Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände, mit Intervallen nach der Delta-Methode.</translation>
-    </message>
-    <message>
-        <source>%1 Outlined marks: their peaks within the tested spacings.</source>
-        <translation>%1 Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände.</translation>
     </message>
     <message>
         <source>probe %1</source>
@@ -2391,6 +2383,22 @@
     <message>
         <source>Classical scaling: distances can be interpreted, directions cannot. Two dimensions account for %1 % of the sum of the absolute eigenvalues.</source>
         <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Zwei Dimensionen machen %1 % der Summe der Beträge der Eigenwerte aus.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: geometric means of normalised estimates with %1 % within-participant intervals (Cousineau and Morey), which compare cells and do not contain the spread between participants.</source>
+        <translation>Volle Zeichen: geometrische Mittel der normierten Schätzungen mit %1-%-Intervallen innerhalb der Versuchspersonen (Cousineau und Morey), die Zellen vergleichen und die Streuung zwischen den Versuchspersonen nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: geometric means of normalised estimates.</source>
+        <translation>Volle Zeichen: geometrische Mittel der normierten Schätzungen.</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: significant interior maxima of the curves, with CIs by the delta method.</source>
+        <translation>%1 Offene Zeichen: signifikante innere Maxima der Kurven, mit Konfidenzintervallen nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: significant interior maxima of the curves.</source>
+        <translation>%1 Offene Zeichen: signifikante innere Maxima der Kurven.</translation>
     </message>
 </context>
 <context>

@@ -118,15 +118,16 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
     mean.value = 1.5;
   }
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
-            "Full marks: geometric means of normalised estimates.");
+            "Filled symbols: geometric means of normalised estimates.");
   for (Finding& mean : findings) {
     mean.low = 1.0;
     mean.high = 2.0;
     mean.confidence = 0.95;
   }
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
-            "Full marks: geometric means of normalised estimates with 95 % t intervals over "
-            "participants.");
+            "Filled symbols: geometric means of normalised estimates with 95 % within-participant "
+            "intervals (Cousineau and Morey), which compare cells and do not contain the spread "
+            "between participants.");
 }
 
 // 1, 1, 1 and 0.5: Student's interval of the mean, 0.875, goes to 1.27; that on the logit scale is drawn.
@@ -340,8 +341,8 @@ TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
   const FigurePoint& point = first.points.front();
   EXPECT_EQ(point.x, 0.4);
   EXPECT_EQ(point.y, all.number("geomean", "1.5|0.4"));
-  EXPECT_EQ(point.y_interval->low, all.number("geomean.ci.lower", "1.5|0.4"));
-  EXPECT_EQ(point.y_interval->high, all.number("geomean.ci.upper", "1.5|0.4"));
+  EXPECT_EQ(point.y_interval->low, all.number("geomean.ci.lower.morey", "1.5|0.4"));
+  EXPECT_EQ(point.y_interval->high, all.number("geomean.ci.upper.morey", "1.5|0.4"));
   const auto peak = std::find_if(figure.series.begin(), figure.series.end(),
                                  [](const FigureSeries& series) { return series.hollow; });
   ASSERT_NE(peak, figure.series.end());
