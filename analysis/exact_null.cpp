@@ -122,6 +122,7 @@ SignFlipTest random_sign_flips(std::span<const std::int64_t> differences, Random
   }
   return {.two_sided = as_far / (draws + 1.0),
           .upper = as_large / (draws + 1.0),
+          .smallest = 1.0 / (draws + 1.0),
           .exact = false,
           .drawn = static_cast<std::size_t>(draws)};
 }
@@ -152,6 +153,7 @@ SignFlipTest sign_flip_test(std::span<const std::int64_t> differences, Random ra
   }
   const IntegerDistribution positive{.lowest = 0, .probability = std::move(p)};
   SignFlipTest test{};
+  test.smallest = std::min(1.0, 2.0 * positive.smallest_upper_tail());
   test.upper = positive.upper_tail((whole + sum) / 2);
   if (sum != 0) {
     // Of an odd number of units of ±1 with a sum of ±1 the tail is one half, and a little by rounding.
@@ -220,6 +222,7 @@ RelabellingTest random_relabellings(const CountMatrix& counts, Random& random) {
     if (squares >= observed) ++as_extreme;
   }
   return {.p = static_cast<double>(as_extreme) / (draws + 1.0),
+          .smallest = 1.0 / (draws + 1.0),
           .exact = false,
           .drawn = static_cast<std::size_t>(draws)};
 }
@@ -268,12 +271,14 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
   }
   const std::int64_t observed = sum_of_squares(counts);
   double p = 0.0;
+  std::map<std::int64_t, double> of_squares{};
   for (const auto& [totals, probability] : now) {
     std::int64_t squares = 0;
     for (const char16_t total : totals) squares += std::int64_t{total} * std::int64_t{total};
+    of_squares[squares] += probability;
     if (squares >= observed) p += probability;
   }
-  return {.p = std::min(1.0, p)};
+  return {.p = std::min(1.0, p), .smallest = std::min(1.0, of_squares.rbegin()->second)};
 }
 
 namespace {

@@ -46,6 +46,8 @@ IntegerDistribution sum_of_all(std::span<const IntegerDistribution> numbers);
 struct SignFlipTest {
   double two_sided = 1.0;  ///< P(|Σ s_i·d_i| ≥ |Σ d_i|)
   double upper = 1.0;      ///< P(Σ s_i·d_i ≥ Σ d_i)
+  double smallest =
+      1.0;  ///< two-sided p if all differences had one sign: 2/2^k of k that are not 0
   bool exact = true;
   std::size_t drawn = 0;  ///< random patterns, where it is not exact
 };
@@ -64,6 +66,7 @@ using CountMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
 /// negative count.
 struct RelabellingTest {
   double p = 1.0;
+  double smallest = 1.0;  ///< p if all units had ordered the labels alike
   bool exact = true;
   std::size_t drawn = 0;  ///< random relabellings, where it is not exact
 };

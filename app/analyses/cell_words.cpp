@@ -60,6 +60,11 @@ const CellWords& words_of_units() {
 
 const CellWords& words_of_reasons() {
   static const CellWords kWords{
+      {"cannot be tested with one participant",
+       phrase("CellWords", "cannot be tested with one participant")},
+      {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},
+      {"not both conditions have an interior maximum",
+       phrase("CellWords", "not both conditions have an interior maximum")},
       {"no_maximum", phrase("CellWords", "the curve does not bend down")},
       {"outside_range", phrase("CellWords", "not within the tested spacings")},
       {"not every trial presents every model",

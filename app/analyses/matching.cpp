@@ -491,10 +491,13 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
-  tests.add("items", "", found.find("relabel.p.greater"));
-  tests.add("whole", "", found.find("perfect.relabel.p.greater"));
+  constexpr const char* kUnit = "participants";
+  tests.add("items", "", found.find("relabel.p.greater"), kUnit, found.find("relabel.smallest"));
+  tests.add("whole", "", found.find("perfect.relabel.p.greater"), kUnit,
+            found.find("perfect.relabel.smallest"));
   for (const std::string& texture : felt) {
-    tests.add("textures", texture, found.find("texture.relabel.p.greater", texture));
+    tests.add("textures", texture, found.find("texture.relabel.p.greater", texture), kUnit,
+              found.find("texture.relabel.smallest", texture));
   }
   if (const Finding* sexes = found.find("group.perm.p.two", "F-M")) {
     tests.add("sexes", "F|M", sexes);

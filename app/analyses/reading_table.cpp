@@ -18,7 +18,8 @@ constexpr std::string_view kHigh = "_high";
 
 /// A share to two decimals, a force to a millinewton, a length to ten micrometres, a p as everywhere.
 std::string reading_cell_number(const std::string& column, double value) {
-  if (column == "p" || column == "p_holm") return reading_p_cell(value);
+  if (column == "p" || column == "p_holm" || column == "p_smallest" || column == "p_interior")
+    return reading_p_cell(value);
   if (column == "chance" || column.ends_with("_N")) return fixed(value, 3);
   if (column.ends_with("_m") || column.ends_with("_m_low")) return fixed(value, 5);
   return fixed(value, 2);

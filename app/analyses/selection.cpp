@@ -182,6 +182,12 @@ bool is_balanced(const Selection& selection) {
   return true;
 }
 
+/// The test of equal choice probabilities over participants.
+void add_relabelling(StudyTests& tests, const char* name, const FoundNumbers& found) {
+  tests.add(name, "", found.find("relabel.exact.p"), "participants",
+            found.find("relabel.exact.smallest"));
+}
+
 void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcome& outcome) {
   if (!asks_about_textures(selection) || !is_balanced(selection)) return;
   const auto target = static_cast<std::size_t>(
@@ -195,9 +201,10 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
             return selection.chosen(answer) == target ? selection.texture(answer) : kNoChoice;
           },
           selection.textures.front()));
-  tests.add("textures", "", FoundNumbers(findings).find("relabel.exact.p"));
+  add_relabelling(tests, "textures", FoundNumbers(findings));
   keep_findings(findings, outcome, [](const Finding& finding) {
-    return finding.quantity == "relabel.exact.p" || finding.quantity.starts_with("signflip");
+    return finding.quantity.starts_with("relabel.exact") ||
+           finding.quantity.starts_with("signflip");
   });
 }
 
@@ -310,11 +317,13 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     const std::string& first = selection.items[pair.first];
     const std::string& second = selection.items[pair.second];
     const bool of_target = first == selection.target() || second == selection.target();
-    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second,
-              found.find("signflip.p.two", first + '|' + second));
+    const std::string about = first + '|' + second;
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", about,
+              found.find("signflip.p.two", about), "participants",
+              found.find("signflip.smallest", about));
   }
   if (selection.all_offered) {
-    if (!choice.empty()) tests.add("preference", "", found.find("relabel.exact.p"));
+    if (!choice.empty()) add_relabelling(tests, "preference", found);
   } else {
     add_untestable(tests);
   }
@@ -330,7 +339,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     keep_findings(position, outcome);
   }
   const FoundNumbers found_position(position);
-  if (same_size) tests.add("position", "", found_position.find("relabel.exact.p"));
+  if (same_size) add_relabelling(tests, "position", found_position);
   test_textures(selection, tests, outcome);
 
   add_positions(counts, outcome);

@@ -21,6 +21,10 @@ Phrase listed_names(std::span<const std::string> names) {
   return all;
 }
 
+bool is_of_one_participant(const StudyTests::Test& test) {
+  return test.status == StudyTests::kOneParticipantAlone;
+}
+
 /// The greatest mean of participants' proportions: several names where means are equal.
 struct GreatestMean {
   std::vector<std::string> names{};
@@ -270,7 +274,9 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   }
   const Phrase shares = most_often(most, selection.items.size());
   const Phrase tested =
-      !test->p ? phrase("Analysis", "%1.")
+      is_of_one_participant(*test)
+          ? phrase("Analysis", "%1. This cannot be tested with one participant.")
+      : !test->p ? phrase("Analysis", "%1.")
       : !test->adjusted
           ? phrase("Analysis", "%1. Test against equal proportions, not of the study's family: %2.")
       : test->shows()
@@ -306,9 +312,14 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
                    "a participant).");
   const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
   if (smallest.empty()) {
+    const bool is_one_participant = std::any_of(
+        tests.tests().begin(), tests.tests().end(),
+        [&name](const auto& test) { return test.name == name && is_of_one_participant(test); });
     add_question(outcome, "pairs", question,
-                 phrase("Analysis", "No choice was made between two models."), method, "pairs",
-                 nullptr);
+                 is_one_participant
+                     ? phrase("Analysis", "This cannot be tested with one participant.")
+                     : phrase("Analysis", "No choice was made between two models."),
+                 method, "pairs", nullptr);
     return;
   }
   const StudyTests::Test& least = *smallest.front();
@@ -334,9 +345,19 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
                   AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("position");
   const Finding* first = found.find("subj.mean", "1");
-  if (test == nullptr || !test->p || first == nullptr || !first->value) return;
+  if (test == nullptr || first == nullptr || !first->value) return;
   const std::vector<std::string> names = numbers_up_to(positions);
   const GreatestMean most = greatest_mean(names, found);
+  const Phrase question = phrase("Analysis", "Does it matter what is felt first?");
+  const Phrase method =
+      phrase("Analysis", "As the preference, with the positions in the place of the models.");
+  if (is_of_one_participant(*test)) {
+    add_question(outcome, "position", question,
+                 phrase("Analysis", "This cannot be tested with one participant: %1.")
+                     .with(positions_text(most, positions, *first)),
+                 method, "positions", most.mean);
+  }
+  if (!test->p) return;
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(p_text(*test), positions_text(most, positions, *first));
   };
@@ -344,11 +365,8 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
       with_numbers(phrase("Analysis", "The position has a significant effect (%1): %2.")),
       with_numbers(phrase("Analysis", "The position has no significant effect (%1): %2.")),
       with_numbers(phrase("Analysis", "Test against equal proportions: %1; %2."))};
-  add_question(
-      outcome, "position", phrase("Analysis", "Does it matter what is felt first?"),
-      said_of(*test, sayings),
-      phrase("Analysis", "As the preference, with the positions in the place of the models."),
-      "positions", most.mean);
+  add_question(outcome, "position", question, said_of(*test, sayings), method, "positions",
+               most.mean);
 }
 
 bool asks_about_textures(const Selection& selection) {
@@ -370,7 +388,9 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   if (test == nullptr || !test->p) {
     add_question(
         outcome, "textures", question,
-        who.choosers == 0
+        test != nullptr && is_of_one_participant(*test)
+            ? phrase("Analysis", "This cannot be tested with one participant.")
+        : who.choosers == 0
             ? phrase("Analysis", "This cannot be tested: no participant ever chose %1.")
                   .with(target)
             : phrase("Analysis",

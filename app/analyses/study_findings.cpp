@@ -19,6 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kParticipants = "participants";
+constexpr double kAlpha = 0.05;
 
 Finding finding_of(const StudyTests::Test& test) {
   Finding finding{};
@@ -115,7 +116,7 @@ bool StudyTests::is_in_family(std::string_view name) const {
 }
 
 void StudyTests::add(const std::string& name, const std::string& about, const Finding* finding,
-                     const char* unit) {
+                     const char* unit, const Finding* smallest) {
   Test& test = tests_.emplace_back(Test{.name = name, .about = about, .unit = unit});
   if (finding == nullptr) {
     test.status = "there are no answers of which this could be tested";
@@ -127,6 +128,14 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fi
   test.p = finding->value;
   test.source = name_of(*finding);
   if (!test.p) test.status = finding->status;
+  if (!test.p || smallest == nullptr || !smallest->value || *smallest->value <= kAlpha) return;
+  constexpr double kRounding = 1e-9;  // of a sum over all relabellings
+  if (*smallest->value < 1.0 - kRounding || test.n > 1) {
+    test.smallest_p = smallest->value;
+    return;
+  }
+  test.p.reset();
+  test.status = kOneParticipantAlone;
 }
 
 const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {
@@ -190,11 +199,15 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
                   note_on_family(raw.size())};
   const bool some_fail =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return !test.p; });
+  const bool some_cannot_show = std::any_of(
+      tests_.begin(), tests_.end(), [](const Test& test) { return test.smallest_p.has_value(); });
+  if (some_cannot_show) made.table.columns.push_back("p_smallest");
   if (some_fail) made.table.columns.push_back("status");
   for (Test& test : tests_) {
     const bool is_in = is_in_family(test.name);
     const double own = is_in ? adjusted[next++] : 1.0;
     if (is_in && test.p) test.adjusted = own;
+    if (is_in) test.family_size = raw.size();
     std::vector<Cell>& row = made.table.rows.emplace_back();
     row = {test.name,
            test.about.empty() ? Cell{} : Cell{test.about},
@@ -203,17 +216,19 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
            cell_of(test.p),
            cell_of(test.adjusted),
            is_in ? Cell{name_} : Cell{}};
+    if (some_cannot_show) row.push_back(cell_of(test.smallest_p));
     if (some_fail) row.push_back(test.p ? Cell{} : Cell{test.status});
     Finding finding = finding_of(test);
     outcome.findings.push_back(finding);
     if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
-    if (!test.adjusted) continue;
+    if (!is_in) continue;
     finding.quantity = "p.holm";
     finding.value = test.adjusted;
-    finding.method += "; Holm over the " +
-                      (raw.size() == 1 ? "one test" : std::to_string(raw.size()) + " tests") +
-                      " of the family " + name_ +
-                      (is_declared_ ? ", which the protocol declares" : "");
+    const std::string family =
+        " of the family " + name_ + (is_declared_ ? ", which the protocol declares" : "");
+    finding.method += raw.size() == 1
+                          ? "; the only test" + family + ", without adjustment"
+                          : "; Holm over the " + std::to_string(raw.size()) + " tests" + family;
     outcome.findings.push_back(std::move(finding));
   }
   outcome.tables.push_back(std::move(made));
@@ -223,9 +238,14 @@ Phrase percent(double share) { return reading_percent(share); }
 
 Phrase p_text(const StudyTests::Test& test) {
   const double p = test.adjusted.value_or(test.p.value_or(1.0));
-  return (test.adjusted ? phrase("Analysis", "%1 after Holm")
-                        : phrase("Analysis", "%1 without adjustment"))
-      .with(reading_p(p));
+  const Phrase text =
+      (!test.adjusted          ? phrase("Analysis", "%1, uncorrected")
+       : test.family_size == 1 ? phrase("Analysis", "%1, the only confirmatory test")
+                               : phrase("Analysis", "%1, Holm-corrected"))
+          .with(reading_p(p));
+  if (!test.smallest_p) return text;
+  return phrase("Analysis", "%1; the smallest attainable is %2")
+      .with(text, reading_p(*test.smallest_p));
 }
 
 Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {

@@ -51,16 +51,22 @@ class StudyTests final {
     std::optional<double> p{};
     FindingName source{};              ///< whose p it is
     std::optional<double> adjusted{};  ///< within the family
+    std::size_t family_size = 0;       ///< of those that it was adjusted with
+    std::optional<double> smallest_p{};  ///< that could be attained, where that exceeds 5 %
     std::string status = "ok";
 
     /// Only a test of the family can show something; adjusted within it, at 5 %.
     bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
   };
+  /// The status of a test of several participants' answers where there is one participant.
+  static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
+
   /// A p of the family of analyses; what is no number is why there is no test. Of the study's own
   /// family such a test counts as p = 1.
-  /// `unit`: what the finding's n counts.
+  /// `unit`: what the finding's n counts. `smallest`: the smallest p that could be attained; a single participant
+  /// whose smallest p is 1 cannot be tested.
   void add(const std::string& name, const std::string& about, const Finding* finding,
-           const char* unit = "participants");
+           const char* unit = "participants", const Finding* smallest = nullptr);
   /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
   /// has added is a row without a p.
   void finish(AnalysisOutcome& outcome);
@@ -83,8 +89,8 @@ class StudyTests final {
 
 /// "75 %"
 Phrase percent(double share);
-/// "p = 0.031 without adjustment", "p < 0.001 without adjustment"; adjusted where the test is of the
-/// family: "p = 0.062 after Holm".
+/// "p = .031, uncorrected"; of a test of the family "p = .062, Holm-corrected", or "p = .031, the only confirmatory
+/// test". Where no p of 5 % could be attained, with the smallest one.
 Phrase p_text(const StudyTests::Test& test);
 /// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
 /// of a test outside the family `told`, with the sentence that it claims nothing.

@@ -128,6 +128,9 @@ std::string heading_of(const std::string& column) {
       {"matched_mean_N", "aimed at, mean (N)"},
       {"other_as_felt", "the other taken for it"},
       {"p_holm", "p, Holm"},
+      {"p_interior", "p, interior maximum"},
+      {"p_smallest", "smallest attainable p"},
+      {"r_squared", "R²"},
       {"sd", "SD"},
       {"status", "why there is none"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;

@@ -42,6 +42,7 @@ TEST(SignFlipTest, CountsEveryPatternOfSigns) {
   const SignFlipTest test = sign_flip_test(differences);
   EXPECT_NEAR(test.upper, as_large / 128.0, 1e-15);
   EXPECT_NEAR(test.two_sided, as_far / 128.0, 1e-15);
+  EXPECT_NEAR(test.smallest, 2.0 / 64.0, 1e-15);  // of six that differ
 }
 
 // Half of all patterns are as large as a sum of 1 of an odd number of units, so that both sides are everything;
@@ -82,6 +83,8 @@ TEST(IntegerDistribution, RepeatsASum) {
 TEST(SignFlipTest, SaysNothingWhereNobodyDiffers) {
   const std::vector<std::int64_t> none{0, 0};
   EXPECT_EQ(sign_flip_test(none).two_sided, 1.0);
+  EXPECT_EQ(sign_flip_test(none).smallest, 1.0);
+  EXPECT_EQ(sign_flip_test(std::vector<std::int64_t>{10}).smallest, 1.0);
   EXPECT_EQ(sign_flip_test({}).upper, 1.0);
   const std::vector<std::int64_t> even{2, -2};
   EXPECT_EQ(sign_flip_test(even).two_sided, 1.0);
@@ -93,6 +96,8 @@ TEST(RelabellingTest, CountsEveryAssignmentOfLabels) {
   CountMatrix counts(2, 3);
   counts << 2, 0, 0, 0, 1, 0;
   EXPECT_NEAR(relabelling_test(counts).p, 1.0, 1e-15);
+  EXPECT_NEAR(relabelling_test(counts).smallest, 3.0 / 9.0, 1e-15);
+  EXPECT_NEAR(relabelling_test(counts.topRows(1)).smallest, 1.0, 1e-15);
   counts << 2, 0, 0, 1, 0, 0;
   EXPECT_NEAR(relabelling_test(counts).p, 3.0 / 9.0, 1e-15);
   EXPECT_TRUE(relabelling_test(counts).exact);

@@ -632,7 +632,7 @@ TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
   EXPECT_EQ(cell_of(tests.table, {"position"}, "family"), Cell{"target_pairs, position"});
   EXPECT_EQ(finding_of(outcome, "tests", "p.holm", "test=target_pairs about=new|old").value,
             2.0 * pair);
-  EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr("after Holm"));
+  EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr(", Holm-corrected"));
   EXPECT_THAT(question_of(outcome, "textures").question.english(), HasSubstr("for new"));
 }
 
@@ -644,7 +644,7 @@ TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
   EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
                    number(tests.table, {"preference"}, "p"));
   EXPECT_THAT(finding_of(outcome, "tests", "p.holm", "test=preference").method,
-              HasSubstr("Holm over the one test of the family preference"));
+              HasSubstr("the only test of the family preference"));
 }
 
 TEST(StudyTests, SayThatNothingWasDeclared) {
@@ -667,13 +667,14 @@ TEST(Matching, HasItsNumbersFromTheFamily) {
   EXPECT_EQ(std::get<std::int64_t>(pairs.rows[0][2]), 6);
   EXPECT_THAT(question_of(outcome, "items").answer.english(),
               testing::StartsWith("Yes: on average 95 % of a participant's items were matched"));
-  EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
-              testing::MatchesRegex("Of these participants women have .* % .95 % interval .*, n = "
-                                    "10. of their items right on average, men .*, n = 10.; women "
-                                    "less men is .* percentage points .95 % interval after Welch "
-                                    ".*\\. Splitting the participants anew gives p = .* without "
-                                    "adjustment.*not of the study's "
-                                    "family and shows no more than what to ask next time\\."));
+  EXPECT_THAT(
+      question_of(outcome, "sexes").answer.english(),
+      testing::MatchesRegex("Of these participants women have .* % .95 % interval .*, n = "
+                            "10. of their items right on average, men .*, n = 10.; women "
+                            "less men is .* percentage points .95 % interval after Welch "
+                            ".*\\. Splitting the participants anew gives p = .*, uncorrected"
+                            ".*not of the study's "
+                            "family and shows no more than what to ask next time\\."));
 }
 
 /// Two people, six goes: stone and metal are mixed up, the rest is right; gravel and grass are only
@@ -898,14 +899,15 @@ TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   for (const char* name : {"pairs", "position"}) {
     const std::string answer = question_of(outcome, name).answer.english();
-    EXPECT_THAT(answer, HasSubstr("p = .008 without adjustment")) << name;
+    EXPECT_THAT(answer, HasSubstr("p = .008, uncorrected")) << name;
     EXPECT_THAT(answer, testing::EndsWith("shows no more than what to ask next time."));
     EXPECT_THAT(answer, testing::Not(HasSubstr("matters")));
     EXPECT_THAT(answer, testing::Not(HasSubstr("Chosen more often")));
   }
   EXPECT_THAT(question_of(outcome, "textures").answer.english(),
               testing::StartsWith("That new is chosen equally often with every texture has"));
-  EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("after Holm"));
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(),
+              HasSubstr(", the only confirmatory test"));
 }
 
 TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
@@ -965,6 +967,61 @@ TEST(StudyTests, SayWhatTheirNumbersCount) {
   EXPECT_EQ(number(tests, {"textures", "wood"}, "n"), 2);
   EXPECT_EQ(cell_of(tests, {"right"}, "unit"), Cell{"participants"});
   EXPECT_EQ(question_of(recognised, "information").finding.n, 12U);
+}
+
+// The chapter's matrix has its textures in the protocol's order, the same down and across.
+TEST(Recognition, HasAConfusionMatrixWithADiagonal) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  const std::string source =
+      R"({"blocks": {"main": {"question": {"pictures": ["stone", "wood", "brick", "metal", "grass"]}}}})";
+  std::vector<MadeUpTrial> trials{recognition("wood", "cannot_tell"), recognition("stone", "grass"),
+                                  recognition("metal", "metal"), recognition("brick", "stone")};
+  for (MadeUpTrial& trial : trials) {
+    trial.options = {"brick", "cannot_tell", "grass", "metal", "stone", "wood"};
+  }
+  made.add_session("a", made.add_protocol("recognition", "recognition", source), trials);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& confusion = table_of(outcome, "confusion").table;
+  EXPECT_THAT(confusion.columns,
+              ElementsAre("felt", "stone", "wood", "brick", "metal", "grass", "cannot_tell"));
+  std::vector<Cell> felt{};
+  for (const std::vector<Cell>& row : confusion.rows) felt.push_back(row.front());
+  EXPECT_THAT(felt, ElementsAre(Cell{"stone"}, Cell{"wood"}, Cell{"brick"}, Cell{"metal"}));
+  EXPECT_EQ(number(confusion, {"wood"}, "cannot_tell"), 1);
+  EXPECT_EQ(number(confusion, {"brick"}, "stone"), 1);
+}
+
+// 11 of 12 choices of one participant, and all of two: no p below 1 and .5 can be attained.
+TEST(StudyTests, StateTheSmallestPThatCouldBeAttained) {
+  const auto outcome_of = [](int people) {
+    MadeUpStudy made;
+    const std::int64_t protocol = made.add_protocol("pair", "selection");
+    for (int i = 0; i < people; ++i) {
+      made.add_person(person(i), "F");
+      std::vector<MadeUpTrial> trials(12, choice_among_models("sinusoid", "wood"));
+      trials.back() = choice_among_models("stochastic", "wood");
+      made.add_session(person(i), protocol, trials);
+    }
+    return analyze_study(made.study()).front();
+  };
+  const AnalysisOutcome one = outcome_of(1);
+  const Table& tests = table_of(one, "tests").table;
+  EXPECT_EQ(cell_of(tests, {"preference"}, "p"), Cell{});
+  EXPECT_EQ(cell_of(tests, {"preference"}, "status"),
+            Cell{"cannot be tested with one participant"});
+  for (const char* name : {"preference", "pairs", "position"}) {
+    EXPECT_THAT(question_of(one, name).answer.english(),
+                HasSubstr("cannot be tested with one participant"))
+        << name;
+  }
+  const AnalysisOutcome two = outcome_of(2);
+  EXPECT_DOUBLE_EQ(number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p"),
+                   0.5);
+  EXPECT_DOUBLE_EQ(
+      number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p_smallest"), 0.5);
+  EXPECT_THAT(question_of(two, "pairs").answer.english(),
+              HasSubstr("; the smallest attainable is p = .500"));
 }
 
 // What no analysis can be made of is said, and nothing falls over.

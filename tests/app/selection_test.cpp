@@ -101,7 +101,8 @@ const AnalysisOutcome& all_pairs() {
 // Ten people of one mind: 2 of 1024 patterns of signs. Holm over six pairs.
 TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
   const Table& tests = table_of(all_pairs(), "tests").table;
-  ASSERT_THAT(tests.columns, ElementsAre("test", "about", "n", "unit", "p", "p_holm", "family"));
+  ASSERT_THAT(tests.columns,
+              ElementsAre("test", "about", "n", "unit", "p", "p_holm", "family", "p_smallest"));
   std::vector<std::string> abouts{};
   for (const std::vector<Cell>& row : tests.rows) {
     if (row[0] != Cell{"pairs"}) continue;
@@ -123,7 +124,9 @@ TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
   EXPECT_THAT(names, ElementsAre("pairs", "preference", "position"));
   EXPECT_THAT(answer_of(all_pairs(), "pairs"),
               StartsWith("Chosen more often: a over b (in 100 % of a participant's choices on "
-                         "average, all participants alike, which gives no interval; p = .012"));
+                         "average, 95 % interval "));
+  EXPECT_THAT(answer_of(all_pairs(), "pairs"),
+              testing::HasSubstr(" % to 100 %; p = .012, Holm-corrected"));
   EXPECT_THAT(answer_of(all_pairs(), "preference"),
               AllOf(StartsWith("Log worths, in decreasing order: a "), HasSubstr("95 % CI [")));
   EXPECT_EQ(all_pairs().questions[1].finding.quantity, "bt.ability.sumzero");

@@ -333,7 +333,7 @@ TEST(TidyFamilies, TakeRowsThatStandForSeveral) {
   EXPECT_NEAR(value_of(goes, "exact.p.greater", ""), 43.0 / 216.0, 1e-12);
   // Of one relabelling per participant: x has 0, 2 or 6 right, y 0, 1 or 3: 6 of x (6 of 36) or 2 and 3 (3 of 36).
   EXPECT_NEAR(value_of(goes, "relabel.p.greater", ""), 9.0 / 36.0, 1e-12);
-  EXPECT_NEAR(value_of(goes, "relabel.p.smallest", ""), 1.0 / 36.0, 1e-12);
+  EXPECT_NEAR(value_of(goes, "relabel.smallest", ""), 1.0 / 36.0, 1e-12);
 }
 
 }  // namespace

@@ -310,7 +310,7 @@ std::vector<RelabelledMatching> relabelled_participants(const Matching& read,
 }
 
 /// A one-sided test of a count, with the participant as the unit. `quantity` ends in ".p.greater"; the smallest p that
-/// these data can give stands next to it, as ".p.smallest".
+/// these data can give stands next to it, as ".smallest".
 void add_relabelling_test(const std::string& quantity, const std::string& key, std::uint64_t count,
                           std::span<const IntegerDistribution> participants, const std::string& of,
                           FindingList& findings) {
@@ -320,7 +320,7 @@ void add_relabelling_test(const std::string& quantity, const std::string& key, s
                              "pictures per participant, common to the trials";
   findings.number(quantity + ".p.greater", key, chance.upper_tail(static_cast<std::int64_t>(count)),
                   {.n = participants.size(), .method = method});
-  findings.number(quantity + ".p.smallest", key, chance.smallest_upper_tail(),
+  findings.number(quantity + ".smallest", key, chance.smallest_upper_tail(),
                   {.n = participants.size(), .method = "smallest attainable p; " + method});
 }
 

@@ -244,6 +244,8 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
                       {.n = n, .method = way_of_counting(flips.drawn) + ' ' + method});
+      findings.number("signflip.smallest", key, flips.smallest,
+                      {.n = n, .method = "smallest attainable p: all differences of one sign"});
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
           {.n = first + second, .method = "exact binomial as if all choices were independent"});
@@ -261,6 +263,9 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                   {.n = n,
                    .method = way_of_counting(relabelling.drawn) +
                              " relabelling within participants, sum of squared totals"});
+  findings.number(
+      "relabel.exact.smallest", "", relabelling.smallest,
+      {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
 }
 
 /// Where the counts of a sample hold several choices of one participant.

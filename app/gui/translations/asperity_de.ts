@@ -360,10 +360,6 @@
         <translation>Tests</translation>
     </message>
     <message>
-        <source>%1 after Holm</source>
-        <translation>%1 nach Holm</translation>
-    </message>
-    <message>
         <source>95 % interval %1 to %2</source>
         <translation>95-%-Intervall %1 bis %2</translation>
     </message>
@@ -402,10 +398,6 @@
     <message>
         <source>That %1 is chosen equally often with every texture has %2.</source>
         <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
-    </message>
-    <message>
-        <source>%1 without adjustment</source>
-        <translation>%1 ohne Anpassung</translation>
     </message>
     <message>
         <source>%1 This test is not of the study&apos;s family and shows no more than what to ask next time.</source>
@@ -943,6 +935,34 @@
         <source>The maximum of the mean of the participants&apos; parabolas, in logarithms; CI by the delta method. It is reported where the test for an interior maximum by Lind and Mehlum is significant: the mean curve rises at the smallest and falls at the largest spacing.</source>
         <translation>Das Maximum des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Konfidenzintervall nach der Delta-Methode. Es wird genannt, wo der Test auf ein inneres Maximum nach Lind und Mehlum signifikant ist: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand.</translation>
     </message>
+    <message>
+        <source>%1. This cannot be tested with one participant.</source>
+        <translation>%1. Das lässt sich mit einer Versuchsperson nicht prüfen.</translation>
+    </message>
+    <message>
+        <source>This cannot be tested with one participant.</source>
+        <translation>Das lässt sich mit einer Versuchsperson nicht prüfen.</translation>
+    </message>
+    <message>
+        <source>This cannot be tested with one participant: %1.</source>
+        <translation>Das lässt sich mit einer Versuchsperson nicht prüfen: %1.</translation>
+    </message>
+    <message>
+        <source>%1, uncorrected</source>
+        <translation>%1, unkorrigiert</translation>
+    </message>
+    <message>
+        <source>%1, the only confirmatory test</source>
+        <translation>%1, der einzige konfirmatorische Test</translation>
+    </message>
+    <message>
+        <source>%1, Holm-corrected</source>
+        <translation>%1, nach Holm korrigiert</translation>
+    </message>
+    <message>
+        <source>%1; the smallest attainable is %2</source>
+        <translation>%1; das kleinste erreichbare ist %2</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1286,6 +1306,18 @@
         <source>pair</source>
         <translation>Paar</translation>
     </message>
+    <message>
+        <source>p, interior maximum</source>
+        <translation>p, inneres Maximum</translation>
+    </message>
+    <message>
+        <source>smallest attainable p</source>
+        <translation>kleinstes erreichbares p</translation>
+    </message>
+    <message>
+        <source>R²</source>
+        <translation>R²</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1567,6 +1599,18 @@
     <message>
         <source>not every trial presents every model</source>
         <translation>nicht jeder Durchgang bietet jedes Modell dar</translation>
+    </message>
+    <message>
+        <source>cannot be tested with one participant</source>
+        <translation>lässt sich mit einer Versuchsperson nicht prüfen</translation>
+    </message>
+    <message>
+        <source>no significant interior maximum</source>
+        <translation>kein signifikantes inneres Maximum</translation>
+    </message>
+    <message>
+        <source>not both conditions have an interior maximum</source>
+        <translation>nicht beide Bedingungen haben ein inneres Maximum</translation>
     </message>
 </context>
 <context>
