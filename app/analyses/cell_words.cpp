@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <map>
 
+#include "app/analyses/test_methods.h"
+
 namespace asperity {
 
 namespace {
@@ -70,14 +72,37 @@ const CellWords& words_of_reasons() {
       {"not every trial presents every model",
        phrase("CellWords", "not every trial presents every model")},
       {"too_few_to_say", phrase("CellWords", "too few participants to say")},
-      {"there are no answers of which this could be tested",
-       phrase("CellWords", "there are no answers of which this could be tested")}};
+      {"no_pair_offered", phrase("CellWords", "no trial presented two models")},
+      {"no_responses", phrase("CellWords", "no responses to test")},
+      {"no_target_or_one_texture",
+       phrase("CellWords", "the protocol declares no target, or there is only one texture")},
+      {"no_two_peaks", phrase("CellWords", "fewer than two conditions have a peak")},
+      {"one_condition", phrase("CellWords", "there is only one condition")},
+      {"one_sex", phrase("CellWords", "the participants are not both women and men")},
+      {"pictures_differ", phrase("CellWords", "the pictures differ between trials")},
+      {"target_never_chosen", phrase("CellWords", "no participant ever chose the target")},
+      {"target_not_offered", phrase("CellWords", "no trial presented the target with a model")},
+      {"textures_unbalanced",
+       phrase("CellWords", "the participants have not judged every texture equally often")},
+      {"trials_of_different_sizes",
+       phrase("CellWords", "trials present different numbers of models")}};
   return kWords;
 }
 
 Phrase cell_word_in(const CellWords& words, const std::string& text) {
   const auto found = words.find(text);
   return found == words.end() ? Phrase(text) : found->second;
+}
+
+/// "sign_flip", "sign_flip|exact", "sign_flip|9999".
+Phrase words_of_method(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  const Phrase name = test_method_name(text.substr(0, bar));
+  if (name.empty()) return text;
+  if (bar == std::string::npos) return name;
+  const std::string permutations = text.substr(bar + 1);
+  if (permutations == "exact") return phrase("CellWords", "%1, exact").with(name);
+  return phrase("CellWords", "%1, %2 random permutations").with(name, permutations);
 }
 
 }  // namespace
@@ -87,6 +112,11 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "test" || column == "effect") return cell_word_in(words_of_tests(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
+  if (column == "method") return words_of_method(text);
+  if (column == "role") {
+    return text == "confirmatory" ? phrase("CellWords", "confirmatory")
+                                  : phrase("CellWords", "exploratory");
+  }
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
   if (column != "family") return text;
   // Names of tests with commas between.

@@ -295,9 +295,8 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
 }
 
 /// With the correction of Greenhouse and Geisser, where there is anything to be corrected.
-const Finding* p_of(const FoundNumbers& found, const std::string& effect) {
-  const Finding* corrected = found.find("p.GG", effect);
-  return corrected != nullptr ? corrected : found.find("p", effect);
+const char* p_of(const FoundNumbers& found, const std::string& effect) {
+  return found.find("p.GG", effect) != nullptr ? "p.GG" : "p";
 }
 
 constexpr std::array<std::pair<const char*, const char*>, 3> kEffects{
@@ -312,7 +311,7 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
                           "epsilon of Greenhouse and Geisser, where an effect has more than one "
                           "degree of freedom.")};
   for (const auto& [name, effect] : kEffects) {
-    const Finding* p = p_of(found, effect);
+    const Finding* p = found.find(p_of(found, effect), effect);
     if (p == nullptr) continue;
     for (const char* quantity : {"p", "p.GG", "p.HF"}) {
       if (const Finding* of_it = found.find(quantity, effect)) {
@@ -538,19 +537,23 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
             .with(std::to_string(least), std::to_string(greatest)));
   }
   StudyTests tests(gathered);
-  const Finding* no_anova = found_anova.find("status");
   for (const auto& [name, effect] : kEffects) {
     if (conditions.size() < 2 && std::string_view(name) != "spacing") continue;
-    const Finding* p = p_of(found_anova, effect);
-    tests.add(name, "", p != nullptr ? p : no_anova);
+    if (found_anova.find("status") != nullptr) {
+      tests.add(name, "", found_anova, "status");
+    } else {
+      tests.add(name, "", found_anova, p_of(found_anova, effect), effect);
+    }
   }
   for (const Finding* ratio : found.all("peakratio.p")) {
     const std::size_t bar = ratio->key.find('|');
     const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&
                           has_interior_maximum(found, ratio->key.substr(bar + 1));
-    Finding none{};
-    none.status = kNotBoth;
-    tests.add("peaks", ratio->key, has_both ? ratio : &none);
+    if (has_both) {
+      tests.add("peaks", ratio->key, found, ratio->quantity, ratio->key);
+    } else {
+      tests.add_untested("peaks", ratio->key, kNotBoth);
+    }
   }
   tests.finish(outcome);
   ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,

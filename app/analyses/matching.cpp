@@ -491,16 +491,13 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
-  constexpr const char* kUnit = "participants";
-  tests.add("items", "", found.find("relabel.p.greater"), kUnit, found.find("relabel.smallest"));
-  tests.add("whole", "", found.find("perfect.relabel.p.greater"), kUnit,
-            found.find("perfect.relabel.smallest"));
+  tests.add("items", "", found, "relabel.p.greater");
+  tests.add("whole", "", found, "perfect.relabel.p.greater");
   for (const std::string& texture : felt) {
-    tests.add("textures", texture, found.find("texture.relabel.p.greater", texture), kUnit,
-              found.find("texture.relabel.smallest", texture));
+    tests.add("textures", texture, found, "texture.relabel.p.greater", texture);
   }
-  if (const Finding* sexes = found.find("group.perm.p.two", "F-M")) {
-    tests.add("sexes", "F|M", sexes);
+  if (found.find("group.perm.p.two", "F-M") != nullptr) {
+    tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
   }
   tests.finish(outcome);
   ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);

@@ -571,10 +571,8 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   add_likeness_tables(pictures.felt, found_likeness, outcome);
 
   const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
-  const Finding* right = found.find(of_right);
-  tests.add("right", "", right != nullptr ? right : found.find("subj.t"),
-            people > 1 ? "participants" : "answers");
-  tests.add("information", "", found.find("G.p"), "answers");
+  tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
+  tests.add("information", "", found, "G.p");
   std::vector<Finding> textures{};
   if (!findings.empty()) {
     textures =
@@ -582,7 +580,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   const FoundNumbers found_textures(textures);
   for (const std::string& texture : pictures.felt) {
-    tests.add("textures", texture, found_textures.find("p.greater", texture), "answers");
+    tests.add("textures", texture, found_textures, "p.greater", texture);
   }
   std::vector<Finding> sexes{};
   if (std::optional<TidyInput> groups = groups_table(gathered, judged)) {
@@ -590,7 +588,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   keep_findings(sexes, outcome);
   const FoundNumbers found_sexes(sexes);
-  if (!sexes.empty()) tests.add("sexes", "F|M", found_sexes.find("perm.p.two"));
+  if (!sexes.empty()) tests.add("sexes", "F|M", found_sexes, "perm.p.two");
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);

@@ -182,14 +182,12 @@ bool is_balanced(const Selection& selection) {
   return true;
 }
 
-/// The test of equal choice probabilities over participants.
-void add_relabelling(StudyTests& tests, const char* name, const FoundNumbers& found) {
-  tests.add(name, "", found.find("relabel.exact.p"), "participants",
-            found.find("relabel.exact.smallest"));
-}
-
 void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcome& outcome) {
-  if (!asks_about_textures(selection) || !is_balanced(selection)) return;
+  if (!asks_about_textures(selection)) return;
+  if (!is_balanced(selection)) {
+    if (tests.is_in_family("textures")) tests.add_untested("textures", "", "textures_unbalanced");
+    return;
+  }
   const auto target = static_cast<std::size_t>(
       std::lower_bound(selection.items.begin(), selection.items.end(), selection.target()) -
       selection.items.begin());
@@ -201,7 +199,14 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
             return selection.chosen(answer) == target ? selection.texture(answer) : kNoChoice;
           },
           selection.textures.front()));
-  add_relabelling(tests, "textures", FoundNumbers(findings));
+  const FoundNumbers found(findings);
+  const std::size_t participants = selection.gathered.people.size();
+  if (found.find("relabel.exact.p") == nullptr) {
+    tests.add_untested("textures", "", "target_never_chosen");
+    return;
+  }
+  tests.add("textures", "", found, "relabel.exact.p");
+  tests.leave_out(participants - tests.tests().back().n);
   keep_findings(findings, outcome, [](const Finding& finding) {
     return finding.quantity.starts_with("relabel.exact") ||
            finding.quantity.starts_with("signflip");
@@ -260,9 +265,7 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
 void add_untestable(StudyTests& tests) {
   for (const char* const name : {"preference", "textures"}) {
     if (!tests.is_in_family(name)) continue;
-    Finding none{};
-    none.status = "not every trial presents every model";
-    tests.add(name, "", &none);
+    tests.add_untested(name, "", "not every trial presents every model");
   }
 }
 
@@ -317,13 +320,11 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     const std::string& first = selection.items[pair.first];
     const std::string& second = selection.items[pair.second];
     const bool of_target = first == selection.target() || second == selection.target();
-    const std::string about = first + '|' + second;
-    tests.add(only_target && of_target ? "target_pairs" : "pairs", about,
-              found.find("signflip.p.two", about), "participants",
-              found.find("signflip.smallest", about));
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second, found,
+              "signflip.p.two", first + '|' + second);
   }
   if (selection.all_offered) {
-    if (!choice.empty()) add_relabelling(tests, "preference", found);
+    if (!choice.empty()) tests.add("preference", "", found, "relabel.exact.p");
   } else {
     add_untestable(tests);
   }
@@ -339,7 +340,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     keep_findings(position, outcome);
   }
   const FoundNumbers found_position(position);
-  if (same_size) add_relabelling(tests, "position", found_position);
+  if (same_size) tests.add("position", "", found_position, "relabel.exact.p");
   test_textures(selection, tests, outcome);
 
   add_positions(counts, outcome);

@@ -1,4 +1,4 @@
-// Findings of the families put beside each other: found again by name, tested together, said in words.
+// Findings of the families put beside each other: found again by name, said in words.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 
 #include "app/analyses/analysis_outcome.h"
 #include "app/analyses/found_numbers.h"
+#include "app/analyses/study_tests.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -33,73 +34,8 @@ void keep_findings(
     std::span<const Finding> findings, AnalysisOutcome& outcome,
     const KeepFinding& keep = [](const Finding&) { return true; });
 
-/// The tests of a study, and Holm's correction over those that are its family.
-class StudyTests final {
- public:
-  /// The table of them all, and the analysis that its findings are of.
-  static constexpr const char* kTable = "tests";
-
-  /// The family that the protocol declares, or the first test of its kind.
-  explicit StudyTests(const GatheredAnswers& gathered);
-
-  struct Test {
-    std::string name{};   ///< one of test_names()
-    std::string about{};  ///< what of several is tested; may be empty
-    std::string method{};
-    std::size_t n = 0;   ///< of the units
-    std::string unit{};  ///< "participants"; "answers", "goes" where those are pooled
-    std::optional<double> p{};
-    FindingName source{};              ///< whose p it is
-    std::optional<double> adjusted{};  ///< within the family
-    std::size_t family_size = 0;       ///< of those that it was adjusted with
-    std::optional<double> smallest_p{};  ///< that could be attained, where that exceeds 5 %
-    std::string status = "ok";
-
-    /// Only a test of the family can show something; adjusted within it, at 5 %.
-    bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
-  };
-  /// The status of a test of several participants' answers where there is one participant.
-  static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
-
-  /// A p of the family of analyses; what is no number is why there is no test. Of the study's own
-  /// family such a test counts as p = 1.
-  /// `unit`: what the finding's n counts. `smallest`: the smallest p that could be attained; a single participant
-  /// whose smallest p is 1 cannot be tested.
-  void add(const std::string& name, const std::string& about, const Finding* finding,
-           const char* unit = "participants", const Finding* smallest = nullptr);
-  /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
-  /// has added is a row without a p.
-  void finish(AnalysisOutcome& outcome);
-
-  const Test* find(std::string_view name, std::string_view about = {}) const;
-  std::span<const Test> tests() const noexcept { return tests_; }
-  bool is_in_family(std::string_view name) const;
-  const std::string& family() const noexcept { return name_; }
-  bool is_declared() const noexcept { return is_declared_; }
-
- private:
-  /// What stands below the table: of how many tests the family is.
-  Phrase note_on_family(std::size_t tests) const;
-
-  std::vector<std::string> family_{};
-  std::string name_{};
-  bool is_declared_ = false;
-  std::vector<Test> tests_{};
-};
-
 /// "75 %"
 Phrase percent(double share);
-/// "p = .031, uncorrected"; of a test of the family "p = .062, Holm-corrected", or "p = .031, the only confirmatory
-/// test". Where no p of 5 % could be attained, with the smallest one.
-Phrase p_text(const StudyTests::Test& test);
-/// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
-/// of a test outside the family `told`, with the sentence that it claims nothing.
-struct Sayings {
-  Phrase claim{};
-  Phrase nothing{};
-  Phrase told{};
-};
-Phrase said_of(const StudyTests::Test& test, const Sayings& sayings);
 /// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
 Phrase interval_text(const Finding& share);
 

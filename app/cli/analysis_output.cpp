@@ -10,6 +10,7 @@
 
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_table.h"
+#include "app/analyses/study_tests.h"
 #include "app/cli/terminal.h"
 
 namespace asperity {
@@ -155,7 +156,7 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
   for (const NamedTable& table : outcome.tables) {
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
-    text += aligned(in_words(reading_table(table.table)));
+    text += aligned(in_words(reading_table(table)));
     if (!table.note.empty()) text += wrapped("  ", table.note.english());
   }
   return text;

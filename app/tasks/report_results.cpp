@@ -10,6 +10,7 @@
 #include "app/analyses/reading_number.h"
 #include "app/analyses/reading_table.h"
 #include "app/analyses/study_findings.h"
+#include "app/analyses/study_tests.h"
 #include "app/analyses/tidy/finding_list.h"
 #include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
@@ -124,6 +125,7 @@ std::string heading_of(const std::string& column) {
       {"achieved_mean_N", "achieved, mean (N)"},
       {"achieved_minimum_N", "achieved, minimum (N)"},
       {"achieved_sd_N", "achieved, SD (N)"},
+      {"effect_size", "effect size [95 % CI]"},
       {"felt_as_other", "taken for the other"},
       {"matched_mean_N", "aimed at, mean (N)"},
       {"other_as_felt", "the other taken for it"},
@@ -139,11 +141,6 @@ std::string heading_of(const std::string& column) {
   return words_of_quantity(column);
 }
 
-/// Whether a table says with other columns what this one does: what is adjusted is of the family.
-bool is_left_out(const NamedTable& named, const std::string& column) {
-  return named.name == StudyTests::kTable && column == "family";
-}
-
 /// A cell as a person reads it: the program's names in words, two things of a pair with a stroke.
 std::string words_in(const std::string& column, const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
@@ -157,12 +154,11 @@ std::string words_in(const std::string& column, const Cell& cell) {
 }
 
 ReportTable report_table(const NamedTable& named) {
-  const Table reading = reading_table(named.table);
+  const Table reading = reading_table(named);
   ReportTable table{};
   table.title = named.title.english();
   table.note = named.note.english();
   for (const std::string& column : reading.columns) {
-    if (is_left_out(named, column)) continue;
     // Names and levels are text before they are shortened for reading; quantities are not.
     const auto at = column_of(named.table, column);
     const bool holds_words =
@@ -177,7 +173,7 @@ ReportTable report_table(const NamedTable& named) {
     std::vector<std::string>& cells = table.rows.emplace_back();
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string& column = reading.columns[i];
-      if (!is_left_out(named, column)) cells.push_back(words_in(column, row[i]));
+      cells.push_back(words_in(column, row[i]));
     }
   }
   return table;

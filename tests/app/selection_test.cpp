@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/analyses/analyze_study.h"
+#include "app/analyses/reading_table.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -101,21 +102,23 @@ const AnalysisOutcome& all_pairs() {
 // Ten people of one mind: 2 of 1024 patterns of signs. Holm over six pairs.
 TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
   const Table& tests = table_of(all_pairs(), "tests").table;
-  ASSERT_THAT(tests.columns,
-              ElementsAre("test", "about", "n", "unit", "p", "p_holm", "family", "p_smallest"));
+  const auto cell = [&tests](const std::vector<Cell>& row, const char* column) {
+    return row.at(column_of(tests, column).value());
+  };
   std::vector<std::string> abouts{};
   for (const std::vector<Cell>& row : tests.rows) {
     if (row[0] != Cell{"pairs"}) continue;
     abouts.push_back(std::get<std::string>(row[1]));
-    EXPECT_EQ(row[2], Cell{std::int64_t{10}});
-    EXPECT_EQ(row[3], Cell{"participants"});
-    EXPECT_EQ(row[6], Cell{"pairs"});
+    EXPECT_EQ(cell(row, "n"), Cell{std::int64_t{10}});
+    EXPECT_EQ(cell(row, "unit"), Cell{"participants"});
+    EXPECT_EQ(cell(row, "family"), Cell{"pairs"});
     const bool is_of_one_mind = abouts.back() == "a|b";
-    EXPECT_DOUBLE_EQ(std::get<double>(row[4]), is_of_one_mind ? 2.0 / 1024.0 : 1.0);
-    EXPECT_DOUBLE_EQ(std::get<double>(row[5]), is_of_one_mind ? 12.0 / 1024.0 : 1.0);
+    EXPECT_DOUBLE_EQ(std::get<double>(cell(row, "p")), is_of_one_mind ? 2.0 / 1024.0 : 1.0);
+    EXPECT_DOUBLE_EQ(std::get<double>(cell(row, "p_holm")), is_of_one_mind ? 12.0 / 1024.0 : 1.0);
   }
   EXPECT_THAT(abouts, ElementsAre("a|b", "a|c", "a|d", "b|c", "b|d", "c|d"));
-  EXPECT_THAT(table_of(all_pairs(), "tests").note.english(), HasSubstr("over the 6 tests"));
+  EXPECT_THAT(table_of(all_pairs(), "tests").note.english(),
+              HasSubstr("over the 6 confirmatory tests"));
 }
 
 TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
@@ -154,7 +157,7 @@ TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
   const AnalysisOutcome outcome =
       analysed(2, R"({"analysis": {"family": ["pairs", "preference"]}})", all_pairs_of);
   const NamedTable& tests = table_of(outcome, "tests");
-  EXPECT_THAT(tests.note.english(), HasSubstr("over the 7 tests"));
+  EXPECT_THAT(tests.note.english(), HasSubstr("over the 7 confirmatory tests"));
   const auto row = std::find_if(tests.table.rows.begin(), tests.table.rows.end(),
                                 [](const auto& each) { return each[0] == Cell{"preference"}; });
   ASSERT_NE(row, tests.table.rows.end());

@@ -83,6 +83,25 @@ void add_mean_share(const std::string& quantity, const std::string& key,
   findings.number(quantity, key, mean, basis);
 }
 
+void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
+                 const ChanceOfHit& of, FindingList& findings) {
+  const ConfidenceInterval limits = wilson_interval(count, of.confidence);
+  const auto h = [&of](double share) {
+    return 2.0 * std::asin(std::sqrt(share)) - 2.0 * std::asin(std::sqrt(of.chance));
+  };
+  findings.number(std::move(quantity), std::move(key), cohen_h(count, of.chance),
+                  {.n = count.trials,
+                   .method = "Cohen's h against chance; from the Wilson limits",
+                   .interval = ConfidenceInterval{.low = h(limits.low), .high = h(limits.high)},
+                   .confidence = of.confidence});
+}
+
+void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
+                std::size_t n, FindingList& findings) {
+  findings.count(name + ".draws", key, test.exact ? 0 : kRandomSplits,
+                 {.n = n, .method = "random splits of the participants; 0 where all were counted"});
+}
+
 void add_mean_of_group(const std::string& quantity, const std::string& key,
                        std::span<const double> of_participants, const GroupScale& scale,
                        FindingList& findings) {

@@ -14,6 +14,7 @@
 #include "analysis/pooled_share.h"
 #include "analysis/proportion.h"
 #include "analysis/t_test.h"
+#include "analysis/two_samples.h"
 
 namespace asperity {
 
@@ -69,6 +70,15 @@ void add_mean_share(const std::string& quantity, const std::string& key,
                     std::span<const HitCount> participants, const std::string& method,
                     const MeanShareQuestion& question, FindingList& findings);
 
+/// Cohen's h of a proportion against chance, with Wilson's limits on the same scale, on which they cover
+/// as often.
+struct ChanceOfHit {
+  double chance = 0.5;
+  double confidence = 0.95;
+};
+void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
+                 const ChanceOfHit& of, FindingList& findings);
+
 /// The numbers of single participants, with what these can be where there are bounds to it.
 struct GroupScale {
   double confidence = 0.95;
@@ -83,5 +93,10 @@ void add_mean_of_group(const std::string& quantity, const std::string& key,
 void add_difference_of_means(const std::string& quantity, const std::string& key,
                              const TwoSamples& samples, const GroupScale& scale,
                              FindingList& findings);
+
+/// What the permutation test of two groups is reported with: how many splits were drawn at random
+/// (`NAME.draws`; 0 where all were counted).
+void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
+                std::size_t n, FindingList& findings);
 
 }  // namespace asperity

@@ -202,6 +202,7 @@ class GroupComparison final {
     number("perm.p.two", splits.p,
            (splits.exact ? "all" : way_of_counting(kRandomSplits)) +
                " splits of the participants, difference of means");
+    add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U, "pairs of participants won, ties half");
     if (ranks.p_exact) {

@@ -495,6 +495,7 @@ class MagnitudeList final {
     number("peakratio.se.log10", key, found->standard_error,
            "delta method, joint covariance of the participants' coefficients");
     number("peakratio.t", key, found->t, "t over participants");
+    number("peakratio.df", key, static_cast<double>(n_) - 1.0, "degrees of freedom of t");
     number("peakratio.p", key, found->p, "two-sided t over participants");
     number("peakratio.lower", key, ends.low, "delta interval");
     number("peakratio.upper", key, ends.high, "delta interval");

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/effect_size.h"
 #include "analysis/exact_null.h"
 #include "analysis/mallows.h"
 #include "analysis/matching_null.h"
@@ -266,6 +267,8 @@ void add_whole(const Matching& read, FindingList& findings) {
       "perfect.p.greater", "", binomial_upper_tail(whole, whole_chance(read.items)),
       {.n = whole.trials,
        .method = "exact binomial, one-sided against 1/" + std::to_string(read.items) + "!"});
+  add_cohen_h("perfect.h", "", whole,
+              {.chance = whole_chance(read.items), .confidence = read.confidence}, findings);
 }
 
 /// The wrong items of a permutation are two at least: under Mallows' model with four items their number varies up to
@@ -412,6 +415,9 @@ void add_textures(const Matching& read, FindingList& findings) {
                     {.n = count.trials,
                      .method = "exact, one-sided against 1 of the trial's items; the tests of "
                                "different textures depend on each other"});
+    if (!read.equal_size) continue;
+    add_cohen_h("texture.h", name, count,
+                {.chance = item_chance(read.items), .confidence = read.confidence}, findings);
   }
   for (const std::size_t felt : read.felt) {
     for (const std::size_t chosen : read.felt) {
@@ -497,6 +503,19 @@ void add_groups(const Matching& read, const std::vector<double>& means,
                   {.n = first.size() + second.size(),
                    .method = way_of_counting(test.exact ? 0 : kRandomSplits) +
                              " permutation of participants, two-sided"});
+  add_splits("group.perm", key, test, first.size() + second.size(), findings);
+  if (const std::optional<WelchT> welch = welch_t(samples, read.confidence)) {
+    Basis effect{
+        .n = first.size() + second.size(),
+        .method = "Hedges' g of the participants' means; interval by the noncentral t",
+        .interval = bias_corrected(
+            *welch, standardised_difference_interval(welch->d,
+                                                     {.first = static_cast<double>(first.size()),
+                                                      .second = static_cast<double>(second.size())},
+                                                     read.confidence))};
+    if (effect.interval) effect.confidence = read.confidence;
+    findings.number("group.hedges.g", key, welch->g, effect);
+  }
 }
 
 /// The participant as the unit: the share of right items of each, over the participants.

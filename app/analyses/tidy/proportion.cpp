@@ -68,6 +68,7 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
       number((name + ".lower").c_str(), ends.low, method);
       number((name + ".upper").c_str(), ends.high, method);
     };
+    findings.count("hits", id, count.hits, basis);
     const ConfidenceInterval wilson = wilson_interval(count, confidence);
     findings.number("phat", id, proportion(count),
                     {.n = count.trials,

@@ -9,6 +9,7 @@
 
 #include "analysis/confusion.h"
 #include "analysis/dissimilarity.h"
+#include "analysis/effect_size.h"
 #include "analysis/equal_error_information.h"
 #include "analysis/forced_choice.h"
 #include "analysis/information_transfer.h"
@@ -130,6 +131,8 @@ class Recognition final {
     list_.number("pc.p.greater", "", binomial_upper_tail(right_, chance()),
                  of_trials("exact binomial, one-sided against chance 1/m, trials taken as "
                            "independent"));
+    list_.count("pc.k", "", right_.hits, of_trials("correct responses"));
+    add_cohen_h("pc.h", "", right_, {.chance = chance(), .confidence = confidence_}, list_);
   }
 
   void participants() {
@@ -148,6 +151,14 @@ class Recognition final {
     add_spread("", shares, list_);
     if (t.test) {
       number("subj.t", "", t.test->t, "t over participants against chance 1/m");
+      number("subj.t.df", "", t.test->df, "degrees of freedom of t");
+      const double d = (t.mean - chance()) / *t.sd;
+      Basis effect = basis(
+          "Cohen's d of the participants' proportions against chance 1/m; interval by the "
+          "noncentral t distribution");
+      effect.interval = standardised_mean_interval(d, static_cast<double>(t.n), confidence_);
+      effect.confidence = confidence_;
+      list_.number("subj.d", "", d, effect);
       number("subj.t.p.two", "", t.test->p, "two-sided t over participants against chance 1/m");
       number("subj.ci.lower", "", t.test->interval.low, "t interval over participants, uncut");
       number("subj.ci.upper", "", t.test->interval.high, "t interval over participants, uncut");

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "analysis/cochran.h"
+#include "analysis/effect_size.h"
 #include "analysis/exact_null.h"
 #include "analysis/first_choice.h"
+#include "analysis/friedman.h"
 #include "analysis/multiplicity.h"
 #include "analysis/pooled_share.h"
 #include "analysis/proportion.h"
@@ -223,6 +225,46 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   number("pooled.deff", target, pooled.design_effect, "design effect");
 }
 
+/// d_z of the participants' differences, which the sign-flip test compares with 0.
+void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> differences,
+                        double confidence, FindingList& findings) {
+  const std::vector<double> numbers(differences.begin(), differences.end());
+  const OneSampleT t = one_sample_t(numbers);
+  Basis basis{.n = numbers.size(),
+              .method =
+                  "Cohen's d_z of the participants' differences of counts; interval by the "
+                  "noncentral t distribution",
+              .undefined = numbers.size() < 2 ? "one participant has no spread: run more"
+                                              : "all participants have the same difference"};
+  if (!t.test) {
+    findings.number("signflip.d", key, kNoNumber, basis);
+    return;
+  }
+  const double d = t.mean / *t.sd;
+  basis.interval = standardised_mean_interval(d, static_cast<double>(numbers.size()), confidence);
+  basis.confidence = confidence;
+  findings.number("signflip.d", key, d, basis);
+}
+
+/// How far the participants agree in the order of their counts.
+void add_concordance(const CountMatrix& counts, double confidence, FindingList& findings) {
+  // With fewer the jackknife covers too rarely: 75 to 98 % of six participants, 82 to 99 % of twelve and twenty.
+  constexpr Eigen::Index kFewest = 10;
+  const Eigen::MatrixXd judgements = counts.cast<double>();
+  Basis basis{.n = static_cast<std::size_t>(counts.rows()),
+              .method = "Kendall's W of the participants' counts, ties corrected",
+              .undefined = counts.rows() < 2 ? "one participant can agree with nobody: run more"
+                                             : "no participant prefers one to another"};
+  if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
+  if (basis.interval) {
+    basis.confidence = confidence;
+    basis.method +=
+        "; interval by jackknife over participants, which covers some 90 % instead of "
+        "95 %";
+  }
+  findings.number("relabel.W", "", friedman_test(judgements).concordance, basis);
+}
+
 void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList& findings) {
   const auto n = static_cast<std::size_t>(counts.rows());
   std::vector<std::string> pairs{};
@@ -246,6 +288,9 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                       {.n = n, .method = way_of_counting(flips.drawn) + ' ' + method});
       findings.number("signflip.smallest", key, flips.smallest,
                       {.n = n, .method = "smallest attainable p: all differences of one sign"});
+      findings.count("signflip.draws", key, flips.drawn,
+                     {.n = n, .method = "random patterns of signs; 0 where all were counted"});
+      add_effect_of_pair(key, differences, read.confidence, findings);
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
           {.n = first + second, .method = "exact binomial as if all choices were independent"});
@@ -266,6 +311,14 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
       {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
+  findings.count("relabel.draws", "", relabelling.drawn,
+                 {.n = n, .method = "random relabellings; 0 where all were counted"});
+  const Eigen::ArrayXd totals = counts.colwise().sum().cast<double>().array();
+  findings.number("relabel.X2", "", (totals - totals.mean()).square().sum() / totals.mean(),
+                  {.n = n,
+                   .method = "Pearson's X² of the totals against equal ones, which orders them as "
+                             "the sum of squared totals does"});
+  add_concordance(counts, read.confidence, findings);
 }
 
 /// Where the counts of a sample hold several choices of one participant.

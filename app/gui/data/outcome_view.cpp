@@ -11,6 +11,7 @@
 
 #include "analysis/number_text.h"
 #include "app/analyses/reading_table.h"
+#include "app/analyses/study_tests.h"
 #include "app/figures/figures_of.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/analysis_words.h"
@@ -43,7 +44,7 @@ bool holds_words(const Table& table, const std::string& column) {
 }
 
 QTableView* make_table(const NamedTable& table, QWidget* parent) {
-  const Table reading = reading_table(table.table);
+  const Table reading = reading_table(table);
   auto* view = new QTableView(parent);
   view->setObjectName(QString::fromStdString("table_" + table.name));
   auto* model = new QStandardItemModel(view);

@@ -400,10 +400,6 @@
         <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
     </message>
     <message>
-        <source>%1 This test is not of the study&apos;s family and shows no more than what to ask next time.</source>
-        <translation>%1 Dieser Test gehört nicht zur Familie der Studie und zeigt nicht mehr, als was beim nächsten Mal zu fragen ist.</translation>
-    </message>
-    <message>
         <source>The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. &quot;asperity verify&quot; says whether everything holds.</source>
         <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht angesehen. „asperity verify“ sagt, ob alles stimmt.</translation>
     </message>
@@ -484,14 +480,6 @@
         <translation>ohne Intervall</translation>
     </message>
     <message>
-        <source>p, Holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2); one that cannot be made counts as p = 1. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>p, Holm: nach Holm über die %1 Tests der Familie adjustiert, die das Protokoll erklärt (%2); ein nicht möglicher zählt als p = 1. Tests außerhalb der Familie sind nicht adjustiert und zeigen nur, was als Nächstes zu fragen wäre. n zählt die Einheiten daneben; Antworten und Runden sind zusammengefasst, als wären sie unabhängig.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests. p, Holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2); one that cannot be made counts as p = 1. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>Das Protokoll erklärt keine Familie von Tests. p, Holm: nach Holm über die %1 Tests der Familie adjustiert, die diese Art von Protokoll von selbst hat (%2); ein nicht möglicher zählt als p = 1. Die anderen Tests sind nicht adjustiert und zeigen nur, was als Nächstes zu fragen wäre. n zählt die Einheiten daneben; Antworten und Runden sind zusammengefasst, als wären sie unabhängig.</translation>
-    </message>
-    <message>
         <source>%1 (%2, n = %3)</source>
         <translation>%1 (%2, n = %3)</translation>
     </message>
@@ -522,14 +510,6 @@
     <message>
         <source>Shares of all answers pool several answers of the same persons (%1 answers of %2 persons in all). They are not independent: the intervals of these shares are too narrow and their p too small. Means over the persons take the person as the unit.</source>
         <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Personen zusammen (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Personen nehmen die Person als Einheit.</translation>
-    </message>
-    <message>
-        <source>The family that the protocol declares is a single test (%1), whose p Holm&apos;s method leaves as it is. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>Die Familie, die das Protokoll festlegt, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Tests außerhalb der Familie sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests. The family that this kind of protocol has by itself is a single test (%1), whose p Holm&apos;s method leaves as it is. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest. Die Familie, die diese Art von Protokoll von sich aus hat, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Die anderen Tests sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
     </message>
     <message>
         <source>Answers that are no number above 0, or whose spacing the protocol does not say, which are left out: %1.</source>
@@ -963,6 +943,34 @@
         <source>%1; the smallest attainable is %2</source>
         <translation>%1; das kleinste erreichbare ist %2</translation>
     </message>
+    <message>
+        <source>The only confirmatory test is the family that the protocol declares (%1); its p needs no correction.</source>
+        <translation>Der einzige konfirmatorische Test ist die Familie, die das Protokoll festlegt (%1); sein p braucht keine Korrektur.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. The only confirmatory test is the usual family of this kind of protocol (%1); its p needs no correction.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest. Der einzige konfirmatorische Test ist die übliche Familie dieser Art von Protokoll (%1); sein p braucht keine Korrektur.</translation>
+    </message>
+    <message>
+        <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be made counts as p = 1.</source>
+        <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht möglicher Test zählt als p = 1.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. p, Holm: Holm-corrected over the %1 confirmatory tests, the usual family of this kind of protocol (%2); a test that cannot be made counts as p = 1.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest. p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die übliche Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
+    </message>
+    <message>
+        <source>%1 All other tests are exploratory and uncorrected. n counts the units next to it; responses and trials are pooled as if they were independent. Effect sizes have 95 % CIs.</source>
+        <translation>%1 Alle anderen Tests sind explorativ und unkorrigiert. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengefasst, als wären sie unabhängig. Effektstärken haben 95-%-KI.</translation>
+    </message>
+    <message>
+        <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
+        <translation>%1 Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und zählen nicht in seinem n: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1 This test is exploratory.</source>
+        <translation>%1 Dieser Test ist explorativ.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1318,6 +1326,22 @@
         <source>R²</source>
         <translation>R²</translation>
     </message>
+    <message>
+        <source>effect size, 95 % CI</source>
+        <translation>Effektstärke, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>statistic</source>
+        <translation>Teststatistik</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1557,10 +1581,6 @@
         <translation>Versuchspersonen</translation>
     </message>
     <message>
-        <source>there are no answers of which this could be tested</source>
-        <translation>es gibt keine Antworten, an denen sich das prüfen ließe</translation>
-    </message>
-    <message>
         <source>women, men</source>
         <translation>Frauen, Männer</translation>
     </message>
@@ -1611,6 +1631,66 @@
     <message>
         <source>not both conditions have an interior maximum</source>
         <translation>nicht beide Bedingungen haben ein inneres Maximum</translation>
+    </message>
+    <message>
+        <source>no trial presented two models</source>
+        <translation>kein Durchgang bot zwei Modelle dar</translation>
+    </message>
+    <message>
+        <source>no responses to test</source>
+        <translation>keine Antworten zu prüfen</translation>
+    </message>
+    <message>
+        <source>the protocol declares no target, or there is only one texture</source>
+        <translation>das Protokoll nennt kein Ziel, oder es gibt nur eine Textur</translation>
+    </message>
+    <message>
+        <source>fewer than two conditions have a peak</source>
+        <translation>weniger als zwei Bedingungen haben einen Gipfel</translation>
+    </message>
+    <message>
+        <source>there is only one condition</source>
+        <translation>es gibt nur eine Bedingung</translation>
+    </message>
+    <message>
+        <source>the participants are not both women and men</source>
+        <translation>unter den Versuchspersonen sind nicht Frauen und Männer</translation>
+    </message>
+    <message>
+        <source>the pictures differ between trials</source>
+        <translation>die Bilder sind von Durchgang zu Durchgang verschieden</translation>
+    </message>
+    <message>
+        <source>no participant ever chose the target</source>
+        <translation>keine Versuchsperson hat je das Ziel gewählt</translation>
+    </message>
+    <message>
+        <source>no trial presented the target with a model</source>
+        <translation>kein Durchgang bot das Ziel mit einem Modell dar</translation>
+    </message>
+    <message>
+        <source>the participants have not judged every texture equally often</source>
+        <translation>die Versuchspersonen haben nicht jede Textur gleich oft beurteilt</translation>
+    </message>
+    <message>
+        <source>trials present different numbers of models</source>
+        <translation>die Durchgänge bieten verschieden viele Modelle dar</translation>
+    </message>
+    <message>
+        <source>%1, exact</source>
+        <translation>%1, exakt</translation>
+    </message>
+    <message>
+        <source>%1, %2 random permutations</source>
+        <translation>%1, %2 zufällige Permutationen</translation>
+    </message>
+    <message>
+        <source>confirmatory</source>
+        <translation>konfirmatorisch</translation>
+    </message>
+    <message>
+        <source>exploratory</source>
+        <translation>explorativ</translation>
     </message>
 </context>
 <context>
@@ -4022,6 +4102,49 @@
     <message>
         <source>try the session out in Pilot (--mode pilot), or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
         <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>TestMethods</name>
+    <message>
+        <source>exact binomial test, one-sided</source>
+        <translation>exakter Binomialtest, einseitig</translation>
+    </message>
+    <message>
+        <source>permutation test, pictures relabelled per participant, one-sided</source>
+        <translation>Permutationstest, Bilder je Versuchsperson vertauscht, einseitig</translation>
+    </message>
+    <message>
+        <source>permutation test of group labels</source>
+        <translation>Permutationstest der Gruppen</translation>
+    </message>
+    <message>
+        <source>likelihood-ratio test of independence</source>
+        <translation>Likelihood-Quotienten-Test auf Unabhängigkeit</translation>
+    </message>
+    <message>
+        <source>repeated-measures ANOVA</source>
+        <translation>Varianzanalyse mit Messwiederholung</translation>
+    </message>
+    <message>
+        <source>repeated-measures ANOVA, p corrected by Greenhouse and Geisser</source>
+        <translation>Varianzanalyse mit Messwiederholung, p nach Greenhouse und Geisser korrigiert</translation>
+    </message>
+    <message>
+        <source>t test of the log ratio of two peaks</source>
+        <translation>t-Test des logarithmierten Verhältnisses zweier Gipfel</translation>
+    </message>
+    <message>
+        <source>within-participant permutation test</source>
+        <translation>Permutationstest innerhalb der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>sign-flip (randomisation) test</source>
+        <translation>Vorzeichentest durch Randomisierung</translation>
+    </message>
+    <message>
+        <source>one-sample t test</source>
+        <translation>Einstichproben-t-Test</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,376 @@
+#include "app/analyses/study_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
+
+#include "analysis/multiplicity.h"
+#include "analysis/number_text.h"
+#include "app/analyses/cell_words.h"
+#include "app/analyses/reading_number.h"
+#include "app/analyses/reading_table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kAlpha = 0.05;
+constexpr std::string_view kUsualUnit = "participants";
+
+Finding finding_of(const StudyTests::Test& test) {
+  Finding finding{};
+  finding.quantity = "p";
+  finding.key = "test=" + test.name + (test.about.empty() ? "" : " about=" + test.about);
+  finding.value = test.p;
+  finding.unit = "1";
+  finding.method = test.method;
+  finding.status = test.status;
+  finding.n = test.n;
+  finding.analysis = StudyTests::kTable;
+  return finding;
+}
+
+std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
+                                                  std::string_view quantity, std::string_view key) {
+  const Finding* finding = found.find(quantity, key);
+  if (finding == nullptr || !finding->value) return std::nullopt;
+  return StudyTests::Test::Effect{
+      .value = *finding->value, .low = finding->low, .high = finding->high};
+}
+
+/// Why nobody has added a test that the protocol declares: a code of cell_words.h.
+std::string reason_for(const std::string& name) {
+  using WhyNot = std::pair<std::string_view, std::string_view>;
+  constexpr std::array kReasons{WhyNot{"condition", "one_condition"},
+                                WhyNot{"information", "pictures_differ"},
+                                WhyNot{"interaction", "one_condition"},
+                                WhyNot{"pairs", "no_pair_offered"},
+                                WhyNot{"peaks", "no_two_peaks"},
+                                WhyNot{"position", "trials_of_different_sizes"},
+                                WhyNot{"right", "pictures_differ"},
+                                WhyNot{"sexes", "one_sex"},
+                                WhyNot{"target_pairs", "target_not_offered"},
+                                WhyNot{"textures", "no_target_or_one_texture"}};
+  const auto* known = std::find_if(kReasons.begin(), kReasons.end(),
+                                   [&name](const WhyNot& each) { return each.first == name; });
+  return std::string(known == kReasons.end() ? "no_responses" : known->second);
+}
+
+Cell permutations_cell(const StudyTests::Test& test) {
+  if (!test.random_permutations) return {};
+  return *test.random_permutations == 0 ? std::string("exact")
+                                        : std::to_string(*test.random_permutations);
+}
+
+Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
+
+/// The row of a test, with the names of its columns. `family`: of which it is; may be empty.
+std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test& test,
+                                                         const std::string& family) {
+  static const TestMethod kNone{};
+  const TestMethod& by = test.p && test.made_by != nullptr ? *test.made_by : kNone;
+  const auto degrees = [&test](std::size_t place) {
+    return place < test.degrees.size() ? Cell{test.degrees[place]} : Cell{};
+  };
+  const auto of_effect = [&test](const auto& part) {
+    return test.effect ? cell_of(part(*test.effect)) : Cell{};
+  };
+  using Effect = StudyTests::Test::Effect;
+  return {{"test", test.name},
+          {"about", text_cell(test.about)},
+          {"method", text_cell(by.code)},
+          {"statistic", test.statistic ? text_cell(by.symbol) : Cell{}},
+          {"value", cell_of(test.statistic)},
+          {"df1", degrees(0)},
+          {"df2", degrees(1)},
+          {"permutations", permutations_cell(test)},
+          {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
+          {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
+          {"effect_low", of_effect([](const Effect& e) { return e.low; })},
+          {"effect_high", of_effect([](const Effect& e) { return e.high; })},
+          {"n", static_cast<std::int64_t>(test.n)},
+          {"unit", test.unit},
+          {"left_out", static_cast<std::int64_t>(test.left_out)},
+          {"p", cell_of(test.p)},
+          {"p_holm", cell_of(test.adjusted)},
+          {"p_smallest", cell_of(test.smallest_p)},
+          {"family", text_cell(family)},
+          {"role", std::string(family.empty() ? "exploratory" : "confirmatory")},
+          {"status", test.p ? Cell{} : Cell{test.status}}};
+}
+
+/// With a minus that is as broad as a plus.
+std::string with_minus(double value, int digits) {
+  const std::string text = fixed(std::abs(value), digits);
+  const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
+  return (value < 0.0 && !is_nothing ? "−" : "") + text;
+}
+
+/// A cell by the name of its column.
+class TestRow final {
+ public:
+  TestRow(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
+
+  const Cell& cell(const std::string& column) const { return row_[*column_of(table_, column)]; }
+  std::string text(const std::string& column) const {
+    const auto* text = std::get_if<std::string>(&cell(column));
+    return text == nullptr ? std::string() : *text;
+  }
+  std::optional<double> number(const std::string& column) const { return number_of(cell(column)); }
+
+ private:
+  const Table& table_;
+  const std::vector<Cell>& row_;
+};
+
+/// The code of the test, and after a stroke how many permutations it made, as `words_of_cell` reads it.
+Cell method_cell(const TestRow& row) {
+  const std::string permutations = row.text("permutations");
+  if (permutations.empty()) return row.cell("method");
+  return row.text("method") + '|' + permutations;
+}
+
+/// "F(2, 38) = 5.17"
+Cell statistic_cell(const TestRow& row) {
+  const std::optional<double> value = row.number("value");
+  if (!value) return {};
+  std::string text = row.text("statistic");
+  std::string degrees{};
+  for (const char* column : {"df1", "df2"}) {
+    const std::optional<double> df = row.number(column);
+    if (!df) continue;
+    degrees += (degrees.empty() ? "" : ", ") + fixed(*df, *df == std::round(*df) ? 0 : 1);
+  }
+  const bool is_count = text == "k" || text == "D";
+  if (!degrees.empty()) text += '(' + degrees + ')';
+  return text + " = " + with_minus(*value, is_count ? 0 : 2);
+}
+
+/// "d = 2.74 [1.75, 3.71]"
+Cell effect_cell(const TestRow& row) {
+  const std::optional<double> value = row.number("effect");
+  if (!value) return {};
+  std::string text = row.text("effect_size") + " = " + with_minus(*value, 2);
+  const std::optional<double> low = row.number("effect_low");
+  const std::optional<double> high = row.number("effect_high");
+  if (low && high) text += " [" + with_minus(*low, 2) + ", " + with_minus(*high, 2) + ']';
+  return text;
+}
+
+/// Without the columns of these names that have nothing in any row.
+void drop_empty(Table& table, std::initializer_list<std::string> names) {
+  for (const std::string& name : names) {
+    const std::optional<std::size_t> at = column_of(table, name);
+    if (!at) continue;
+    const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(), [&at](const auto& row) {
+      return std::holds_alternative<std::monostate>(row[*at]);
+    });
+    if (!is_empty) continue;
+    const auto offset = static_cast<std::ptrdiff_t>(*at);
+    table.columns.erase(table.columns.begin() + offset);
+    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + offset);
+  }
+}
+
+/// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
+Table with_joined_cells(const Table& tests) {
+  Table made{{"test", "about", "method", "n", "unit", "statistic", "effect_size", "p", "p_holm",
+              "p_smallest", "role", "status"},
+             {}};
+  for (const std::vector<Cell>& cells : tests.rows) {
+    const TestRow row(tests, cells);
+    made.rows.push_back({row.cell("test"), row.cell("about"), method_cell(row), row.cell("n"),
+                         row.cell("unit"), statistic_cell(row), effect_cell(row), row.cell("p"),
+                         row.cell("p_holm"), row.cell("p_smallest"), row.cell("role"),
+                         row.cell("status")});
+  }
+  drop_empty(made, {"about", "p_smallest", "status"});
+  return made;
+}
+
+/// The smallest p that could be attained, where it exceeds 5 %; that of a single participant is 1, and no test.
+void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
+  if (!test.p || smallest.value_or(0.0) <= kAlpha) return;
+  constexpr double kRounding = 1e-9;  // of a sum over all permutations
+  if (test.n > 1 || *smallest < 1.0 - kRounding) {
+    test.smallest_p = smallest;
+    return;
+  }
+  test.p.reset();
+  test.status = StudyTests::kOneParticipantAlone;
+}
+
+}  // namespace
+
+StudyTests::StudyTests(const GatheredAnswers& gathered) : family_(gathered.declared.family) {
+  is_declared_ = !family_.empty();
+  for (const TestName& test : test_names()) {
+    if (family_.empty() && test.kind == gathered.kind) family_.emplace_back(test.name);
+  }
+  for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
+}
+
+bool StudyTests::is_in_family(std::string_view name) const {
+  return std::find(family_.begin(), family_.end(), name) != family_.end();
+}
+
+void StudyTests::add(const std::string& name, const std::string& about, const FoundNumbers& found,
+                     std::string_view p, std::string_view key) {
+  const Finding* finding = found.find(p, key);
+  if (finding == nullptr) {
+    add_untested(name, about, reason_for(name));
+    return;
+  }
+  Test& test = tests_.emplace_back(Test{.name = name, .about = about});
+  test.made_by = test_method(p);
+  test.n = finding->n;
+  test.method = finding->method;
+  test.p = finding->value;
+  test.source = name_of(*finding);
+  if (!test.p) test.status = finding->status;
+  if (test.made_by == nullptr) return;
+  const TestMethod& by = *test.made_by;
+  test.unit = by.unit;
+  if (test.unit != kUsualUnit) test.method += "; n counts " + test.unit;
+  if (!test.p) return;
+  test.statistic = found.value(by.statistic, key);
+  for (const std::string_view quantity : by.degrees) {
+    if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
+  }
+  if (!by.draws.empty()) {
+    test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
+  }
+  test.effect = effect_in(found, by.effect, key);
+}
+
+void StudyTests::add_untested(const std::string& name, const std::string& about,
+                              const std::string& reason) {
+  tests_.push_back(Test{.name = name, .about = about, .status = reason});
+}
+
+void StudyTests::leave_out(std::size_t participants) { tests_.back().left_out = participants; }
+
+const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {
+  const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const Test& test) {
+    return test.name == name && test.about == about;
+  });
+  return found == tests_.end() ? nullptr : &*found;
+}
+
+Phrase StudyTests::note_on_family(std::size_t tests) const {
+  const Phrase family = words_of_cell("family", name_);
+  Phrase note =
+      tests == 1
+          ? (is_declared_
+                 ? phrase("Analysis",
+                          "The only confirmatory test is the family that the protocol declares "
+                          "(%1); its p needs no correction.")
+                 : phrase("Analysis",
+                          "The protocol declares no family of tests. The only confirmatory test is "
+                          "the usual family of this kind of protocol (%1); its p needs no "
+                          "correction."))
+                .with(family)
+          : (is_declared_
+                 ? phrase("Analysis",
+                          "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
+                          "the protocol declares (%2); a test that cannot be made counts as p = 1.")
+                 : phrase("Analysis",
+                          "The protocol declares no family of tests. p, Holm: Holm-corrected over "
+                          "the %1 confirmatory tests, the usual family of this kind of protocol "
+                          "(%2); a test that cannot be made counts as p = 1."))
+                .with(std::to_string(tests), family);
+  note = phrase("Analysis",
+                "%1 All other tests are exploratory and uncorrected. n counts the units next to "
+                "it; responses and trials are pooled as if they were independent. Effect sizes "
+                "have 95 % CIs.")
+             .with(note);
+  for (const Test& test : tests_) {
+    if (test.left_out == 0) continue;
+    note = phrase("Analysis",
+                  "%1 Participants who never chose the target cannot contribute to the test of "
+                  "textures and are not counted in its n: %2 of %3.")
+               .with(note, std::to_string(test.left_out), std::to_string(test.n + test.left_out));
+  }
+  return note;
+}
+
+std::size_t StudyTests::tests_in_family() const {
+  return static_cast<std::size_t>(std::count_if(
+      tests_.begin(), tests_.end(), [this](const Test& test) { return is_in_family(test.name); }));
+}
+
+// What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
+// others what they would have been, and its own place in the family.
+void StudyTests::adjust() {
+  std::vector<double> raw{};
+  for (const Test& test : tests_) {
+    if (is_in_family(test.name)) raw.push_back(test.p.value_or(1.0));
+  }
+  const std::vector<double> adjusted = holm_adjusted(raw);
+  std::size_t next = 0;
+  for (Test& test : tests_) {
+    if (!is_in_family(test.name)) continue;
+    const double own = adjusted[next++];
+    if (!test.p) continue;
+    test.adjusted = own;
+    test.is_only_confirmatory = raw.size() == 1;
+  }
+}
+
+void StudyTests::finish(AnalysisOutcome& outcome) {
+  for (const std::string& name : family_) {
+    const bool is_added = std::any_of(tests_.begin(), tests_.end(),
+                                      [&name](const Test& test) { return test.name == name; });
+    if (!is_added) add_untested(name, "", reason_for(name));
+  }
+  adjust();
+  const std::size_t in_family = tests_in_family();
+  NamedTable made{StudyTests::kTable, phrase("Analysis", "Tests"), {}, note_on_family(in_family)};
+  for (const Test& test : tests_) {
+    made.table.columns.clear();
+    std::vector<Cell>& row = made.table.rows.emplace_back();
+    for (auto& [column, cell] : named_cells_of(test, is_in_family(test.name) ? name_ : "")) {
+      made.table.columns.emplace_back(column);
+      row.push_back(std::move(cell));
+    }
+    Finding finding = finding_of(test);
+    if (!test.p) finding.status = words_of_cell("status", test.status).english();
+    outcome.findings.push_back(finding);
+    if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
+    if (!is_in_family(test.name)) continue;
+    finding.quantity = "p.holm";
+    finding.value = test.adjusted;
+    finding.method +=
+        "; Holm over the " + (in_family == 1 ? "one test" : std::to_string(in_family) + " tests") +
+        " of the family " + name_ + (is_declared_ ? ", which the protocol declares" : "");
+    outcome.findings.push_back(std::move(finding));
+  }
+  outcome.tables.push_back(std::move(made));
+}
+
+Table reading_table(const NamedTable& table) {
+  return reading_table(table.name == StudyTests::kTable ? with_joined_cells(table.table)
+                                                        : table.table);
+}
+
+Phrase p_text(const StudyTests::Test& test) {
+  const double p = test.adjusted.value_or(test.p.value_or(1.0));
+  const Phrase how = test.is_only_confirmatory
+                         ? phrase("Analysis", "%1, the only confirmatory test")
+                     : test.adjusted ? phrase("Analysis", "%1, Holm-corrected")
+                                     : phrase("Analysis", "%1, uncorrected");
+  const Phrase text = how.with(reading_p(p));
+  if (!test.smallest_p) return text;
+  return phrase("Analysis", "%1; the smallest attainable is %2")
+      .with(text, reading_p(*test.smallest_p));
+}
+
+Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
+  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
+  return phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
+}
+
+}  // namespace asperity

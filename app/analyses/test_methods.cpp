@@ -1,0 +1,169 @@
+#include "app/analyses/test_methods.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kParticipants = "participants";
+constexpr std::string_view kAnswers = "answers";
+
+Phrase binomial() { return phrase("TestMethods", "exact binomial test, one-sided"); }
+Phrase permuted_pictures() {
+  return phrase("TestMethods", "permutation test, pictures relabelled per participant, one-sided");
+}
+Phrase permuted_groups() { return phrase("TestMethods", "permutation test of group labels"); }
+
+}  // namespace
+
+std::span<const TestMethod> test_methods() {
+  static const std::array kMethods{
+      TestMethod{.p = "G.p",
+                 .code = "g_test",
+                 .name = phrase("TestMethods", "likelihood-ratio test of independence"),
+                 .unit = kAnswers,
+                 .symbol = "G²",
+                 .statistic = "G",
+                 .degrees = {"G.df", ""},
+                 .effect_symbol = "IT",
+                 .effect = "IT.miller1955"},
+      TestMethod{.p = "group.perm.p.two",
+                 .code = "group_permutation",
+                 .name = permuted_groups(),
+                 .unit = kParticipants,
+                 .symbol = "ΔM",
+                 .statistic = "group.diff",
+                 .draws = "group.perm.draws",
+                 .effect_symbol = "g",
+                 .effect = "group.hedges.g"},
+      TestMethod{.p = "p",
+                 .code = "rm_anova",
+                 .name = phrase("TestMethods", "repeated-measures ANOVA"),
+                 .unit = kParticipants,
+                 .symbol = "F",
+                 .statistic = "F",
+                 .degrees = {"df1", "df2"},
+                 .effect_symbol = "η²G",
+                 .effect = "ges"},
+      TestMethod{.p = "p.GG",
+                 .code = "rm_anova_gg",
+                 .name = phrase("TestMethods",
+                                "repeated-measures ANOVA, p corrected by Greenhouse and Geisser"),
+                 .unit = kParticipants,
+                 .symbol = "F",
+                 .statistic = "F",
+                 .degrees = {"df1", "df2"},
+                 .effect_symbol = "η²G",
+                 .effect = "ges"},
+      TestMethod{.p = "p.greater",
+                 .code = "binomial",
+                 .name = binomial(),
+                 .unit = kAnswers,
+                 .symbol = "k",
+                 .statistic = "hits",
+                 .effect_symbol = "h",
+                 .effect = "cohen.h"},
+      TestMethod{.p = "pc.p.greater",
+                 .code = "binomial",
+                 .name = binomial(),
+                 .unit = kAnswers,
+                 .symbol = "k",
+                 .statistic = "pc.k",
+                 .effect_symbol = "h",
+                 .effect = "pc.h"},
+      TestMethod{.p = "peakratio.p",
+                 .code = "peak_ratio_t",
+                 .name = phrase("TestMethods", "t test of the log ratio of two peaks"),
+                 .unit = kParticipants,
+                 .symbol = "t",
+                 .statistic = "peakratio.t",
+                 .degrees = {"peakratio.df", ""},
+                 .effect_symbol = "ratio",
+                 .effect = "peakratio"},
+      TestMethod{.p = "perfect.relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kParticipants,
+                 .symbol = "k",
+                 .statistic = "perfect.trials",
+                 .draws = "perfect.relabel.draws",
+                 .smallest = "perfect.relabel.smallest",
+                 .effect_symbol = "h",
+                 .effect = "perfect.h"},
+      TestMethod{.p = "perm.p.two",
+                 .code = "group_permutation",
+                 .name = permuted_groups(),
+                 .unit = kParticipants,
+                 .symbol = "ΔM",
+                 .statistic = "subj.diff",
+                 .draws = "perm.draws",
+                 .effect_symbol = "g",
+                 .effect = "hedges.g"},
+      TestMethod{.p = "relabel.exact.p",
+                 .code = "within_participant_permutation",
+                 .name = phrase("TestMethods", "within-participant permutation test"),
+                 .unit = kParticipants,
+                 .symbol = "X²",
+                 .statistic = "relabel.X2",
+                 .draws = "relabel.draws",
+                 .smallest = "relabel.exact.smallest",
+                 .effect_symbol = "W",
+                 .effect = "relabel.W"},
+      TestMethod{.p = "relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kParticipants,
+                 .symbol = "k",
+                 .statistic = "total.correct",
+                 .draws = "relabel.draws",
+                 .smallest = "relabel.smallest",
+                 .effect_symbol = "θ",
+                 .effect = "mallows.theta"},
+      TestMethod{.p = "signflip.p.two",
+                 .code = "sign_flip",
+                 .name = phrase("TestMethods", "sign-flip (randomisation) test"),
+                 .unit = kParticipants,
+                 .symbol = "D",
+                 .statistic = "signflip.diff",
+                 .draws = "signflip.draws",
+                 .smallest = "signflip.smallest",
+                 .effect_symbol = "d_z",
+                 .effect = "signflip.d"},
+      TestMethod{.p = "subj.t.p.two",
+                 .code = "one_sample_t",
+                 .name = phrase("TestMethods", "one-sample t test"),
+                 .unit = kParticipants,
+                 .symbol = "t",
+                 .statistic = "subj.t",
+                 .degrees = {"subj.t.df", ""},
+                 .effect_symbol = "d",
+                 .effect = "subj.d"},
+      TestMethod{.p = "texture.relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kParticipants,
+                 .symbol = "k",
+                 .statistic = "texture.hits",
+                 .draws = "texture.relabel.draws",
+                 .smallest = "texture.relabel.smallest",
+                 .effect_symbol = "h",
+                 .effect = "texture.h"}};
+  return kMethods;
+}
+
+const TestMethod* test_method(std::string_view p) {
+  const auto methods = test_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [p](const TestMethod& each) { return each.p == p; });
+  return found == methods.end() ? nullptr : &*found;
+}
+
+Phrase test_method_name(std::string_view code) {
+  const auto methods = test_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [code](const TestMethod& each) { return each.code == code; });
+  return found == methods.end() ? Phrase{} : found->name;
+}
+
+}  // namespace asperity

@@ -1,0 +1,41 @@
+// The tests that studies report: the standard name of each, its statistic and its effect size.
+
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "app/phrase.h"
+
+namespace asperity {
+
+/// How a test is reported. Its numbers stand among the findings of one analysis under one key: that of
+/// the p, with these quantities.
+struct TestMethod {
+  std::string_view p{};       ///< the quantity that is its p
+  std::string_view code{};    ///< fixed, for programs: "one_sample_t"
+  Phrase name{};              ///< as textbooks name it: "one-sample t test"
+  std::string_view unit{};    ///< what its n counts: "participants", "answers"
+  std::string_view symbol{};  ///< of the statistic: "t"
+  std::string_view statistic{};
+  std::array<std::string_view, 2> degrees{};  ///< of freedom; empty where it has none
+  /// How many random permutations stand for all of them, 0 or absent where all were counted; empty
+  /// where the test permutes nothing.
+  std::string_view draws{};
+  /// The smallest p that these data could give; empty where every p is possible.
+  std::string_view smallest{};
+  std::string_view effect_symbol{};  ///< "d"; "IT", transmitted information, is in bits
+  std::string_view effect{};         ///< the effect size, whose finding has its interval
+};
+
+/// All of them, by `p`.
+std::span<const TestMethod> test_methods();
+
+/// Null where no test has such a p.
+const TestMethod* test_method(std::string_view p);
+
+/// The name of the test with this code; empty where there is none.
+Phrase test_method_name(std::string_view code);
+
+}  // namespace asperity

@@ -1,0 +1,310 @@
+// The table of tests: every kind of study fills it, and its numbers can be worked out on paper.
+
+#include "app/analyses/study_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "app/analyses/cell_words.h"
+#include "app/analyses/reading_table.h"
+#include "app/analyses/test_methods.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+const NamedTable& tests_of(const AnalysisOutcome& outcome) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == StudyTests::kTable) return table;
+  }
+  throw std::runtime_error("no table of tests");
+}
+
+/// A row by its test and what it is about.
+struct TestedRow {
+  const Table& table;
+  const std::vector<Cell>& cells;
+
+  const Cell& operator[](const std::string& column) const {
+    return cells.at(column_of(table, column).value());
+  }
+  double number(const std::string& column) const { return number_of((*this)[column]).value(); }
+  std::string text(const std::string& column) const {
+    return std::get<std::string>((*this)[column]);
+  }
+};
+
+TestedRow row_of(const Table& table, const std::string& test, const std::string& about = {}) {
+  for (const std::vector<Cell>& row : table.rows) {
+    const TestedRow found{.table = table, .cells = row};
+    const Cell wanted = about.empty() ? Cell{} : Cell{about};
+    if (found["test"] == Cell{test} && found["about"] == wanted) return found;
+  }
+  throw std::runtime_error("no test " + test);
+}
+
+MadeUpTrial choice(const std::vector<std::string>& offered, const std::string& chosen,
+                   const std::string& texture) {
+  MadeUpTrial trial{};
+  for (const std::string& model : offered) {
+    trial.surfaces.push_back(surface_of(model, model, texture));
+  }
+  trial.answers = {chosen};
+  trial.options = offered;
+  return trial;
+}
+
+MadeUpTrial recognition_of(const std::string& felt, const std::string& answer) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(felt, "height_map", felt)};
+  trial.answers = {answer};
+  trial.right = {felt};
+  trial.options = {"brick", "metal", "stone", "wood"};
+  return trial;
+}
+
+MadeUpTrial matching_of(const std::vector<std::string>& answers) {
+  MadeUpTrial trial{};
+  trial.right = {"brick", "metal", "stone", "wood"};
+  for (const std::string& felt : trial.right) {
+    trial.surfaces.push_back(surface_of(felt, "height_map", felt));
+  }
+  trial.answers = answers;
+  trial.options = trial.right;
+  return trial;
+}
+
+MadeUpTrial estimate_of(const std::string& texture, const std::string& tip, double number) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of("s", "pd_gradient", "s")};
+  trial.factors_json = R"({"texture": ")" + texture + R"(", "tip": ")" + tip + "\"}";
+  trial.answers = {std::to_string(number)};
+  trial.number = number;
+  return trial;
+}
+
+/// `trials_of`: of each participant in turn, women first.
+template <class TrialsOf>
+AnalysisOutcome analysed(const std::string& kind, const std::string& source, int people,
+                         const TrialsOf& trials_of) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("tested", kind, source);
+  for (int i = 0; i < people; ++i) {
+    const std::string label = "p" + std::to_string(i);
+    made.add_person(label, i < people / 2 ? "F" : "M");
+    made.add_session(label, protocol, trials_of(i));
+  }
+  return analyze_study(made.study()).front();
+}
+
+/// Six people choose between two models, four times each: 4, 4, 3, 3, 2 and 4 times the first.
+AnalysisOutcome selection_of_six() {
+  constexpr std::array kFirsts{4, 4, 3, 3, 2, 4};
+  return analysed(
+      "selection", R"({"analysis": {"target": "new", "family": ["target_pairs"]}})", 6, [&](int i) {
+        std::vector<MadeUpTrial> trials{};
+        for (int trial = 0; trial < 4; ++trial) {
+          const bool is_new = trial < kFirsts.at(static_cast<std::size_t>(i));
+          trials.push_back(
+              choice({"new", "old"}, is_new ? "new" : "old", trial % 2 == 0 ? "wood" : "metal"));
+        }
+        return trials;
+      });
+}
+
+/// Each pair of three models in both orders; whoever is even prefers the first of each.
+AnalysisOutcome paired_selection_of_four() {
+  return analysed("selection", "{}", 4, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [a, b] : {std::pair{"a", "b"}, std::pair{"a", "c"}, std::pair{"b", "c"}}) {
+      const std::string chosen = i % 2 == 0 ? a : b;
+      trials.push_back(choice({a, b}, chosen, "wood"));
+      trials.push_back(choice({b, a}, chosen, "wood"));
+    }
+    return trials;
+  });
+}
+
+/// Three people recognise 4, 3 and 3 of four textures.
+AnalysisOutcome recognition_of_three() {
+  return analysed("recognition", "{}", 3, [](int i) {
+    return std::vector{recognition_of("brick", "brick"), recognition_of("metal", "metal"),
+                       recognition_of("stone", "stone"),
+                       recognition_of("wood", i == 0 ? "wood" : "stone")};
+  });
+}
+
+/// Four people match four textures twice: all right, then two.
+AnalysisOutcome matching_of_four() {
+  return analysed("matching", "{}", 4, [](int i) {
+    std::vector<MadeUpTrial> trials{matching_of({"brick", "metal", "stone", "wood"})};
+    if (i > 0) trials.push_back(matching_of({"metal", "brick", "stone", "wood"}));
+    return trials;
+  });
+}
+
+AnalysisOutcome magnitude_of_five() {
+  constexpr const char* kSource = R"({
+    "estimation": {"spacing": "texture", "condition": "tip"},
+    "factors": {"texture": {"levels": ["a", "b", "c", "d"]}, "tip": {"levels": ["small", "large"]}},
+    "textures": {"a": {"spacing_m": 0.001}, "b": {"spacing_m": 0.002}, "c": {"spacing_m": 0.004},
+                 "d": {"spacing_m": 0.008}},
+    "analysis": {"family": ["spacing", "peaks"]}})";
+  return analysed("magnitude", kSource, 5, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    const std::vector<std::string> textures{"a", "b", "c", "d"};
+    for (const std::string tip : {"small", "large"}) {
+      for (std::size_t level = 0; level < textures.size(); ++level) {
+        const double from_peak = static_cast<double>(level) - (tip == "small" ? 1.2 : 1.8);
+        const double noise = 0.05 * std::sin(3.0 * i + 7.0 * static_cast<double>(level) +
+                                             (tip == "small" ? 0.0 : 2.0));
+        trials.push_back(estimate_of(textures[level], tip,
+                                     std::pow(10.0, 1.0 - 0.1 * from_peak * from_peak + noise)));
+      }
+    }
+    return trials;
+  });
+}
+
+TEST(TestMethods, HaveOneNameForEachCode) {
+  std::set<std::string_view> quantities{};
+  for (const TestMethod& method : test_methods()) {
+    EXPECT_TRUE(quantities.insert(method.p).second) << method.p;
+    EXPECT_EQ(test_method_name(method.code), method.name) << method.p;
+    EXPECT_FALSE(method.name.empty()) << method.p;
+    for (const std::string_view needed :
+         {method.symbol, method.statistic, method.effect, method.effect_symbol, method.unit}) {
+      EXPECT_FALSE(needed.empty()) << method.p;
+    }
+  }
+}
+
+// What a results section needs, whatever the kind of study: a test with its statistic and its n.
+TEST(TestsOfAStudy, NameTheirTestAndStatisticInEveryKind) {
+  for (const AnalysisOutcome& outcome :
+       {selection_of_six(), paired_selection_of_four(), recognition_of_three(), matching_of_four(),
+        magnitude_of_five()}) {
+    const Table& tests = tests_of(outcome).table;
+    std::size_t made = 0;
+    for (const std::vector<Cell>& cells : tests.rows) {
+      const TestedRow row{.table = tests, .cells = cells};
+      const std::string name = outcome.kind + ' ' + row.text("test");
+      if (row["p"] == Cell{}) {
+        EXPECT_FALSE(row.text("status").empty()) << name;
+        EXPECT_EQ(row["value"], Cell{}) << name;
+        EXPECT_EQ(row["effect"], Cell{}) << name;
+        continue;
+      }
+      ++made;
+      EXPECT_EQ(row["status"], Cell{}) << name;
+      EXPECT_FALSE(test_method_name(row.text("method")).empty()) << name;
+      EXPECT_FALSE(row.text("statistic").empty()) << name;
+      EXPECT_TRUE(std::isfinite(row.number("value"))) << name;
+      EXPECT_GT(row.number("n"), 0) << name;
+      EXPECT_EQ(row.text("role"), row["family"] == Cell{} ? "exploratory" : "confirmatory") << name;
+    }
+    EXPECT_GE(made, 2U) << outcome.kind;
+  }
+}
+
+// Differences 4, 4, 2, 2, 0 and 4: their sum 16, mean 8/3 and variance 8/3. The limits were computed by
+// integrating the noncentral t distribution numerically.
+TEST(TestsOfAStudy, ReportSignFlipsWithTheirSumAndDz) {
+  const AnalysisOutcome outcome = selection_of_six();
+  const TestedRow row = row_of(tests_of(outcome).table, "target_pairs", "new|old");
+  EXPECT_EQ(row.text("method"), "sign_flip");
+  EXPECT_EQ(row.text("statistic"), "D");
+  EXPECT_EQ(row.number("value"), 16.0);
+  EXPECT_EQ(row["df1"], Cell{});
+  EXPECT_EQ(row.text("permutations"), "exact");
+  EXPECT_EQ(row.text("effect_size"), "d_z");
+  EXPECT_NEAR(row.number("effect"), std::sqrt(8.0 / 3.0), 1e-12);
+  EXPECT_NEAR(row.number("effect_low"), 0.339264, 1e-5);
+  EXPECT_NEAR(row.number("effect_high"), 2.871810, 1e-5);
+  EXPECT_EQ(row.text("role"), "confirmatory");
+  EXPECT_EQ(row_of(tests_of(outcome).table, "preference").text("role"), "exploratory");
+}
+
+// Proportions 1, 3/4 and 3/4 against 1/4: t = 7 with two degrees of freedom, d = 7/√3.
+TEST(TestsOfAStudy, ReportTWithItsDegreesOfFreedomAndD) {
+  const AnalysisOutcome outcome = recognition_of_three();
+  const TestedRow row = row_of(tests_of(outcome).table, "right");
+  EXPECT_EQ(row.text("method"), "one_sample_t");
+  EXPECT_NEAR(row.number("value"), 7.0, 1e-12);
+  EXPECT_EQ(row.number("df1"), 2.0);
+  EXPECT_EQ(row["permutations"], Cell{});
+  EXPECT_NEAR(row.number("effect"), 7.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(row.number("effect_low"), 0.379785, 1e-5);
+  EXPECT_NEAR(row.number("effect_high"), 7.897525, 1e-5);
+}
+
+// Three of three: h is π − 2·asin(1/2), its upper limit the same, its lower that of Wilson, 3/(3 + z²).
+TEST(TestsOfAStudy, ReportBinomialTestsWithTheirCountAndH) {
+  const AnalysisOutcome outcome = recognition_of_three();
+  const TestedRow row = row_of(tests_of(outcome).table, "textures", "brick");
+  EXPECT_EQ(row.text("method"), "binomial");
+  EXPECT_EQ(row.number("value"), 3.0);
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(row.number("effect"), pi - 2.0 * std::asin(0.5), 1e-12);
+  constexpr double kZ = 1.959963984540054;
+  EXPECT_NEAR(row.number("effect_low"),
+              2.0 * std::asin(std::sqrt(3.0 / (3.0 + kZ * kZ))) - 2.0 * std::asin(0.5), 1e-9);
+  EXPECT_NEAR(row.number("effect_high"), row.number("effect"), 1e-12);
+}
+
+TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
+  const AnalysisOutcome outcome = recognition_of_three();
+  const Table reading = reading_table(tests_of(outcome));
+  const TestedRow right = row_of(reading, "right");
+  EXPECT_EQ(right.text("statistic"), "t(2) = 7.00");
+  EXPECT_THAT(right.text("effect_size"), HasSubstr("d = 4.04 ["));
+  EXPECT_EQ(words_of_cell("method", right.text("method")).english(), "one-sample t test");
+  EXPECT_EQ(row_of(reading, "textures", "brick").text("statistic"), "k = 3");
+  EXPECT_FALSE(column_of(reading, "status"));  // every test was made
+  const AnalysisOutcome of_pairs = selection_of_six();
+  const Table pairs = reading_table(tests_of(of_pairs));
+  EXPECT_EQ(
+      words_of_cell("method", row_of(pairs, "target_pairs", "new|old").text("method")).english(),
+      "sign-flip (randomisation) test, exact");
+}
+
+// Of three people one never chose the target, so that nothing of theirs can be exchanged.
+TEST(TestsOfAStudy, CountWhoContributesAndWhoIsLeftOut) {
+  const AnalysisOutcome outcome =
+      analysed("selection", R"({"analysis": {"target": "new"}})", 3, [](int i) {
+        return std::vector{choice({"new", "old"}, i < 2 ? "new" : "old", "wood"),
+                           choice({"new", "old"}, i < 1 ? "new" : "old", "metal")};
+      });
+  const TestedRow row = row_of(tests_of(outcome).table, "textures");
+  EXPECT_EQ(row.number("n"), 2.0);
+  EXPECT_EQ(row.number("left_out"), 1.0);
+  EXPECT_THAT(tests_of(outcome).note.english(), HasSubstr("not counted in its n: 1 of 3."));
+}
+
+TEST(TestsOfAStudy, StateThatNobodyChoseTheTarget) {
+  const AnalysisOutcome outcome = analysed(
+      "selection", R"({"analysis": {"target": "new", "family": ["textures"]}})", 3, [](int) {
+        return std::vector{choice({"new", "old"}, "old", "wood"),
+                           choice({"new", "old"}, "old", "metal")};
+      });
+  const TestedRow row = row_of(tests_of(outcome).table, "textures");
+  EXPECT_EQ(row["p"], Cell{});
+  EXPECT_EQ(row.number("n"), 0.0);
+  EXPECT_EQ(row.text("status"), "target_never_chosen");
+  EXPECT_EQ(words_of_cell("status", row.text("status")).english(),
+            "no participant ever chose the target");
+}
+
+}  // namespace
+}  // namespace asperity
