@@ -63,6 +63,7 @@ struct AnalysisOutcome {
   std::string design{};
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
+  bool declares_sexes = false;                ///< the protocol's family compares women and men
   std::size_t answers = 0;                    ///< attempts that the tables count
   std::vector<AnsweredQuestion> questions{};  ///< the one that the study is about first
   std::vector<NamedTable> tables{};

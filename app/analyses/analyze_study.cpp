@@ -2,6 +2,7 @@
 
 #include "app/analyses/analyze_study.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -125,6 +126,8 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.design = gathered.design;
     outcome.group = gathered.group;
     outcome.count = gathered.count;
+    const std::vector<std::string>& family = gathered.declared.family;
+    outcome.declares_sexes = std::find(family.begin(), family.end(), "sexes") != family.end();
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);
     if (gathered.answers.empty()) {

@@ -10,6 +10,7 @@
 #include "app/analyses/reading_number.h"
 #include "app/program.h"
 #include "app/tasks/report_sections.h"
+#include "app/tasks/report_sexes.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {
@@ -197,6 +198,9 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
     if (!stop.stop_requested()) outcomes = analyze_study(study, protocol, stop);
   });
   if (stop.stop_requested()) return report;
+  for (AnalysisOutcome& outcome : outcomes) {
+    if (!outcome.declares_sexes) outcome = without_sexes(std::move(outcome));
+  }
   report.subtitle = dates_text(all);
   report.chapters.push_back(overview_chapter(all));
   // What is read comes first, what is looked up behind it.

@@ -17,6 +17,7 @@
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_table.h"
 #include "app/analyses/test_methods.h"
+#include "app/tasks/report_sexes.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -277,6 +278,42 @@ TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
   EXPECT_EQ(
       words_of_cell("method", row_of(pairs, "target_pairs", "new|old").text("method")).english(),
       "sign-flip (randomisation) test, exact");
+}
+
+// A report compares women and men only where the protocol declares it.
+TEST(ReportedSexes, AreLeftOutUnlessTheProtocolDeclaresThem) {
+  const AnalysisOutcome analysed_all = matching_of_four();
+  EXPECT_FALSE(analysed_all.declares_sexes);
+  EXPECT_NO_THROW(row_of(tests_of(analysed_all).table, "sexes", "F|M"));
+  const AnalysisOutcome left = without_sexes(analysed_all);
+  EXPECT_THROW(row_of(tests_of(left).table, "sexes", "F|M"), std::runtime_error);
+  EXPECT_NO_THROW(row_of(tests_of(left).table, "items"));
+  for (const AnsweredQuestion& question : left.questions) EXPECT_NE(question.name, "sexes");
+  for (const Finding& finding : left.findings) {
+    EXPECT_NE(finding.analysis, "sexes");
+    EXPECT_THAT(finding.key, testing::Not(HasSubstr("Female")));
+  }
+  std::size_t rows_of_everyone = 0;
+  for (const NamedTable& named : left.tables) {
+    const std::optional<std::size_t> person = column_of(named.table, "person");
+    if (!person) continue;
+    for (const std::vector<Cell>& row : named.table.rows) {
+      EXPECT_EQ(row[*person], Cell{"Total"}) << named.name;
+      ++rows_of_everyone;
+    }
+  }
+  EXPECT_GT(rows_of_everyone, 1U);
+}
+
+TEST(ReportedSexes, ComeLastWhereTheProtocolDeclaresThem) {
+  const AnalysisOutcome outcome =
+      analysed("recognition", R"({"analysis": {"family": ["sexes", "right"]}})", 4, [](int i) {
+        return std::vector{recognition_of("brick", "brick"),
+                           recognition_of("wood", i % 2 == 0 ? "wood" : "stone")};
+      });
+  EXPECT_TRUE(outcome.declares_sexes);
+  EXPECT_EQ(outcome.questions.back().name, "sexes");
+  EXPECT_EQ(std::get<std::string>(tests_of(outcome).table.rows.back()[0]), "sexes");
 }
 
 // Of three people one never chose the target, so that nothing of theirs can be exchanged.

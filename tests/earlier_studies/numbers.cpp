@@ -431,6 +431,11 @@ void correct(Numbers& stored, const std::vector<Correction>& corrections) {
     }
     table->rows[row][*column] = correction.is;
   }
+  // Only now: corrections name rows as they are stored.
+  for (NumberTable& table : stored) {
+    if (table.name == kReport)
+      std::erase_if(table.rows, [](const Row& row) { return row[0].empty(); });
+  }
 }
 
 std::vector<std::string> differences(const Numbers& stored, const Numbers& now) {

@@ -43,7 +43,8 @@ struct Correction {
   std::string reason{};
 };
 std::vector<Correction> read_corrections(std::string_view text);
-/// Throws std::runtime_error for a cell that does not exist or is not as it `was`.
+/// A row of a report whose numbers are corrected to nothing is gone. Throws std::runtime_error for a cell that does not
+/// exist or is not as it `was`.
 void correct(Numbers& stored, const std::vector<Correction>& corrections);
 
 /// Tables, columns, rows and cells of `stored` that `now` lacks, a sentence each. Tables and columns may be added, and
