@@ -46,7 +46,7 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   if (gathered.group == AnswerGroup::virtual_participants) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "These participants are virtual: the numbers exercise the machinery and say nothing "
+               "These participants are virtual: the numbers test the program and are no evidence "
                "about people."));
   }
   if (gathered.group == AnswerGroup::pilot) {
@@ -96,10 +96,10 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
         phrase("Analysis", "Attempts that do not count: %1.").with(not_counted));
   }
   if (count.flagged > 0) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "Flagged attempts among those that count: %1; attempts.tsv of an export says why.")
-            .with(std::to_string(count.flagged)));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Flagged attempts among those that count: %1; attempts.tsv of "
+                                     "an export has the reasons.")
+                                  .with(std::to_string(count.flagged)));
   }
 }
 

@@ -14,22 +14,25 @@ using CellWords = std::map<std::string, Phrase>;
 
 const CellWords& words_of_measures() {
   static const CellWords kWords{
-      {"balanced_share", phrase("CellWords", "right answers, mean over the textures")},
-      {"by_chance_in_all", phrase("CellWords", "right items by chance, in all")},
+      {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
+      {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
       {"d_prime", phrase("CellWords", "d′")},
-      {"information_at_most", phrase("CellWords", "information that there was to tell")},
+      {"information_at_most", phrase("CellWords", "stimulus entropy H(S)")},
       {"information_if_errors_equal",
-       phrase("CellWords", "information, if all errors were equally frequent")},
-      {"information_jackknife", phrase("CellWords", "information, jackknife")},
-      {"information_miller", phrase("CellWords", "information, less Miller’s bias")},
-      {"information_miller_madow", phrase("CellWords", "information, after Miller and Madow")},
-      {"information_plug_in", phrase("CellWords", "information, not corrected")},
+       phrase("CellWords", "equal-error (Fano) estimate of the transmitted information")},
+      {"information_jackknife", phrase("CellWords", "transmitted information, jackknife")},
+      {"information_miller",
+       phrase("CellWords", "transmitted information, bias-corrected (Miller 1955)")},
+      {"information_miller_madow",
+       phrase("CellWords", "transmitted information, bias-corrected (Miller–Madow)")},
+      {"information_plug_in", phrase("CellWords", "transmitted information, plug-in")},
       {"kappa", phrase("CellWords", "Cohen’s κ")},
-      {"mallows_theta", phrase("CellWords", "Mallows’ θ (chance is 0)")},
-      {"right_items_in_all", phrase("CellWords", "right items, in all")},
-      {"right_items_per_go", phrase("CellWords", "right items of a go")},
-      {"share_of_pictures_right", phrase("CellWords", "right answers, “cannot tell” left out")},
-      {"z", phrase("CellWords", "z of the right items against chance")}};
+      {"mallows_theta", phrase("CellWords", "Mallows’ θ (0 under guessing)")},
+      {"right_items_in_all", phrase("CellWords", "correctly matched items")},
+      {"right_items_per_go", phrase("CellWords", "correctly matched items per trial")},
+      {"share_of_pictures_right",
+       phrase("CellWords", "proportion correct, “cannot tell” excluded")},
+      {"z", phrase("CellWords", "z of the correctly matched items")}};
   return kWords;
 }
 
@@ -37,25 +40,25 @@ const CellWords& words_of_tests() {
   static const CellWords kWords{{"condition", phrase("CellWords", "condition")},
                                 {"information", phrase("CellWords", "information")},
                                 {"interaction", phrase("CellWords", "spacing by condition")},
-                                {"items", phrase("CellWords", "items")},
+                                {"items", phrase("CellWords", "matched items")},
                                 {"pairs", phrase("CellWords", "pairs")},
                                 {"peaks", phrase("CellWords", "peaks")},
                                 {"position", phrase("CellWords", "position")},
                                 {"preference", phrase("CellWords", "preference")},
-                                {"right", phrase("CellWords", "right answers")},
+                                {"right", phrase("CellWords", "proportion correct")},
                                 {"sexes", phrase("CellWords", "women and men")},
                                 {"spacing", phrase("CellWords", "spacing")},
                                 {"target_pairs", phrase("CellWords", "pairs with the target")},
                                 {"textures", phrase("CellWords", "textures")},
-                                {"whole", phrase("CellWords", "whole goes")}};
+                                {"whole", phrase("CellWords", "all items correct")}};
   return kWords;
 }
 
 const CellWords& words_of_units() {
   static const CellWords kWords{{"1", phrase("CellWords", "–")},
-                                {"answers", phrase("CellWords", "answers")},
+                                {"answers", phrase("CellWords", "responses")},
                                 {"bit", phrase("CellWords", "bit")},
-                                {"goes", phrase("CellWords", "goes")},
+                                {"goes", phrase("CellWords", "trials")},
                                 {"participants", phrase("CellWords", "participants")}};
   return kWords;
 }

@@ -26,10 +26,11 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
       return n == 1 ? phrase("Analysis", "one participant")
                     : phrase("Analysis", "%1 participants").with(number);
     case CountedUnit::answers:
-      return n == 1 ? phrase("Analysis", "one answer")
-                    : phrase("Analysis", "%1 answers").with(number);
+      return n == 1 ? phrase("Analysis", "one response")
+                    : phrase("Analysis", "%1 responses").with(number);
     case CountedUnit::goes:
-      return n == 1 ? phrase("Analysis", "one go") : phrase("Analysis", "%1 goes").with(number);
+      return n == 1 ? phrase("Analysis", "one trial")
+                    : phrase("Analysis", "%1 trials").with(number);
   }
   return {};
 }
@@ -41,22 +42,22 @@ std::string signed_number(double value, int digits) {
   return (value < 0.0 && !is_nothing ? "−" : "") + text;
 }
 
-/// "95 % interval 2.10 to 2.90" of what is no share.
+/// "95 % CI 2.10 to 2.90" of what is not a proportion.
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
-    return phrase("Analysis", "95 % interval %1 to %2")
+    return phrase("Analysis", "95 % CI %1 to %2")
         .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
   }
-  return phrase("Analysis", "without an interval");
+  return phrase("Analysis", "without a CI");
 }
 
 /// The same of a difference, whose p is of another method than its interval.
 Phrase interval_of_difference(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
-    return phrase("Analysis", "95 % interval after Welch %1 to %2")
+    return phrase("Analysis", "Welch 95 % CI %1 to %2")
         .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
   }
-  return phrase("Analysis", "without an interval");
+  return phrase("Analysis", "without a CI");
 }
 
 }  // namespace
@@ -91,8 +92,7 @@ Phrase percent(double share) { return reading_percent(share); }
 
 Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
-    return phrase("Analysis", "95 % interval %1 to %2")
-        .with(percent(*share.low), percent(*share.high));
+    return phrase("Analysis", "95 % CI %1 to %2").with(percent(*share.low), percent(*share.high));
   }
   return phrase("Analysis", "one participant has no interval");
 }
@@ -128,10 +128,13 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   };
   const Phrase means =
       (sexes.scale == SexesScale::shares_of_answers
-           ? phrase("Analysis", "women are right in %1 of their answers on average, men in %2")
+           ? phrase("Analysis", "the mean proportion correct of women is %1, of men %2")
        : sexes.scale == SexesScale::shares_of_items
-           ? phrase("Analysis", "women have %1 of their items right on average, men %2")
-           : phrase("Analysis", "women have %1 items of a go right on average, men %2"))
+           ? phrase("Analysis",
+                    "the mean proportion of correctly matched items of women is %1, of men %2")
+           : phrase(
+                 "Analysis",
+                 "the mean number of correctly matched items per trial of women is %1, of men %2"))
           .with(mean(*sexes.women), mean(*sexes.men));
   Finding shown = *sexes.difference;
   for (std::optional<double>* number : {&shown.value, &shown.low, &shown.high}) {
@@ -147,14 +150,14 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
-                          "They do: %1; women less men is %2. Splitting the participants anew "
-                          "gives %3.")),
+                          "Yes: %1; difference (women − men) %2. Permutation test of group "
+                          "labels: %3.")),
       with_numbers(phrase("Analysis",
-                          "Nothing shows that they do: %1; women less men is %2. Splitting the "
-                          "participants anew gives %3. That does not show that they are alike.")),
+                          "Not significantly: %1; difference (women − men) %2. Permutation test of "
+                          "group labels: %3. This does not show that they are equal.")),
       with_numbers(phrase("Analysis",
-                          "Of these participants %1; women less men is %2. Splitting the "
-                          "participants anew gives %3."))};
+                          "Of these participants %1; difference (women − men) %2. Permutation test "
+                          "of group labels: %3."))};
   add_question(
       outcome, "sexes", phrase("Analysis", "Do women and men differ?"), said_of(*test, sayings),
       sexes.women->n + sexes.men->n <= kMostPermuted
@@ -180,7 +183,8 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
                  AnalysisOutcome& outcome, const char* name) {
   NamedTable made{
       name,
-      phrase("Analysis", "The person as the unit: each person's own share, over the persons"),
+      phrase("Analysis",
+             "Participant-level proportions: each participant's own, over the participants"),
       {{key_column, "persons", "mean", "mean_low", "mean_high", "sd", "minimum", "median",
         "maximum"},
        {}},

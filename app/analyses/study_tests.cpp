@@ -114,9 +114,14 @@ class TestRow final {
  public:
   TestRow(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
 
-  const Cell& cell(const std::string& column) const { return row_[*column_of(table_, column)]; }
+  /// Missing where there is no such column.
+  Cell cell(const std::string& column) const {
+    const std::optional<std::size_t> at = column_of(table_, column);
+    return at ? row_[*at] : Cell{};
+  }
   std::string text(const std::string& column) const {
-    const auto* text = std::get_if<std::string>(&cell(column));
+    const Cell content = cell(column);
+    const auto* text = std::get_if<std::string>(&content);
     return text == nullptr ? std::string() : *text;
   }
   std::optional<double> number(const std::string& column) const { return number_of(cell(column)); }

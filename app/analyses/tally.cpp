@@ -321,14 +321,14 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
   const Phrase pooled =
       persons == 1
           ? phrase("Analysis",
-                   "Shares of all answers pool several answers of one person (%1 in all). They are "
-                   "not independent: the intervals of these shares are too narrow and their p too "
-                   "small.")
+                   "Proportions of all responses pool several responses of one participant (%1 in "
+                   "total). They are not independent: the CIs of these proportions are too narrow "
+                   "and their p too small.")
           : phrase("Analysis",
-                   "Shares of all answers pool several answers of the same persons (%1 answers of "
-                   "%2 persons in all). They are not independent: the intervals of these shares "
-                   "are too narrow and their p too small. Means over the persons take the person "
-                   "as the unit.");
+                   "Proportions of all responses pool several responses of the same participants "
+                   "(%1 responses of %2 participants in total). They are not independent: the CIs "
+                   "of these proportions are too narrow and their p too small. Means over the "
+                   "participants have the participant as the unit.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 

@@ -152,7 +152,7 @@ std::string force_text(const ReportFacts& facts) {
   }
   if (const SessionShare weak = share_of_sessions(facts, gives_no_force); weak.is_any()) {
     text += " A device without motors was used " + weak.text() +
-            ": forces were computed but not exerted, and nobody felt the surfaces there.";
+            ": forces were computed but not exerted, and no participant felt the surfaces there.";
   }
   return text;
 }

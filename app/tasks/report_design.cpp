@@ -387,7 +387,7 @@ ReportSection design_section(const ReportFacts& facts) {
     section.parts.emplace_back(ReportText{stopped(
         "The protocol " + row.name + ", version " + row.version + ", is a " + row.kind + " (" +
         row.design + "). This program cannot read its file, which is stored in the study: " +
-        (check.diagnostics.empty() ? std::string("it says nothing")
+        (check.diagnostics.empty() ? std::string("no reason is known")
                                    : check.diagnostics.front().message))});
     section.parts.emplace_back(ReportText{trials_text(facts)});
     return section;

@@ -27,45 +27,45 @@ struct NumberWords {
 const std::map<std::string, NumberWords>& known_numbers() {
   using enum NumberForm;
   static const std::map<std::string, NumberWords> kKnown{
-      {"balanced.pc", {"right answers, mean over the textures", share}},
-      {"cochran.n.complete", {"participants who answered with every texture", count}},
-      {"cohen.d", {"Cohen’s d of the participants’ shares", number}},
-      {"correct", {"right answers", count}},
+      {"balanced.pc", {"proportion correct, mean over the textures", share}},
+      {"cochran.n.complete", {"participants with a response to every texture", count}},
+      {"cohen.d", {"Cohen’s d of the participants’ proportions", number}},
+      {"correct", {"correct responses", count}},
       {"cramer.w", {"Cohen’s w of the choices", number}},
-      {"diff", {"shares of all answers, first less second", number}},
-      {"dprime.corrected", {"d′ with half an answer moved from the end", number}},
+      {"diff", {"difference of proportions of all responses (first − second)", number}},
+      {"dprime.corrected", {"d′, corrected for an extreme proportion", number}},
       {"dprime.se", {"standard error of d′", number}},
-      {"fisher.or.cond", {"odds ratio of all answers", number}},
-      {"H.response", {"information in the choice of answers", number}},
-      {"hclust.shepard.average.cophcor", {"cophenetic correlation of the tree", number}},
-      {"hedges.g", {"Hedges’ g of the participants’ shares", number}},
-      {"IT.items", {"items told apart, not corrected for few answers", number}},
-      {"IT.relative", {"information, of what there was to tell", share}},
-      {"mallows.lr", {"likelihood ratio of Mallows’ θ against chance", number}},
+      {"fisher.or.cond", {"odds ratio of all responses", number}},
+      {"H.response", {"response entropy H(R)", number}},
+      {"hclust.shepard.average.cophcor", {"cophenetic correlation of the dendrogram", number}},
+      {"hedges.g", {"Hedges’ g of the participants’ proportions", number}},
+      {"IT.items", {"discriminable items, 2^IT (plug-in)", number}},
+      {"IT.relative", {"relative transmitted information IT/H(S)", share}},
+      {"mallows.lr", {"likelihood ratio of Mallows’ θ against θ = 0", number}},
       {"mallows.se", {"standard error of Mallows’ θ", number}},
-      {"mds.shepard.gof2", {"fit of the map in two dimensions", number}},
-      {"mixed.sigma", {"spread of the participants’ logits", number}},
-      {"n", {"answers that name a picture", count}},
-      {"n.missing", {"trials without an answer, left out", count}},
-      {"n.stages", {"choices that the scale rests on", count}},
-      {"n.trials", {"goes", count}},
-      {"n.trials.permutation", {"goes that give every picture once", count}},
+      {"mds.shepard.gof2", {"fit of the MDS configuration in two dimensions", number}},
+      {"mixed.sigma", {"SD of the random intercept", number}},
+      {"n", {"responses that name a picture", count}},
+      {"n.missing", {"trials without a response, excluded", count}},
+      {"n.stages", {"choices in the scale", count}},
+      {"n.trials", {"trials", count}},
+      {"n.trials.permutation", {"trials in which every picture was assigned once", count}},
       {"n.valid", {"choices", count}},
-      {"null.lower", {"right items in all, least of the middle 95 % of chance", count}},
-      {"null.sd", {"right items in all, SD of chance", number}},
-      {"null.upper", {"right items in all, most of the middle 95 % of chance", count}},
-      {"pc.se.cluster", {"standard error of the share of right answers, by participant", number}},
-      {"pl.loglik", {"log likelihood of the scale", number}},
+      {"null.lower", {"correctly matched items, lower limit of 95 % under guessing", count}},
+      {"null.sd", {"correctly matched items, SD under guessing", number}},
+      {"null.upper", {"correctly matched items, upper limit of 95 % under guessing", count}},
+      {"pc.se.cluster", {"cluster-robust standard error of the proportion correct", number}},
+      {"pl.loglik", {"log-likelihood of the scale", number}},
       {"pooled.deff", {"design effect of pooling the choices", number}},
-      {"pooled.k", {"right answers", count}},
-      {"pooled.n", {"answers", count}},
-      {"pooled.se.cluster", {"standard error of the share chosen, by participant", number}},
-      {"precision", {"right among the answers that name it", share}},
-      {"scm.bias", {"favour as an answer (adds up to 1)", number}},
-      {"signflip.diff", {"choices of the first less those of the second", count}},
-      {"subj.diff", {"share of right answers, means, first less second", number}},
+      {"pooled.k", {"correct responses", count}},
+      {"pooled.n", {"responses", count}},
+      {"pooled.se.cluster", {"cluster-robust standard error of the proportion chosen", number}},
+      {"precision", {"precision (positive predictive value)", share}},
+      {"scm.bias", {"response bias b (sum 1)", number}},
+      {"signflip.diff", {"difference of choices (first − second)", count}},
+      {"subj.diff", {"difference of mean proportions correct (first − second)", number}},
       {"subj.n", {"participants who chose", count}},
-      {"thurstone.firstchoice.mu", {"place on Thurstone’s scale of the best (mean 0)", number}},
+      {"thurstone.firstchoice.mu", {"Thurstone scale value of first choices (mean 0)", number}},
       {"total.items", {"items", count}}};
   return kKnown;
 }
@@ -91,8 +91,8 @@ bool is_another_form(const std::string& quantity) {
 /// What a part of the analysis is about; its own name where the program has no words.
 std::string words_of_analysis(const std::string& analysis) {
   static const std::map<std::string, std::string> kWords{
-      {"choice", "models"},       {"position", "positions"}, {"sexes", "women, men"},
-      {"similarity", "likeness"}, {"texture", "textures"},   {"textures", "textures"}};
+      {"choice", "models"},         {"position", "positions"}, {"sexes", "women, men"},
+      {"similarity", "similarity"}, {"texture", "textures"},   {"textures", "textures"}};
   const auto found = kWords.find(analysis);
   return found == kWords.end() ? analysis : found->second;
 }
@@ -135,12 +135,12 @@ void drop_lone_part(ReportTable& table) {
 ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   ReportTable table{};
   table.is_reference = true;
-  table.title = "Further tests, which claim nothing by themselves";
+  table.title = "Further tests (exploratory)";
   table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
                    {"p", true},      {"Holm", true},  {"n", true}};
   table.note =
-      "Holm: p adjusted over the tests of the same name. n: as the method counts; participants "
-      "where nothing else is said.";
+      "Holm: Holm-corrected over the tests of the same name. n: the units of the method; "
+      "participants unless stated otherwise.";
   for (const ReportedTest& test : tests) {
     const Finding& p = *test.p;
     if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
@@ -158,8 +158,8 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "Further numbers";
-  table.columns = {{"about", false}, {"what", false},         {"of", false},
-                   {"value", true},  {"95 % interval", true}, {"n", true}};
+  table.columns = {{"about", false}, {"what", false},   {"of", false},
+                   {"value", true},  {"95 % CI", true}, {"n", true}};
   for (const Finding& finding : findings) {
     const auto known = known_numbers().find(finding.quantity);
     if (known == known_numbers().end() || !finding.value) continue;

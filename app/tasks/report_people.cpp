@@ -25,7 +25,7 @@ std::string counts_of(const std::map<std::string, std::size_t>& counts,
     const auto found = counts.find(stored);
     if (found != counts.end()) parts.push_back(reading_count(found->second) + ' ' + shown);
   }
-  if (told < all) parts.push_back(reading_count(all - told) + " not told");
+  if (told < all) parts.push_back(reading_count(all - told) + " not reported");
   return listed(parts);
 }
 
@@ -45,7 +45,7 @@ std::string ages_text(const ReportFacts& facts) {
   }
   if (summary->n < facts.participants.size()) {
     text += " (" + reading_count(summary->n) + " of " + reading_count(facts.participants.size()) +
-            " told)";
+            " reported)";
   }
   return text + '.';
 }

@@ -104,10 +104,9 @@ ReportText timing_text(const ReportFacts& facts) {
            ? "."
            : ", " + listed({facts.other_kinds.begin(), facts.other_kinds.end()}) + " included.");
   if (pacings == std::set<std::string>{kStepped}) {
-    return {
-        text +
-        " It was stepped on a simulated clock, where no tick can be late: its times say nothing "
-        "about a device."};
+    return {text +
+            " It was stepped on a simulated clock, where no tick can be late: its times do not "
+            "describe a device."};
   }
   const std::optional<Summary> lateness = summary_of(facts.servo.lateness_p99_s);
   if (lateness) {
@@ -229,7 +228,8 @@ std::string explored_by_text(const ReportFacts& facts) {
     return gives_no_force(stretch) && stretch.judges_rendered_force;
   });
   if (computed.is_any()) {
-    text += " The normal force is the computed one, which nobody felt, " + computed.text() + '.';
+    text += " The normal force is the computed one, which no participant felt, " + computed.text() +
+            '.';
   }
   const SessionShare zero = share_of_sessions(facts, [](const RecordedStretch& stretch) {
     return gives_no_force(stretch) && !stretch.judges_rendered_force;

@@ -65,12 +65,12 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
     // Names stay as the study has them.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
                   printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
-                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % interval " +
+                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI " +
                   reading_percent(number_of(row[*low]).value_or(0.0)) + " to " +
                   reading_percent(number_of(row[*low + 1]).value_or(1.0)) + ')';
     if (chance) {
       if (const auto by_chance = number_of(row[*chance])) {
-        answer.text += ", where chance is " + reading_percent(*by_chance);
+        answer.text += ", where the chance level is " + reading_percent(*by_chance);
       }
     }
     if (p) {
@@ -125,19 +125,28 @@ std::string heading_of(const std::string& column) {
       {"achieved_mean_N", "achieved, mean (N)"},
       {"achieved_minimum_N", "achieved, minimum (N)"},
       {"achieved_sd_N", "achieved, SD (N)"},
+      {"by_chance", "expected under guessing"},
+      {"chance", "chance level"},
+      {"column", "repetition"},
       {"effect_size", "effect size [95 % CI]"},
-      {"felt_as_other", "taken for the other"},
+      {"felt_as_other", "confused with the other"},
+      {"goes", "trials"},
       {"matched_mean_N", "aimed at, mean (N)"},
-      {"other_as_felt", "the other taken for it"},
+      {"other_as_felt", "the other confused with it"},
       {"p_holm", "p, Holm"},
       {"p_interior", "p, interior maximum"},
       {"p_smallest", "smallest attainable p"},
+      {"person", "participant"},
+      {"persons", "participants"},
       {"r_squared", "R²"},
+      {"right", "correct"},
       {"sd", "SD"},
-      {"status", "why there is none"}};
+      {"status", "reason"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
   if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
+  constexpr std::string_view kColumn = "column_";  // and the level of the factor
+  if (column.starts_with(kColumn)) return "repetition " + column.substr(kColumn.size());
   return words_of_quantity(column);
 }
 
@@ -187,7 +196,7 @@ std::string refused_quantity(std::string quantity) {
     quantity.erase(quantity.rfind(ending));
     is_end = true;
   }
-  return (is_end ? "interval of the " : "") + words_of_quantity(quantity);
+  return (is_end ? "CI of the " : "") + words_of_quantity(quantity);
 }
 
 /// What a finding is about that can have no answer; the words of its name where it has no others.
@@ -207,25 +216,25 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"peak.status", "the peak of the curve"},
       {"pl.status", "the scale of preference (Plackett–Luce)"},
       {"pooled.deff", "the design effect of pooling"},
-      {"pooled.se.cluster", "the standard error of the pooled share, by participant"},
-      {"precision", "how often an answer was right"},
+      {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
+      {"precision", "the precision (positive predictive value)"},
       {"quad.c.t", "the test of the curvature"},
-      {"recall", "how often it was recognised"},
-      {"scm.status", "the model of similar choices"},
+      {"recall", "the recall"},
+      {"scm.status", "the similarity choice model"},
       {"status", "a part of the analysis"},
-      {"subj.ci.lower", "the interval of the mean share"},
-      {"subj.ci.upper", "the interval of the mean share"},
-      {"subj.mean", "the mean share"},
-      {"subj.sd", "the spread of the participants’ shares"},
-      {"subj.t", "the test of the mean share"},
-      {"subj.t.p.two", "the test of the mean share"},
+      {"subj.ci.lower", "the CI of the mean proportion"},
+      {"subj.ci.upper", "the CI of the mean proportion"},
+      {"subj.mean", "the mean proportion"},
+      {"subj.sd", "the SD of the participants’ proportions"},
+      {"subj.t", "the test of the mean proportion"},
+      {"subj.t.p.two", "the test of the mean proportion"},
       {"trend.t", "the test of the trend"},
       {"welch.t", "Welch’s test"}};
   const auto known = kWords.find(quantity);
   return known == kWords.end() ? "" : known->second;
 }
 
-/// "the test of the mean share of height_map", or nothing for what is only a step of a computation.
+/// "the test of the mean proportion of height_map", or nothing for what is only a step of a computation.
 std::string subject_of(const Finding& finding) {
   std::string words = words_of_unanswered(finding.quantity);
   if (words.empty()) return {};

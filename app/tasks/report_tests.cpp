@@ -176,6 +176,12 @@ void find_wholes(std::vector<ReportedTest>& tests) {
   }
 }
 
+/// What a part of a key is called in text.
+std::string word_of_factor(const std::string& name) {
+  if (name == "column") return "repetition";
+  return name == "person" ? "participant" : name;
+}
+
 /// As it stands in a sentence: two digits after the point, or as many as a small one needs.
 std::string said_number(double value) {
   const double size = std::abs(value);
@@ -185,7 +191,7 @@ std::string said_number(double value) {
 
 std::string printed_interval(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
-  return reading_percent(confidence) + " interval [" + said_number(*finding.low) + ", " +
+  return reading_percent(confidence) + " CI [" + said_number(*finding.low) + ", " +
          said_number(*finding.high) + ']';
 }
 
@@ -251,7 +257,7 @@ std::string sentence_of(const ReportedTest& test) {
   const std::string statistic = statistic_of(test);
   if (!statistic.empty()) text += statistic + ", ";
   text += reading_p(*test.p->value);
-  if (test.holm != nullptr) text += ", Holm-adjusted " + reading_p(*test.holm->value);
+  if (test.holm != nullptr) text += ", Holm-corrected " + reading_p(*test.holm->value);
   return capital(text) + " (n = " + reading_count(test.p->n) + ").";
 }
 
@@ -264,12 +270,13 @@ std::string words_of_key(const std::string& key) {
     };
     const bool is_number =
         !part.value.empty() && part.value.find_first_not_of("0123456789.-") == std::string::npos;
-    if (!part.name.empty() && is_whole(part.value)) {
-      add(wholes, "all " + part.name + (part.name.ends_with('s') ? "" : "s"));
+    const std::string name = word_of_factor(part.name);
+    if (!name.empty() && is_whole(part.value)) {
+      add(wholes, "all " + name + (name.ends_with('s') ? "" : "s"));
     } else if (is_whole(part.value)) {
       add(wholes, part.value == "POOLED" ? "pooled" : part.value);
-    } else if (!part.name.empty() && (is_number || part.name == "against")) {
-      add(names, part.name + ' ' + part.value);
+    } else if (!name.empty() && (is_number || name == "against")) {
+      add(names, name + ' ' + part.value);
     } else {
       add(names, part.value == "condition:spacing" ? "spacing by condition" : part.value);
     }
@@ -282,11 +289,13 @@ std::string words_of_quantity(const std::string& quantity) {
   static const std::map<std::string, std::string> kNamed{
       {"geomean", "geometric mean"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
-      {"peak.fieller", "Fieller’s interval of the peak"},
-      {"subj.sd", "spread of the participants’ shares"},
+      {"peak.fieller", "Fieller’s CI of the peak"},
+      {"subj.sd", "SD of the participants’ proportions"},
       {"subj.t", "t over participants"}};
   if (const auto named = kNamed.find(quantity); named != kNamed.end()) return named->second;
+  constexpr std::string_view kShare = "share";
   std::string words = quantity;
+  if (words.starts_with(kShare)) words.replace(0, kShare.size(), "proportion");
   std::replace(words.begin(), words.end(), '_', ' ');
   std::replace(words.begin(), words.end(), '.', ' ');
   for (const auto& [unit, shown] : {std::pair(" N", " (N)"), std::pair(" s", " (s)"),

@@ -30,17 +30,17 @@ struct ReportedTest {
 /// In the order of the findings, which have to outlive them. A p without a value is none.
 std::vector<ReportedTest> tests_among(std::span<const Finding> findings);
 
-/// "For height_map (all columns), share chosen was 0.78 (95 % interval [0.66, 0.87]); exact
-/// two-sided binomial test …: p < .001, Holm-adjusted p = .003 (n = 20)."
+/// "For height_map (all repetitions), proportion chosen was 0.78 (95 % CI [0.66, 0.87]); exact
+/// two-sided binomial test …: p < .001, Holm-corrected p = .003 (n = 20)."
 std::string sentence_of(const ReportedTest& test);
 
 /// "χ²(2) = 9.10"; empty where there is no statistic.
 std::string statistic_of(const ReportedTest& test);
 
-/// "column=all item=height_map" → "height_map (all columns)"; "exp1|image" → "exp1, image".
+/// "column=all item=height_map" → "height_map (all repetitions)"; "exp1|image" → "exp1, image".
 std::string words_of_key(const std::string& key);
 
-/// "share_chosen" → "share chosen"
+/// "share_chosen" → "proportion chosen"
 std::string words_of_quantity(const std::string& quantity);
 
 }  // namespace asperity

@@ -154,7 +154,7 @@ ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcom
   if (is_held_back(facts)) {
     chapter.sections.push_back(
         {"Results",
-         {ReportText{"A session of this protocol is running, and whoever runs it is blind: the "
+         {ReportText{"A session of this protocol is running, and its experimenter is blind: the "
                      "results by name are in a report that is made when it is over.",
                      ReportText::Tone::notice}}});
   } else if (outcome != nullptr) {

@@ -517,7 +517,7 @@ TEST(Selection, AnswersItsQuestionWithThePersonAsTheUnit) {
   EXPECT_EQ(&preference, &outcome.questions.front());
   EXPECT_THAT(preference.answer.english(),
               testing::StartsWith("height_map was chosen most often: in 60 % of a participant's "
-                                  "choices on average (95 % interval "));
+                                  "choices on average (95 % CI "));
   EXPECT_THAT(preference.answer.english(), HasSubstr("where chance is 33 %"));
   EXPECT_EQ(preference.finding.n, 20U);
   EXPECT_EQ(preference.finding.quantity, "subj.mean");
@@ -551,13 +551,13 @@ TEST(Selection, SaysTheIntervalOfAShareInSentenceAndTableAsFarAsSharesGo) {
   EXPECT_LT(high, 1.0);
   EXPECT_EQ(number(table_of(outcome, "persons").table, {"new"}, "mean_high"), high);
   EXPECT_NEAR(number(table_of(outcome, "persons").table, {"old"}, "mean_low"), 1.0 - high, 1e-12);
-  EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("(95 % interval "));
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("(95 % CI "));
   // The position that stands out is named, not the first one alone.
   const AnsweredQuestion& position = question_of(outcome, "position");
   EXPECT_THAT(position.answer.english(),
               AllOf(testing::StartsWith("Test against equal proportions: p "),
                     HasSubstr("what was felt at position 2 was chosen in 92 % of a participant's "
-                              "choices on average (95 % interval ")));
+                              "choices on average (95 % CI ")));
   EXPECT_EQ(position.finding.key, "2");
 }
 
@@ -670,12 +670,13 @@ TEST(Matching, HasItsNumbersFromTheFamily) {
   EXPECT_EQ(std::get<std::int64_t>(pairs.rows[0][2]), 6);
   EXPECT_THAT(question_of(outcome, "items").answer.english(),
               testing::StartsWith("Yes: on average 95 % of a participant's items were matched"));
-  EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
-              testing::MatchesRegex("Of these participants women have .* % .95 % interval .*, n = "
-                                    "10. of their items right on average, men .*, n = 10.; women "
-                                    "less men is .* percentage points .95 % interval after Welch "
-                                    ".*\\. Splitting the participants anew gives p = .*, "
-                                    "uncorrected\\. This test is exploratory\\."));
+  EXPECT_THAT(
+      question_of(outcome, "sexes").answer.english(),
+      testing::MatchesRegex("Of these participants the mean proportion of correctly matched "
+                            "items of women is .* % .95 % CI .*, n = 10., of men .*, n = "
+                            "10.; difference .women − men. .* percentage points .Welch 95 "
+                            "% CI .*\\. Permutation test of group labels: p = .*, "
+                            "uncorrected\\. This test is exploratory\\."));
 }
 
 /// Two people, six goes: stone and metal are mixed up, the rest is right; gravel and grass are only
@@ -716,9 +717,9 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   EXPECT_EQ(finding_of(outcome, "sexes", "pooled.k", "M").value, 5.0);
   // 4 of 6 and 5 of 6, by participant: what is tested is what is told.
   EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
-              HasSubstr("women less men is −16.7 percentage points"));
+              HasSubstr("difference (women − men) −16.7 percentage points"));
   EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("n = 12 answers)"));
-  EXPECT_EQ(question_of(outcome, "information").counted.english(), "12 answers");
+  EXPECT_EQ(question_of(outcome, "information").counted.english(), "12 responses");
 }
 
 /// Answers of one person, each after what was felt.
@@ -857,10 +858,10 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
   const AnsweredQuestion& sexes = question_of(outcome, "sexes");
   EXPECT_THAT(sexes.answer.english(),
               testing::MatchesRegex(
-                  "They do: women have 100 % .95 % interval [0-9]+ % to 100 %, n = 13. of "
-                  "their items right on average, men 50 % .95 % interval .*"));
+                  "Yes: the mean proportion of correctly matched items of women is 100 % .95 % CI "
+                  "[0-9]+ % to 100 %, n = 13., of men 50 % .95 % CI .*"));
   EXPECT_THAT(sexes.answer.english(),
-              HasSubstr("women less men is 50.0 percentage points (without an interval)"));
+              HasSubstr("difference (women − men) 50.0 percentage points (without a CI)"));
   EXPECT_THAT(sexes.method.english(), HasSubstr("10000 random ways"));
 }
 

@@ -127,7 +127,7 @@ TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
   EXPECT_THAT(names, ElementsAre("pairs", "preference", "position"));
   EXPECT_THAT(answer_of(all_pairs(), "pairs"),
               StartsWith("Chosen more often: a over b (in 100 % of a participant's choices on "
-                         "average, 95 % interval "));
+                         "average, 95 % CI "));
   EXPECT_THAT(answer_of(all_pairs(), "pairs"),
               testing::HasSubstr(" % to 100 %; p = .012, Holm-corrected"));
   EXPECT_THAT(answer_of(all_pairs(), "preference"),

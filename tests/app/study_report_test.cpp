@@ -115,10 +115,10 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Participants"));
   EXPECT_THAT(words, HasSubstr("Four participants took part."));
-  EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not told."));
+  EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not reported."));
   // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
   EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 told)."));
-  EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not told."));
+  EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not reported."));
   EXPECT_THAT(words, HasSubstr("No consent is stored of p1, p2, p3 and p4."));
 }
 
@@ -264,9 +264,9 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   made.study().add_session(running, {});
   const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p2"));
   const std::string words = words_of(study_report(made.study(), {}).chapters.at(1));
-  EXPECT_THAT(words, HasSubstr("whoever runs it is blind"));
+  EXPECT_THAT(words, HasSubstr("its experimenter is blind"));
   EXPECT_THAT(words, Not(HasSubstr("was chosen")));
-  EXPECT_THAT(words, Not(HasSubstr("share chosen")));
+  EXPECT_THAT(words, Not(HasSubstr("proportion chosen")));
   const std::string appendix = words_of(study_report(made.study(), {}).chapters.at(2));
   EXPECT_THAT(appendix, Not(HasSubstr("height_map")));
   EXPECT_THAT(appendix, HasSubstr("Every session"));
@@ -776,7 +776,7 @@ TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
   ASSERT_EQ(tests.size(), 1U);
   EXPECT_EQ(
       sentence_of(tests[0]),
-      "For exp1, Pearson's X² against equal shares: χ²(2) = 9.10, p = .011, Holm-adjusted p = "
+      "For exp1, Pearson's X² against equal shares: χ²(2) = 9.10, p = .011, Holm-corrected p = "
       ".032 (n = 20).");
 }
 
@@ -810,10 +810,10 @@ TEST(ReportTests, TellsWholesFromTheirParts) {
   EXPECT_FALSE(tests[0].is_of_whole);
   EXPECT_TRUE(tests[1].is_of_whole);
   EXPECT_TRUE(tests[2].is_of_whole) << "there is no whole of its kind";
-  EXPECT_EQ(words_of_key("column=all item=a"), "a (all columns)");
-  EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "column 1, Other or not told");
+  EXPECT_EQ(words_of_key("column=all item=a"), "a (all repetitions)");
+  EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "repetition 1, Other or not told");
   EXPECT_EQ(words_of_key("condition:spacing"), "spacing by condition");
-  EXPECT_EQ(words_of_quantity("peak.fieller"), "Fieller’s interval of the peak");
+  EXPECT_EQ(words_of_quantity("peak.fieller"), "Fieller’s CI of the peak");
 }
 
 // Both p are alike; what is told is known by its name.

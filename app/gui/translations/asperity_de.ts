@@ -20,10 +20,6 @@
         <translation>%1 übersprungen</translation>
     </message>
     <message>
-        <source>These participants are virtual: the numbers exercise the machinery and say nothing about people.</source>
-        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und sagen nichts über Menschen.</translation>
-    </message>
-    <message>
         <source>These sessions are pilots: they are analysed apart from sessions of mode &quot;run&quot;.</source>
         <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen der Art „run“ ausgewertet.</translation>
     </message>
@@ -46,10 +42,6 @@
     <message>
         <source>Attempts that do not count: %1.</source>
         <translation>Versuche, die nicht zählen: %1.</translation>
-    </message>
-    <message>
-        <source>Flagged attempts among those that count: %1; attempts.tsv of an export says why.</source>
-        <translation>Markierte Versuche unter denen, die zählen: %1; warum, steht in attempts.tsv eines Exports.</translation>
     </message>
     <message>
         <source>There is no answer to count yet.</source>
@@ -150,10 +142,6 @@
     <message>
         <source>Chance differs between the trials.</source>
         <translation>Der Zufall ist von Durchgang zu Durchgang verschieden.</translation>
-    </message>
-    <message>
-        <source>The person as the unit: each person&apos;s own share, over the persons</source>
-        <translation>Die Person als Einheit: der eigene Anteil jeder Person, über die Personen</translation>
     </message>
     <message>
         <source>Texture force (RMS) per model, as computed in the attempts</source>
@@ -360,10 +348,6 @@
         <translation>Tests</translation>
     </message>
     <message>
-        <source>95 % interval %1 to %2</source>
-        <translation>95-%-Intervall %1 bis %2</translation>
-    </message>
-    <message>
         <source>one participant has no interval</source>
         <translation>eine einzelne Person ergibt kein Intervall</translation>
     </message>
@@ -460,40 +444,8 @@
         <translation>%1 Versuchspersonen</translation>
     </message>
     <message>
-        <source>one answer</source>
-        <translation>eine Antwort</translation>
-    </message>
-    <message>
-        <source>%1 answers</source>
-        <translation>%1 Antworten</translation>
-    </message>
-    <message>
-        <source>one go</source>
-        <translation>eine Runde</translation>
-    </message>
-    <message>
-        <source>%1 goes</source>
-        <translation>%1 Runden</translation>
-    </message>
-    <message>
-        <source>without an interval</source>
-        <translation>ohne Intervall</translation>
-    </message>
-    <message>
         <source>%1 (%2, n = %3)</source>
         <translation>%1 (%2, n = %3)</translation>
-    </message>
-    <message>
-        <source>women are right in %1 of their answers on average, men in %2</source>
-        <translation>Frauen antworten im Mittel in %1 der Fälle richtig, Männer in %2</translation>
-    </message>
-    <message>
-        <source>women have %1 of their items right on average, men %2</source>
-        <translation>Frauen haben im Mittel %1 ihrer Zuordnungen richtig, Männer %2</translation>
-    </message>
-    <message>
-        <source>women have %1 items of a go right on average, men %2</source>
-        <translation>Frauen haben im Mittel %1 Zuordnungen einer Runde richtig, Männer %2</translation>
     </message>
     <message>
         <source>%1 percentage points (%2)</source>
@@ -502,14 +454,6 @@
     <message>
         <source>%1 items (%2)</source>
         <translation>%1 Zuordnungen (%2)</translation>
-    </message>
-    <message>
-        <source>Shares of all answers pool several answers of one person (%1 in all). They are not independent: the intervals of these shares are too narrow and their p too small.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Antworten einer Person zusammen (insgesamt %1). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein.</translation>
-    </message>
-    <message>
-        <source>Shares of all answers pool several answers of the same persons (%1 answers of %2 persons in all). They are not independent: the intervals of these shares are too narrow and their p too small. Means over the persons take the person as the unit.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Personen zusammen (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Personen nehmen die Person als Einheit.</translation>
     </message>
     <message>
         <source>Answers that are no number above 0, or whose spacing the protocol does not say, which are left out: %1.</source>
@@ -598,22 +542,6 @@
     <message>
         <source>By the peaks of the curves: %1.</source>
         <translation>Nach den Gipfeln der Kurven: %1.</translation>
-    </message>
-    <message>
-        <source>95 % interval after Welch %1 to %2</source>
-        <translation>95-%-Intervall nach Welch %1 bis %2</translation>
-    </message>
-    <message>
-        <source>They do: %1; women less men is %2. Splitting the participants anew gives %3.</source>
-        <translation>Ja: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that they do: %1; women less men is %2. Splitting the participants anew gives %3. That does not show that they are alike.</source>
-        <translation>Nichts zeigt es: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3. Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>Of these participants %1; women less men is %2. Splitting the participants anew gives %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
     </message>
     <message>
         <source>%1 cannot be told, because with %2 participants its interval is wider than the tested spacings</source>
@@ -971,6 +899,78 @@
         <source>%1 This test is exploratory.</source>
         <translation>%1 Dieser Test ist explorativ.</translation>
     </message>
+    <message>
+        <source>These participants are virtual: the numbers test the program and are no evidence about people.</source>
+        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und belegen nichts über Menschen.</translation>
+    </message>
+    <message>
+        <source>Flagged attempts among those that count: %1; attempts.tsv of an export has the reasons.</source>
+        <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen in attempts.tsv eines Exports.</translation>
+    </message>
+    <message>
+        <source>one response</source>
+        <translation>eine Antwort</translation>
+    </message>
+    <message>
+        <source>%1 responses</source>
+        <translation>%1 Antworten</translation>
+    </message>
+    <message>
+        <source>one trial</source>
+        <translation>ein Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>95 % CI %1 to %2</source>
+        <translation>95-%-KI %1 bis %2</translation>
+    </message>
+    <message>
+        <source>without a CI</source>
+        <translation>ohne KI</translation>
+    </message>
+    <message>
+        <source>Welch 95 % CI %1 to %2</source>
+        <translation>95-%-KI nach Welch %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the mean proportion correct of women is %1, of men %2</source>
+        <translation>der mittlere Anteil richtiger Antworten ist bei Frauen %1, bei Männern %2</translation>
+    </message>
+    <message>
+        <source>the mean proportion of correctly matched items of women is %1, of men %2</source>
+        <translation>der mittlere Anteil richtiger Zuordnungen ist bei Frauen %1, bei Männern %2</translation>
+    </message>
+    <message>
+        <source>the mean number of correctly matched items per trial of women is %1, of men %2</source>
+        <translation>die mittlere Zahl richtiger Zuordnungen je Durchgang ist bei Frauen %1, bei Männern %2</translation>
+    </message>
+    <message>
+        <source>Yes: %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
+        <translation>Ja: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3.</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1; difference (women − men) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
+        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Of these participants %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
+        <translation>Bei diesen Versuchspersonen: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3.</translation>
+    </message>
+    <message>
+        <source>Participant-level proportions: each participant&apos;s own, over the participants</source>
+        <translation>Anteile je Versuchsperson: der eigene jeder Versuchsperson, über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Proportions of all responses pool several responses of one participant (%1 in total). They are not independent: the CIs of these proportions are too narrow and their p too small.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Antworten einer Versuchsperson zusammen (insgesamt %1). Sie sind nicht unabhängig: Die KI dieser Anteile sind zu eng und ihre p zu klein.</translation>
+    </message>
+    <message>
+        <source>Proportions of all responses pool several responses of the same participants (%1 responses of %2 participants in total). They are not independent: the CIs of these proportions are too narrow and their p too small. Means over the participants have the participant as the unit.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Versuchspersonen zusammen (insgesamt %1 Antworten von %2 Versuchspersonen). Sie sind nicht unabhängig: Die KI dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1003,10 +1003,6 @@
         <translation>Antworten</translation>
     </message>
     <message>
-        <source>chance</source>
-        <translation>Zufall</translation>
-    </message>
-    <message>
         <source>chance, 95 %</source>
         <translation>Zufall, 95 %</translation>
     </message>
@@ -1017,10 +1013,6 @@
     <message>
         <source>Clopper–Pearson, 95 %</source>
         <translation>Clopper–Pearson, 95 %</translation>
-    </message>
-    <message>
-        <source>column</source>
-        <translation>Spalte</translation>
     </message>
     <message>
         <source>correct</source>
@@ -1067,20 +1059,8 @@
         <translation>p</translation>
     </message>
     <message>
-        <source>person</source>
-        <translation>Person</translation>
-    </message>
-    <message>
-        <source>persons</source>
-        <translation>Personen</translation>
-    </message>
-    <message>
         <source>SD</source>
         <translation>SD</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>Anteil</translation>
     </message>
     <message>
         <source>surfaces</source>
@@ -1111,20 +1091,12 @@
         <translation>Gesamt</translation>
     </message>
     <message>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
         <source>cannot tell</source>
         <translation>nicht zu sagen</translation>
     </message>
     <message>
         <source>about</source>
         <translation>worüber</translation>
-    </message>
-    <message>
-        <source>by chance</source>
-        <translation>durch Zufall</translation>
     </message>
     <message>
         <source>dissimilarity</source>
@@ -1135,16 +1107,8 @@
         <translation>Familie</translation>
     </message>
     <message>
-        <source>taken for the other</source>
-        <translation>für die andere gehalten</translation>
-    </message>
-    <message>
         <source>first</source>
         <translation>erste</translation>
-    </message>
-    <message>
-        <source>goes</source>
-        <translation>Durchgänge</translation>
     </message>
     <message>
         <source>height</source>
@@ -1179,20 +1143,12 @@
         <translation>andere</translation>
     </message>
     <message>
-        <source>the other taken for it</source>
-        <translation>die andere dafür gehalten</translation>
-    </message>
-    <message>
         <source>p, Holm</source>
         <translation>p, Holm</translation>
     </message>
     <message>
         <source>position</source>
         <translation>Platz</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>richtig</translation>
     </message>
     <message>
         <source>second</source>
@@ -1229,10 +1185,6 @@
     <message>
         <source>y</source>
         <translation>y</translation>
-    </message>
-    <message>
-        <source>why there is none</source>
-        <translation>warum es keinen gibt</translation>
     </message>
     <message>
         <source>condition</source>
@@ -1341,6 +1293,50 @@
     <message>
         <source>statistic</source>
         <translation>Teststatistik</translation>
+    </message>
+    <message>
+        <source>expected under guessing</source>
+        <translation>beim Raten erwartet</translation>
+    </message>
+    <message>
+        <source>chance level</source>
+        <translation>Zufallsniveau</translation>
+    </message>
+    <message>
+        <source>repetition</source>
+        <translation>Wiederholung</translation>
+    </message>
+    <message>
+        <source>confused with the other</source>
+        <translation>mit der anderen verwechselt</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>the other confused with it</source>
+        <translation>die andere mit ihr verwechselt</translation>
+    </message>
+    <message>
+        <source>participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>proportion</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>repetition %1</source>
+        <translation>Wiederholung %1</translation>
     </message>
 </context>
 <context>
@@ -1461,72 +1457,16 @@
 <context>
     <name>CellWords</name>
     <message>
-        <source>right answers, mean over the textures</source>
-        <translation>richtige Antworten, Mittel über die Texturen</translation>
-    </message>
-    <message>
-        <source>right items by chance, in all</source>
-        <translation>richtige Zuordnungen durch Zufall, insgesamt</translation>
-    </message>
-    <message>
         <source>d′</source>
         <translation>d′</translation>
-    </message>
-    <message>
-        <source>information that there was to tell</source>
-        <translation>Information, die zu übertragen war</translation>
-    </message>
-    <message>
-        <source>information, if all errors were equally frequent</source>
-        <translation>Information, wären alle Fehler gleich häufig</translation>
-    </message>
-    <message>
-        <source>information, jackknife</source>
-        <translation>Information, Jackknife</translation>
-    </message>
-    <message>
-        <source>information, less Miller’s bias</source>
-        <translation>Information, ohne Millers Verzerrung</translation>
-    </message>
-    <message>
-        <source>information, after Miller and Madow</source>
-        <translation>Information nach Miller und Madow</translation>
-    </message>
-    <message>
-        <source>information, not corrected</source>
-        <translation>Information, nicht korrigiert</translation>
     </message>
     <message>
         <source>Cohen’s κ</source>
         <translation>Cohens κ</translation>
     </message>
     <message>
-        <source>Mallows’ θ (chance is 0)</source>
-        <translation>Mallows’ θ (Zufall ist 0)</translation>
-    </message>
-    <message>
-        <source>right items, in all</source>
-        <translation>richtige Zuordnungen, insgesamt</translation>
-    </message>
-    <message>
-        <source>right items of a go</source>
-        <translation>richtige Zuordnungen einer Runde</translation>
-    </message>
-    <message>
-        <source>right answers, “cannot tell” left out</source>
-        <translation>richtige Antworten, ohne „Weiß nicht“</translation>
-    </message>
-    <message>
-        <source>z of the right items against chance</source>
-        <translation>z der richtigen Zuordnungen gegen den Zufall</translation>
-    </message>
-    <message>
         <source>information</source>
         <translation>Information</translation>
-    </message>
-    <message>
-        <source>items</source>
-        <translation>Zuordnungen</translation>
     </message>
     <message>
         <source>pairs</source>
@@ -1541,10 +1481,6 @@
         <translation>Vorliebe</translation>
     </message>
     <message>
-        <source>right answers</source>
-        <translation>richtige Antworten</translation>
-    </message>
-    <message>
         <source>women and men</source>
         <translation>Frauen und Männer</translation>
     </message>
@@ -1557,24 +1493,12 @@
         <translation>Texturen</translation>
     </message>
     <message>
-        <source>whole goes</source>
-        <translation>ganze Runden</translation>
-    </message>
-    <message>
         <source>–</source>
         <translation>–</translation>
     </message>
     <message>
-        <source>answers</source>
-        <translation>Antworten</translation>
-    </message>
-    <message>
         <source>bit</source>
         <translation>Bit</translation>
-    </message>
-    <message>
-        <source>goes</source>
-        <translation>Runden</translation>
     </message>
     <message>
         <source>participants</source>
@@ -1691,6 +1615,78 @@
     <message>
         <source>exploratory</source>
         <translation>explorativ</translation>
+    </message>
+    <message>
+        <source>proportion correct, mean over the textures</source>
+        <translation>Anteil richtiger Antworten, Mittel über die Texturen</translation>
+    </message>
+    <message>
+        <source>correctly matched items expected under guessing</source>
+        <translation>beim Raten erwartete richtige Zuordnungen</translation>
+    </message>
+    <message>
+        <source>stimulus entropy H(S)</source>
+        <translation>Reizentropie H(S)</translation>
+    </message>
+    <message>
+        <source>equal-error (Fano) estimate of the transmitted information</source>
+        <translation>Schätzung der übertragenen Information bei gleich häufigen Fehlern (Fano)</translation>
+    </message>
+    <message>
+        <source>transmitted information, jackknife</source>
+        <translation>übertragene Information, Jackknife</translation>
+    </message>
+    <message>
+        <source>transmitted information, bias-corrected (Miller 1955)</source>
+        <translation>übertragene Information, korrigiert (Miller 1955)</translation>
+    </message>
+    <message>
+        <source>transmitted information, bias-corrected (Miller–Madow)</source>
+        <translation>übertragene Information, korrigiert (Miller–Madow)</translation>
+    </message>
+    <message>
+        <source>transmitted information, plug-in</source>
+        <translation>übertragene Information, unkorrigiert</translation>
+    </message>
+    <message>
+        <source>Mallows’ θ (0 under guessing)</source>
+        <translation>Mallows’ θ (0 beim Raten)</translation>
+    </message>
+    <message>
+        <source>correctly matched items</source>
+        <translation>richtige Zuordnungen</translation>
+    </message>
+    <message>
+        <source>correctly matched items per trial</source>
+        <translation>richtige Zuordnungen je Durchgang</translation>
+    </message>
+    <message>
+        <source>proportion correct, “cannot tell” excluded</source>
+        <translation>Anteil richtiger Antworten ohne „Weiß nicht“</translation>
+    </message>
+    <message>
+        <source>z of the correctly matched items</source>
+        <translation>z der richtigen Zuordnungen</translation>
+    </message>
+    <message>
+        <source>matched items</source>
+        <translation>Zuordnungen</translation>
+    </message>
+    <message>
+        <source>proportion correct</source>
+        <translation>Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>all items correct</source>
+        <translation>alle Zuordnungen richtig</translation>
+    </message>
+    <message>
+        <source>responses</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Durchgänge</translation>
     </message>
 </context>
 <context>
