@@ -272,7 +272,7 @@ void BidsDataset::finish() {
       root_ + "README",
       (made_by_.sentence.empty() ? "" : made_by_.sentence + "\n\n") +
           "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
-          "column in the .json file beside it.\n\n"
+          "column in the .json file next to it.\n\n"
           "An analysis counts the rows with counts_in_analyses 1; one with flagged 1 is worth a "
           "look.\n"
           "A text that a spreadsheet would take for a formula has an apostrophe before it, "

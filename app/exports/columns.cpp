@@ -113,14 +113,16 @@ Columns keys_to(Key last) {
                   [](const Place& at) { return at.trial ? integer(at.trial->trial) : Cell{}; })));
   }
   if (last >= Key::attempt) {
-    columns.push_back(
-        at_least(1, column("attempt", "integer", "", "which go at the trial", [](const Place& at) {
-                   return at.attempt ? integer(at.attempt->attempt) : Cell{};
-                 })));
+    columns.push_back(at_least(1, column("attempt", "integer", "",
+                                         "number of the attempt at the trial", [](const Place& at) {
+                                           return at.attempt ? integer(at.attempt->attempt)
+                                                             : Cell{};
+                                         })));
   }
-  columns.push_back(column("virtual", "boolean", "",
-                           "1: a simulated participant; such rows say nothing about people",
-                           [](const Place& at) { return boolean(at.participant->is_virtual); }));
+  columns.push_back(
+      column("virtual", "boolean", "",
+             "1: a simulated participant, whose rows are not data of human participants",
+             [](const Place& at) { return boolean(at.participant->is_virtual); }));
   columns.push_back(with_levels(column("mode", "text", "", "what the session was run for",
                                        [](const Place& at) -> Cell {
                                          if (at.session) return text_of(at.session->mode);
@@ -141,15 +143,15 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
     return [member](const Place& at) { return optional_cell(at.participant->*member); };
   };
   columns.push_back(
-      missing("not told", at_least(0, column("age_years", "number", "a", "age",
-                                             participant(&ParticipantRow::age_years)))));
-  columns.push_back(missing("not told", with_levels(column("sex", "text", "", "sex as told",
-                                                           participant(&ParticipantRow::sex)),
-                                                    {"F", "M", "X"})));
-  columns.push_back(
-      missing("not told", with_levels(column("handedness", "text", "", "preferred hand as told",
-                                             participant(&ParticipantRow::handedness)),
-                                      {"left", "right", "ambidextrous"})));
+      missing("not reported", at_least(0, column("age_years", "number", "a", "age",
+                                                 participant(&ParticipantRow::age_years)))));
+  columns.push_back(missing("not reported", with_levels(column("sex", "text", "", "reported sex",
+                                                               participant(&ParticipantRow::sex)),
+                                                        {"F", "M", "X"})));
+  columns.push_back(missing("not reported",
+                            with_levels(column("handedness", "text", "", "reported preferred hand",
+                                               participant(&ParticipantRow::handedness)),
+                                        {"left", "right", "ambidextrous"})));
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
   for (const std::string& name : vocabulary.participant_answers) {
@@ -232,7 +234,7 @@ Columns session_columns() {
                        }
                        return files.empty() ? Cell{} : Cell{files.dump()};
                      })));
-  add(missing("a person",
+  add(missing("a human participant",
               column("observer_json", "json", "", "how the virtual participant judged, as declared",
                      [](const Place& at) -> Cell {
                        const std::string& json = at.session->observer_json;
@@ -258,7 +260,7 @@ Columns session_columns() {
 /// Factors name textures; what roughness is drawn over is the distance of their elements.
 ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
   ExportColumn made = missing(
-      "the protocol asks for no magnitudes, or says no spacing of the trial's texture",
+      "the protocol asks for no magnitudes, or specifies no spacing of the trial's texture",
       column("texture_spacing_m", "number", "m", "distance of the elements of the texture",
              [estimations = vocabulary.estimations](const Place& at) -> Cell {
                const auto estimation = estimations.find(at.protocol->source_sha256);
@@ -328,10 +330,10 @@ Columns attempt_columns() {
               column("invalid_reason", "text", "",
                      "why the attempt does not count; may be in the experimenter's words",
                      [](const Place& at) { return optional_cell(at.attempt->invalid_reason); }))));
-  add(column("excluded", "boolean", "", "1: somebody excluded it or its session: leave it out",
+  add(column("excluded", "boolean", "", "1: it or its session was excluded: leave it out",
              [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
   add(dropped(missing("not excluded", column("exclusion_reason", "text", "",
-                                             "why, in that person's words", [](const Place& at) {
+                                             "reason, as it was entered", [](const Place& at) {
                                                return optional_cell(at.attempt->excluded);
                                              }))));
   add(column("counts_in_analyses", "boolean", "",
@@ -503,8 +505,8 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
       column("answer_number", "number", "", "the answer as a number: the estimate of a magnitude",
              [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
-  add(missing("no answer is right or wrong",
-              column("correct", "boolean", "", "1: the right answer",
+  add(missing("no response is correct or incorrect",
+              column("correct", "boolean", "", "1: correct response",
                      [](const Place& at) { return optional_boolean(at.response->correct); })));
   add(column("options_json", "json", "", "the options in the order in which they were shown",
              [](const Place& at) { return at.response->options_json; }));
@@ -524,10 +526,10 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              "how the answer was given: keyboard; virtual, by a simulated observer; "
              "virtual_guess, by one that is deaf or expects nothing",
              [](const Place& at) { return at.response->source; }));
-  add(missing("the number was not asked for once more",
+  add(missing("the estimate was not re-elicited",
               column("doubted_estimate", "number", "",
-                     "the number that was given first, of a magnitude that was asked for once more "
-                     "because it was ten times an earlier one for the same stimulus, or a tenth; "
+                     "the first estimate, of a magnitude that was re-elicited because it was ten "
+                     "times an earlier one for the same stimulus, or a tenth; "
                      "the answer is the second one",
                      [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   add(missing(

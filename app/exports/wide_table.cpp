@@ -153,7 +153,7 @@ WideTable::Made WideTable::make() const {
   });
   if (gives_numbers) {
     count("answers_doubted",
-          "of the counted answers: numbers that were asked for once more, because they were ten "
+          "of the counted responses: estimates that were re-elicited because they were ten "
           "times an earlier one for the same stimulus, or a tenth",
           &Person::doubted);
   }
@@ -259,7 +259,7 @@ WideTable::Made WideTable::make() const {
               return Cell{tally->sum / static_cast<double>(tally->numbers)};
             });
       } else if (judged) {
-        share(name + "_correct", "proportion of right answers" + of,
+        share(name + "_correct", "proportion correct" + of,
               [](const Tally& tally) { return std::pair(tally.right, tally.judged); });
       } else {
         for (const std::string& option : options) {
