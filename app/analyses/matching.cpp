@@ -418,7 +418,7 @@ std::optional<Finding> in_units(const Finding* finding, double unit) {
   return scaled;
 }
 
-void ask_confused_pairs(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
+void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, AnalysisOutcome& outcome) {
   const auto table = std::find_if(made.tables.begin(), made.tables.end(),
                                   [](const auto& each) { return each.name == "confused_pairs"; });
   if (table == made.tables.end() || table->table.rows.empty()) return;
@@ -435,7 +435,7 @@ void ask_confused_pairs(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
   finding.value = static_cast<double>(times);
   finding.unit = "1";
   finding.method = "items of the one that were given the picture of the other";
-  finding.n = made.count.participants;
+  finding.n = people;
   add_question(
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
       times == 0 ? phrase("Analysis", "None was ever taken for another.")
@@ -502,7 +502,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   tests.finish(outcome);
   ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);
   ask_whole(found, tests, outcome);
-  ask_confused_pairs(outcome, outcome);
+  ask_confused_pairs(outcome, gathered.people.size(), outcome);
   const auto in_shares = [&](const char* quantity, const char* key) {
     return in_units(found.find(quantity, key), equal_size ? static_cast<double>(items) : 1.0);
   };

@@ -490,6 +490,10 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
   Phrase answer{};
   if (first.times == 0) {
     answer = phrase("Analysis", "No felt texture was ever taken for another felt one.");
+  } else if (pictures.felt.size() == 2) {
+    answer =
+        phrase("Analysis", "Only %1 were felt: one was taken for the other in %2 of %3 answers.")
+            .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() == 1) {
     answer =
         phrase("Analysis", "Most alike are %1: one was taken for the other in %2 of %3 answers.")
@@ -497,7 +501,9 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
   } else if (most.size() <= kMostNamedConfusions) {
     Phrase names = first.names;
     for (std::size_t i = 1; i < most.size(); ++i) {
-      names = phrase("Analysis", "%1, %2").with(names, most[i].names);
+      names =
+          (i + 1 == most.size() ? phrase("Analysis", "%1 and %2") : phrase("Analysis", "%1, %2"))
+              .with(names, most[i].names);
     }
     answer = phrase("Analysis",
                     "Equally alike are %1: one was taken for the other in %2 of the answers to "

@@ -15,8 +15,11 @@ namespace {
 /// "a, b, c"
 Phrase listed_names(std::span<const std::string> names) {
   Phrase all{};
-  for (const std::string& name : names) {
-    all = all.empty() ? Phrase(name) : phrase("Analysis", "%1, %2").with(all, name);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    all = i == 0 ? Phrase(names[i])
+                 : (i + 1 == names.size() ? phrase("Analysis", "%1 and %2")
+                                          : phrase("Analysis", "%1, %2"))
+                       .with(all, names[i]);
   }
   return all;
 }

@@ -249,6 +249,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
   }
   test.effect = effect_in(found, by.effect, key);
+  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
 }
 
 void StudyTests::add_untested(const std::string& name, const std::string& about,

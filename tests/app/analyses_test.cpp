@@ -746,7 +746,7 @@ TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
                                                    {"brick", "brick"},
                                                    {"gravel", "gravel"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Equally alike are brick / wood, metal / stone: one was taken for the other in 50 % of "
+            "Equally alike are brick / wood and metal / stone: one was taken for the other in 50 % of "
             "the answers to the two textures of each pair.");
 }
 

@@ -4,6 +4,14 @@
 <context>
     <name>Analysis</name>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Only %1 were felt: one was taken for the other in %2 of %3 answers.</source>
+        <translation>Nur %1 wurden gefühlt: In %2 von %3 Antworten wurde das eine für das andere gehalten.</translation>
+    </message>
+    <message>
         <source>%1 interrupted</source>
         <translation>%1 unterbrochen</translation>
     </message>
