@@ -14,14 +14,14 @@ ScaleChoice bradley_terry() {
   return {.quantities = {"bt.ability.sumzero", "bt.firth.ability"},
           .status = "bt.status",
           .title = phrase("Figures", "Scale of preference (Bradley–Terry)"),
-          .axis = phrase("Figures", "preference, log odds, with its %1 % interval")};
+          .axis = phrase("Figures", "log-worth (centred), with its %1 % CI")};
 }
 
 ScaleChoice plackett_luce() {
   return {.quantities = {"pl.logworth.sumzero"},
           .status = "pl.status",
           .title = phrase("Figures", "Scale of preference (Plackett–Luce)"),
-          .axis = phrase("Figures", "preference, log odds, with its %1 % interval")};
+          .axis = phrase("Figures", "log-worth (centred), with its %1 % CI")};
 }
 
 /// Of several analyses that stand together, that one.
@@ -36,7 +36,7 @@ GroupChoice shares_of_groups() {
   return {.means = "subj.mean",
           .difference = "subj.diff",
           .pooled_difference = "diff",
-          .axis = phrase("Figures", "share of right answers, mean with its %1 % interval"),
+          .axis = phrase("Figures", "proportion correct, mean with its %1 % CI"),
           .are_shares = true};
 }
 
@@ -51,7 +51,7 @@ void add_sexes(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
     of_sexes = group_figures(
         {.means = "group.mean",
          .difference = "group.diff",
-         .axis = phrase("Figures", "right items of a go, mean with its %1 % interval")},
+         .axis = phrase("Figures", "correctly matched items per trial, mean with its %1 % CI")},
         FoundNumbers(matched));
   }
   for (Figure& figure : of_sexes) {

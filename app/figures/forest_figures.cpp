@@ -38,7 +38,7 @@ Phrase mean_of(std::size_t people) {
 }
 
 Phrase share_axis(const std::string& percent) {
-  return phrase("Figures", "share, with its %1 % interval").with(percent);
+  return phrase("Figures", "proportion, with its %1 % CI").with(percent);
 }
 
 /// Fills the axes and marks of `figure`.
@@ -67,14 +67,15 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
       std::any_of(figure.series.begin(), figure.series.end(),
                   [](const FigureSeries& series) { return !series.points.empty(); });
   if (!has_points) {
-    figure.instead = phrase("Figures", "There is no answer that a share could be taken of.");
+    figure.instead = phrase("Figures", "There is no response from which to compute a proportion.");
     return;
   }
   std::erase_if(figure.series, [](const FigureSeries& series) { return series.points.empty(); });
   if (chances.size() == 1) {
     figure.references.push_back({.value = *chances.begin(), .label = phrase("Figures", "chance")});
   } else if (chances.size() > 1) {
-    if (figure.series.front().name.empty()) figure.series.front().name = phrase("Figures", "share");
+    if (figure.series.front().name.empty())
+      figure.series.front().name = phrase("Figures", "proportion");
     figure.series.push_back(std::move(by_chance));
   }
 }
@@ -85,7 +86,7 @@ Phrase word_of_cell(const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return "–";
   if (*text == "all") return phrase("Figures", "all");
-  if (*text == "Total") return phrase("Figures", "all persons");
+  if (*text == "Total") return phrase("Figures", "all participants");
   if (*text == "Female") return phrase("Figures", "women");
   if (*text == "Male") return phrase("Figures", "men");
   if (*text == "Other or not told") return phrase("Figures", "other or not told");
@@ -99,7 +100,7 @@ Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<C
   for (std::size_t i = 0; i < keys; ++i) {
     Phrase word = word_of_cell(cells[i]);
     const bool is_level = columns[i] == "column" && cells[i] != Cell{"all"};
-    if (is_level) word = phrase("Figures", "column %1").with(word);
+    if (is_level) word = phrase("Figures", "repetition %1").with(word);
     if (columns[i] == "position") word = phrase("Figures", "position %1").with(word);
     if (label.empty()) {
       label = std::move(word);
@@ -125,7 +126,7 @@ bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t 
 
 const std::vector<ForestKind>& pooled_and_people() {
   static const std::vector<ForestKind> kKinds{
-      {.name = phrase("Figures", "share of the answers (Wilson)")},
+      {.name = phrase("Figures", "proportion of responses (Wilson 95 % CI)")},
       {.name = phrase("Figures", "mean over participants (t)")}};
   return kKinds;
 }
@@ -209,12 +210,12 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
       std::any_of(rows.begin(), rows.end(), [](const ForestRow& row) { return row.kind == 0; }) &&
       std::any_of(rows.begin(), rows.end(), [](const ForestRow& row) { return row.kind == 1; });
   const Phrase note =
-      has_both ? phrase("Figures",
-                        "Points are shares of all answers of a row, bars their 95 % intervals by "
-                        "Wilson; outlined points are parts of the full ones.")
-               : phrase("Figures",
-                        "Points are shares of all answers of a row, bars their 95 % intervals by "
-                        "Wilson.");
+      has_both
+          ? phrase("Figures",
+                   "Points are proportions of all responses of a row, bars their Wilson 95 % CIs. "
+                   "Open symbols are subsets, filled symbols totals.")
+          : phrase("Figures",
+                   "Points are proportions of all responses of a row, bars their Wilson 95 % CIs.");
   const std::vector<ForestRow> means = means_beside(table, persons);
   const std::optional<double> by_chance = rows.empty() ? std::nullopt : rows.front().chance;
   for (ForestRow row : means) {
@@ -222,19 +223,20 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
     row.kind = 2;
     rows.push_back(std::move(row));
   }
-  Figure figure{.name = table.name + "_forest",
-                .table = table.name,
-                .title = table.title,
-                .note = means.empty() ? note
-                                      : (has_intervals(means)
-                                             ? phrase("Figures",
-                                                      "%1 Squares are means of the participants' "
-                                                      "own proportions with 95 % CIs by t on the "
-                                                      "logit scale: the participant is the unit.")
-                                             : phrase("Figures",
-                                                      "%1 Squares are means of the persons' own "
-                                                      "shares: a person is the unit."))
-                                            .with(note)};
+  Figure figure{
+      .name = table.name + "_forest",
+      .table = table.name,
+      .title = table.title,
+      .note = means.empty()
+                  ? note
+                  : (has_intervals(means) ? phrase("Figures",
+                                                   "%1 Squares are means of the participants' "
+                                                   "own proportions with 95 % CIs by t on the "
+                                                   "logit scale: the participant is the unit.")
+                                          : phrase("Figures",
+                                                   "%1 Squares are means of the participants' own "
+                                                   "proportions: the participant is the unit."))
+                        .with(note)};
   const std::vector<ForestKind>& names = pooled_and_people();
   add_rows(rows,
            {{.name = means.empty() ? Phrase() : names[0].name},
@@ -263,11 +265,11 @@ std::optional<Figure> people_forest(const NamedTable& table, std::optional<doubl
                                      "their 95 % CIs by t on the logit scale: the participant is "
                                      "the unit.")
                             : phrase("Figures",
-                                     "Squares are means of the persons' own shares: a person is "
-                                     "the unit.")};
+                                     "Squares are means of the participants' own proportions: the "
+                                     "participant is the unit.")};
   add_rows(rows, {{}},
-           has_intervals(rows) ? phrase("Figures", "mean share, with its 95 % interval")
-                               : phrase("Figures", "mean share"),
+           has_intervals(rows) ? phrase("Figures", "mean proportion, with its 95 % CI")
+                               : phrase("Figures", "mean proportion"),
            figure);
   for (FigureSeries& series : figure.series) series.style = 1;
   return figure;
@@ -347,8 +349,8 @@ std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
 
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {
   Figure figure{.name = "proportions",
-                .title = phrase("Figures", "Shares with their intervals"),
-                .note = phrase("Figures", "Points are shares, bars their intervals by Wilson.")};
+                .title = phrase("Figures", "Proportions with their CIs"),
+                .note = phrase("Figures", "Points are proportions, bars their Wilson 95 % CIs.")};
   std::vector<ForestRow> rows = rows_of(found, "phat");
   const TidyTable& table = input.table();
   const std::vector<std::uint64_t> trials = table.counts("n");
@@ -366,10 +368,9 @@ Figure selection_forest(const FoundNumbers& found) {
       .name = "choices",
       .title = phrase("Figures", "How often each was chosen"),
       .note = phrase("Figures",
-                     "Circles are shares of the choices of a row with intervals by Wilson; where "
-                     "a participant chose more than once those of all choices together are too "
-                     "narrow. Squares are means of the participants' own shares with t "
-                     "intervals.")};
+                     "Circles are proportions of the choices of a row with Wilson 95 % CIs, which "
+                     "are too narrow where a participant chose more than once. Squares are means "
+                     "of the participants' own proportions with t 95 % CIs.")};
   std::vector<ForestRow> rows = rows_of(found, "prop");
   std::set<std::string> alternatives{};
   for (const Finding* one : found.all("prop")) alternatives.insert(parts_of(one->key).back());
@@ -385,7 +386,7 @@ Figure matching_forest(const FoundNumbers& found) {
   Figure figure{.name = "textures_matched",
                 .title = phrase("Figures", "How often each texture was matched to its picture"),
                 .note = phrase("Figures",
-                               "Shares of the trials with that texture, with intervals by Wilson; "
+                               "Proportions of the trials with that texture, with Wilson 95 % CIs; "
                                "the rows of one trial depend on each other.")};
   std::vector<ForestRow> rows = rows_of(found, "texture.prop");
   // Keys "n=4;k=0", "n=4;k=1", … up to all items.
@@ -402,9 +403,9 @@ Figure recognition_forest(const FoundNumbers& found) {
       .name = "recognised",
       .title = phrase("Figures", "How often each was recognised"),
       .note = phrase("Figures",
-                     "Circles are shares of the trials with that stimulus, with intervals by "
-                     "Wilson that take trials as independent. The square is the mean of the "
-                     "participants' own proportions with a CI by t on the logit scale.")};
+                     "Circles are proportions of the trials with that stimulus, with Wilson 95 % "
+                     "CIs that take trials as independent. The square is the mean of the "
+                     "participants' own proportions with a t 95 % CI on the logit scale.")};
   std::vector<ForestRow> rows{};
   for (const Finding* recall : found.all("recall")) {
     // Its n are participants; the trials stand in the row of the confusions.
@@ -436,8 +437,8 @@ Figure recognition_forest(const FoundNumbers& found) {
 std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
   std::vector<Figure> figures{};
   const Phrase note = phrase("Figures",
-                             "Shares with intervals by Wilson, one choice per person "
-                             "and experiment; all together: as if independent.");
+                             "Proportions with Wilson 95 % CIs, one choice per participant and "
+                             "experiment; all together: as if independent.");
   figures.push_back({.name = "table_1",
                      .title = phrase("Figures", "Chosen as the most realistic"),
                      .note = note});

@@ -48,21 +48,21 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
                   .with(percent),
       .shape = FigureShape::rows,
       .series = {{}}};
-  Figure less{.name = "group_difference",
-              .title = phrase("Figures", "The difference between the groups"),
-              .note = (found.all(choice.pooled_difference).empty()
-                           ? phrase("Figures",
-                                    "The bar is Welch's %1 % interval of the difference of the "
-                                    "participants' means; the test beside it splits the "
-                                    "participants anew and assumes less.")
-                           : phrase("Figures",
-                                    "Bars are %1 % intervals: of the participants' means by Welch, "
-                                    "of all answers pooled by Newcombe, as if they were "
-                                    "independent. The test of the means splits the participants "
-                                    "anew and assumes less than either."))
-                          .with(percent),
-              .shape = FigureShape::rows,
-              .series = {{.style = 1}}};
+  Figure less{
+      .name = "group_difference",
+      .title = phrase("Figures", "The difference between the groups"),
+      .note =
+          (found.all(choice.pooled_difference).empty()
+               ? phrase("Figures",
+                        "The bar is Welch's %1 % CI of the difference of the participants' means; "
+                        "the permutation test of group labels assumes less.")
+               : phrase("Figures",
+                        "Bars are %1 % CIs: of the difference of the participants' means by Welch, "
+                        "of all responses pooled by Newcombe, as if they were independent. The "
+                        "permutation test of group labels assumes less than either."))
+              .with(percent),
+      .shape = FigureShape::rows,
+      .series = {{.style = 1}}};
   if (!has_both) {
     for (Figure* figure : {&both, &less}) {
       figure->series.clear();
@@ -81,7 +81,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
         both);
   }
   if (!choice.are_shares) add_room(both);
-  less.x = {.name = phrase("Figures", "%1 less %2, with its %3 % interval")
+  less.x = {.name = phrase("Figures", "%1 − %2, with its %3 % CI")
                         .with(word_of_group(means[0]->key), word_of_group(means[1]->key), percent),
             .low = 0.0,
             .high = 0.0};

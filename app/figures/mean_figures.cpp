@@ -78,7 +78,7 @@ Figure rating_figure(const FoundNumbers& found) {
     return figure;
   }
   widen(figure.x);
-  figure.x.name = phrase("Figures", "score, mean with its %1 % interval").with(percent_of(means));
+  figure.x.name = phrase("Figures", "score, mean with its %1 % CI").with(percent_of(means));
   figure.series.push_back(std::move(points));
   return figure;
 }

@@ -26,9 +26,9 @@ Phrase words_of_kind(const std::string& kind) {
   static const std::map<std::string, Phrase> kWords{
       {"binom_greater", phrase("Figures", "exact binomial, one-sided")},
       {"binom_two", phrase("Figures", "exact binomial, two-sided")},
-      {"chisq_uniform_exact", phrase("Figures", "χ² against equal shares")},
+      {"chisq_uniform_exact", phrase("Figures", "χ² against equal proportions")},
       {"fisher_two", phrase("Figures", "Fisher's exact test")},
-      {"mafc_dprime", phrase("Figures", "right answers at a d′")},
+      {"mafc_dprime", phrase("Figures", "proportion correct at a d′")},
       {"matching_known", phrase("Figures", "matching, some items known")},
       {"matching_mallows", phrase("Figures", "matching, Mallows' model")},
       {"paired_t", phrase("Figures", "paired t")},

@@ -42,11 +42,11 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
   const double performance = input.options.number("pt");
   Figure figure{
       .name = "psychometric",
-      .title = phrase("Figures", "Right answers by level"),
+      .title = phrase("Figures", "Proportion correct by level"),
       .note = phrase("Figures",
-                     "Full marks: shares of right answers, larger for more trials. Curves: the "
-                     "likeliest function. Outlined marks: thresholds, the level of %1 % right "
-                     "answers, with %2 % intervals by the delta method.")
+                     "Filled symbols: proportions correct, larger for more trials. Curves: "
+                     "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
+                     "level of %1 % correct, with %2 % CIs by the delta method.")
                   .with(number_text(100.0 * performance), percent_of(found.all("threshold")))};
   const TidyTable& table = input.table();
   const LabelColumn conditions = table.all_labels("condition");
@@ -113,7 +113,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
               .unit = unit,
               .low = from,
               .high = to};
-  figure.y = {.name = phrase("Figures", "share of right answers"), .low = 0.0, .high = 1.0};
+  figure.y = {.name = phrase("Figures", "proportion correct"), .low = 0.0, .high = 1.0};
   return figure;
 }
 

@@ -10,8 +10,8 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
   Figure figure{.name = name,
                 .title = choice.title,
                 .note = phrase("Figures",
-                               "Points are places on the scale, bars their intervals. Intervals "
-                               "that overlap are no test of a difference."),
+                               "Points are log-worths (centred), bars their CIs. Overlapping CIs "
+                               "are not a test of a difference."),
                 .shape = FigureShape::rows};
   std::vector<const Finding*> items{};
   for (const std::string& quantity : choice.quantities) {

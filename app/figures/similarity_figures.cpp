@@ -77,7 +77,7 @@ Figure dendrogram(const FoundNumbers& found) {
                 .shape = FigureShape::rows};
   const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
   if (!read) {
-    figure.instead = phrase("Figures", "There are no confusions that a tree could be made of.");
+    figure.instead = phrase("Figures", "There are no confusions from which to make a dendrogram.");
     return figure;
   }
   // Heights at which items first stand together are a tree already; single linkage reads it off.
@@ -108,7 +108,8 @@ Figure dendrogram(const FoundNumbers& found) {
     highest = std::max(highest, join.height);
   }
   if (!(highest > 0.0)) {
-    figure.instead = phrase("Figures", "All were confused alike: a tree would have no heights.");
+    figure.instead =
+        phrase("Figures", "All were confused equally: a dendrogram would have no heights.");
     return figure;
   }
   figure.x = {.name = dissimilarity_axis(), .low = 0.0, .high = 1.05 * highest};

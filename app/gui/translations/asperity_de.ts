@@ -1973,10 +1973,6 @@
         <translation>Skala der Bevorzugung (Bradley–Terry)</translation>
     </message>
     <message>
-        <source>preference, log odds, with its %1 % interval</source>
-        <translation>Bevorzugung, logarithmierte Chancen, mit %1-%-Intervall</translation>
-    </message>
-    <message>
         <source>Scale of preference (Plackett–Luce)</source>
         <translation>Skala der Bevorzugung (Plackett–Luce)</translation>
     </message>
@@ -1985,28 +1981,12 @@
         <translation>%1 (%2 von %3)</translation>
     </message>
     <message>
-        <source>share, with its %1 % interval</source>
-        <translation>Anteil, mit %1-%-Intervall</translation>
-    </message>
-    <message>
         <source>chance</source>
         <translation>Zufall</translation>
     </message>
     <message>
-        <source>There is no answer that a share could be taken of.</source>
-        <translation>Es gibt keine Antwort, von der sich ein Anteil nehmen ließe.</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>Anteil</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>alle</translation>
-    </message>
-    <message>
-        <source>all persons</source>
-        <translation>alle Personen</translation>
     </message>
     <message>
         <source>women</source>
@@ -2025,30 +2005,6 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson; outlined points are parts of the full ones.</source>
-        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson; leere Punkte sind Teile der vollen.</translation>
-    </message>
-    <message>
-        <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson.</source>
-        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson.</translation>
-    </message>
-    <message>
-        <source>%1 Squares are means of the persons&apos; own shares: a person is the unit.</source>
-        <translation>%1 Quadrate sind Mittel der eigenen Anteile der Personen: Die Person ist die Einheit.</translation>
-    </message>
-    <message>
-        <source>Squares are means of the persons&apos; own shares: a person is the unit.</source>
-        <translation>Quadrate sind Mittel der eigenen Anteile der Personen: Die Person ist die Einheit.</translation>
-    </message>
-    <message>
-        <source>mean share</source>
-        <translation>mittlerer Anteil</translation>
-    </message>
-    <message>
-        <source>mean share, with its 95 % interval</source>
-        <translation>mittlerer Anteil, mit 95-%-Intervall</translation>
-    </message>
-    <message>
         <source>all together</source>
         <translation>alle zusammen</translation>
     </message>
@@ -2057,44 +2013,20 @@
         <translation>Mittel von %1 Versuchspersonen</translation>
     </message>
     <message>
-        <source>share of the answers (Wilson)</source>
-        <translation>Anteil an den Antworten (Wilson)</translation>
-    </message>
-    <message>
         <source>mean over participants (t)</source>
         <translation>Mittel über Versuchspersonen (t)</translation>
-    </message>
-    <message>
-        <source>Shares with their intervals</source>
-        <translation>Anteile mit ihren Intervallen</translation>
-    </message>
-    <message>
-        <source>Points are shares, bars their intervals by Wilson.</source>
-        <translation>Punkte sind Anteile, Striche ihre Intervalle nach Wilson.</translation>
     </message>
     <message>
         <source>How often each was chosen</source>
         <translation>Wie oft jedes gewählt wurde</translation>
     </message>
     <message>
-        <source>Circles are shares of the choices of a row with intervals by Wilson; where a participant chose more than once those of all choices together are too narrow. Squares are means of the participants&apos; own shares with t intervals.</source>
-        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit Intervallen nach Wilson; wo eine Versuchsperson mehr als einmal gewählt hat, sind die aller Wahlen zusammen zu schmal. Quadrate sind Mittel der eigenen Anteile der Versuchspersonen mit t-Intervallen.</translation>
-    </message>
-    <message>
         <source>How often each texture was matched to its picture</source>
         <translation>Wie oft jede Textur ihrem Bild zugeordnet wurde</translation>
     </message>
     <message>
-        <source>Shares of the trials with that texture, with intervals by Wilson; the rows of one trial depend on each other.</source>
-        <translation>Anteile an den Durchgängen mit dieser Textur, mit Intervallen nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
-    </message>
-    <message>
         <source>How often each was recognised</source>
         <translation>Wie oft jedes erkannt wurde</translation>
-    </message>
-    <message>
-        <source>Shares with intervals by Wilson, one choice per person and experiment; all together: as if independent.</source>
-        <translation>Anteile mit Intervallen nach Wilson, eine Wahl je Person und Experiment; alle zusammen: als wären sie unabhängig.</translation>
     </message>
     <message>
         <source>Chosen as the most realistic</source>
@@ -2109,14 +2041,6 @@
         <translation>Erkannte Texturen</translation>
     </message>
     <message>
-        <source>Right answers by level</source>
-        <translation>Richtige Antworten nach Stufe</translation>
-    </message>
-    <message>
-        <source>Full marks: shares of right answers, larger for more trials. Curves: the likeliest function. Outlined marks: thresholds, the level of %1 % right answers, with %2 % intervals by the delta method.</source>
-        <translation>Volle Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: die wahrscheinlichste Funktion. Leere Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-Intervallen nach der Delta-Methode.</translation>
-    </message>
-    <message>
         <source>No level has trials: there is nothing to show.</source>
         <translation>Keine Stufe hat Durchgänge: Es gibt nichts zu zeigen.</translation>
     </message>
@@ -2127,10 +2051,6 @@
     <message>
         <source>level</source>
         <translation>Stufe</translation>
-    </message>
-    <message>
-        <source>share of right answers</source>
-        <translation>Anteil richtiger Antworten</translation>
     </message>
     <message>
         <source>Estimated roughness by spacing</source>
@@ -2165,10 +2085,6 @@
         <translation>Rauheit, normierte Schätzung</translation>
     </message>
     <message>
-        <source>Points are places on the scale, bars their intervals. Intervals that overlap are no test of a difference.</source>
-        <translation>Punkte sind Orte auf der Skala, Striche ihre Intervalle. Intervalle, die sich überlappen, prüfen keinen Unterschied.</translation>
-    </message>
-    <message>
         <source>There is no scale: %1.</source>
         <translation>Es gibt keine Skala: %1.</translation>
     </message>
@@ -2181,14 +2097,6 @@
         <translation>Unähnlichkeit, −ln η (Shepard)</translation>
     </message>
     <message>
-        <source>There are no confusions that a tree could be made of.</source>
-        <translation>Es gibt keine Verwechslungen, aus denen sich ein Baum machen ließe.</translation>
-    </message>
-    <message>
-        <source>All were confused alike: a tree would have no heights.</source>
-        <translation>Alle wurden gleich oft verwechselt: Ein Baum hätte keine Höhen.</translation>
-    </message>
-    <message>
         <source>There is no one map of these confusions: the distances fit many.</source>
         <translation>Es gibt nicht die eine Karte dieser Verwechslungen: Die Abstände passen zu vielen.</translation>
     </message>
@@ -2199,14 +2107,6 @@
     <message>
         <source>second dimension</source>
         <translation>zweite Dimension</translation>
-    </message>
-    <message>
-        <source>share of right answers, mean with its %1 % interval</source>
-        <translation>Anteil richtiger Antworten, Mittelwert mit %1-%-Intervall</translation>
-    </message>
-    <message>
-        <source>right items of a go, mean with its %1 % interval</source>
-        <translation>richtige Zuordnungen einer Runde, Mittelwert mit %1-%-Intervall</translation>
     </message>
     <message>
         <source>Both groups: means of the participants</source>
@@ -2223,10 +2123,6 @@
     <message>
         <source>%1 (n = %2)</source>
         <translation>%1 (n = %2)</translation>
-    </message>
-    <message>
-        <source>%1 less %2, with its %3 % interval</source>
-        <translation>%1 minus %2, mit %3-%-Intervall</translation>
     </message>
     <message>
         <source>means of the participants</source>
@@ -2255,10 +2151,6 @@
     <message>
         <source>Nobody scored every item: there are no means to show.</source>
         <translation>Niemand hat alles bewertet: Es gibt keine Mittelwerte zu zeigen.</translation>
-    </message>
-    <message>
-        <source>score, mean with its %1 % interval</source>
-        <translation>Bewertung, Mittelwert mit %1-%-Intervall</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -2293,16 +2185,8 @@
         <translation>exakter Binomialtest, zweiseitig</translation>
     </message>
     <message>
-        <source>χ² against equal shares</source>
-        <translation>χ² gegen gleiche Anteile</translation>
-    </message>
-    <message>
         <source>Fisher&apos;s exact test</source>
         <translation>Fishers exakter Test</translation>
-    </message>
-    <message>
-        <source>right answers at a d′</source>
-        <translation>richtige Antworten bei einem d′</translation>
     </message>
     <message>
         <source>matching, some items known</source>
@@ -2393,24 +2277,12 @@
         <translation>eine Versuchsperson</translation>
     </message>
     <message>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
         <source>position %1</source>
         <translation>Platz %1</translation>
     </message>
     <message>
         <source>%1 over %2</source>
         <translation>%1 vor %2</translation>
-    </message>
-    <message>
-        <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means; the test beside it splits the participants anew and assumes less.</source>
-        <translation>Der Balken ist das %1-%-Intervall nach Welch für den Unterschied der Mittelwerte der Versuchspersonen; der Test daneben teilt die Versuchspersonen neu auf und setzt weniger voraus.</translation>
-    </message>
-    <message>
-        <source>Bars are %1 % intervals: of the participants&apos; means by Welch, of all answers pooled by Newcombe, as if they were independent. The test of the means splits the participants anew and assumes less than either.</source>
-        <translation>Balken sind %1-%-Intervalle: der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Test der Mittelwerte teilt die Versuchspersonen neu auf und setzt weniger voraus als beide.</translation>
     </message>
     <message>
         <source>RMS acceleration</source>
@@ -2463,10 +2335,6 @@
     <message>
         <source>Squares are means of the participants&apos; own proportions, bars their 95 % CIs by t on the logit scale: the participant is the unit.</source>
         <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
-    </message>
-    <message>
-        <source>Circles are shares of the trials with that stimulus, with intervals by Wilson that take trials as independent. The square is the mean of the participants&apos; own proportions with a CI by t on the logit scale.</source>
-        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, mit Intervallen nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit einem Konfidenzintervall nach t auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. That intervals overlap is no test of a difference.</source>
@@ -2527,6 +2395,138 @@
     <message>
         <source>%1 Open symbols: significant interior maxima of the curves.</source>
         <translation>%1 Offene Zeichen: signifikante innere Maxima der Kurven.</translation>
+    </message>
+    <message>
+        <source>log-worth (centred), with its %1 % CI</source>
+        <translation>Log-Wert (zentriert) mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>proportion correct, mean with its %1 % CI</source>
+        <translation>Anteil richtiger Antworten, Mittelwert mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>correctly matched items per trial, mean with its %1 % CI</source>
+        <translation>richtige Zuordnungen je Durchgang, Mittelwert mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>proportion, with its %1 % CI</source>
+        <translation>Anteil mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>There is no response from which to compute a proportion.</source>
+        <translation>Es gibt keine Antwort, aus der sich ein Anteil berechnen ließe.</translation>
+    </message>
+    <message>
+        <source>proportion</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>all participants</source>
+        <translation>alle Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>repetition %1</source>
+        <translation>Wiederholung %1</translation>
+    </message>
+    <message>
+        <source>proportion of responses (Wilson 95 % CI)</source>
+        <translation>Anteil an den Antworten (95-%-KI nach Wilson)</translation>
+    </message>
+    <message>
+        <source>Points are proportions of all responses of a row, bars their Wilson 95 % CIs. Open symbols are subsets, filled symbols totals.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Balken ihre 95-%-KI nach Wilson. Offene Zeichen sind Teilmengen, gefüllte das Ganze.</translation>
+    </message>
+    <message>
+        <source>Points are proportions of all responses of a row, bars their Wilson 95 % CIs.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Balken ihre 95-%-KI nach Wilson.</translation>
+    </message>
+    <message>
+        <source>%1 Squares are means of the participants&apos; own proportions: the participant is the unit.</source>
+        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Einheit ist die Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Squares are means of the participants&apos; own proportions: the participant is the unit.</source>
+        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Einheit ist die Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>mean proportion, with its 95 % CI</source>
+        <translation>mittlerer Anteil mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>mean proportion</source>
+        <translation>mittlerer Anteil</translation>
+    </message>
+    <message>
+        <source>Proportions with their CIs</source>
+        <translation>Anteile mit ihren KI</translation>
+    </message>
+    <message>
+        <source>Points are proportions, bars their Wilson 95 % CIs.</source>
+        <translation>Punkte sind Anteile, Balken ihre 95-%-KI nach Wilson.</translation>
+    </message>
+    <message>
+        <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t 95 % CIs.</source>
+        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu eng sind, wo eine Versuchsperson mehrmals wählte. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
+    </message>
+    <message>
+        <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows of one trial depend on each other.</source>
+        <translation>Anteile an den Durchgängen mit dieser Textur mit 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that take trials as independent. The square is the mean of the participants&apos; own proportions with a t 95 % CI on the logit scale.</source>
+        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz mit 95-%-KI nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; all together: as if independent.</source>
+        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle zusammen: als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels assumes less.</source>
+        <translation>Der Balken ist das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen; der Permutationstest der Gruppen setzt weniger voraus.</translation>
+    </message>
+    <message>
+        <source>Bars are %1 % CIs: of the difference of the participants&apos; means by Welch, of all responses pooled by Newcombe, as if they were independent. The permutation test of group labels assumes less than either.</source>
+        <translation>Balken sind %1-%-KI: der Differenz der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Permutationstest der Gruppen setzt weniger voraus als beide.</translation>
+    </message>
+    <message>
+        <source>%1 − %2, with its %3 % CI</source>
+        <translation>%1 − %2 mit %3-%-KI</translation>
+    </message>
+    <message>
+        <source>score, mean with its %1 % CI</source>
+        <translation>Bewertung, Mittelwert mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>χ² against equal proportions</source>
+        <translation>χ² gegen gleiche Anteile</translation>
+    </message>
+    <message>
+        <source>proportion correct at a d′</source>
+        <translation>Anteil richtiger Antworten bei einem d′</translation>
+    </message>
+    <message>
+        <source>Proportion correct by level</source>
+        <translation>Anteil richtiger Antworten nach Pegel</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs by the delta method.</source>
+        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach Maximum Likelihood. Offene Zeichen: Schwellen, der Pegel mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>proportion correct</source>
+        <translation>Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>Points are log-worths (centred), bars their CIs. Overlapping CIs are not a test of a difference.</source>
+        <translation>Punkte sind Log-Werte (zentriert), Balken ihre KI. Dass KI sich überlappen, ist kein Test eines Unterschieds.</translation>
+    </message>
+    <message>
+        <source>There are no confusions from which to make a dendrogram.</source>
+        <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm machen ließe.</translation>
+    </message>
+    <message>
+        <source>All were confused equally: a dendrogram would have no heights.</source>
+        <translation>Alle wurden gleich oft verwechselt: Ein Dendrogramm hätte keine Höhen.</translation>
     </message>
 </context>
 <context>

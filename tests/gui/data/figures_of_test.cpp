@@ -72,7 +72,7 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   EXPECT_TRUE(figure.is_drawn());
   EXPECT_EQ(figure.table, "shares");
   EXPECT_EQ(places_of(figure.y),
-            (std::vector<std::string>{"column 1 · wave (3 of 10)", "all · wave (12 of 20)"}));
+            (std::vector<std::string>{"repetition 1 · wave (3 of 10)", "all · wave (12 of 20)"}));
   ASSERT_EQ(figure.series.size(), 2U);
   EXPECT_FALSE(figure.series[0].hollow);  // all columns
   EXPECT_TRUE(figure.series[1].hollow);   // a part
@@ -102,11 +102,11 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].note.english(),
-            "Points are shares of all answers of a row, bars their 95 % intervals by Wilson. "
-            "Squares are means of the persons' own shares: a person is the unit.");
+            "Points are proportions of all responses of a row, bars their Wilson 95 % CIs. "
+            "Squares are means of the participants' own proportions: the participant is the unit.");
   EXPECT_EQ(figures[1].note.english(),
-            "Squares are means of the persons' own shares: a person is the unit.");
-  EXPECT_EQ(figures[1].x.name.english(), "mean share");
+            "Squares are means of the participants' own proportions: the participant is the unit.");
+  EXPECT_EQ(figures[1].x.name.english(), "mean proportion");
 }
 
 TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
