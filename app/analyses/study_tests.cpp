@@ -240,7 +240,8 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   const TestMethod& by = *test.made_by;
   test.unit = by.unit;
   if (test.unit != kUsualUnit) test.method += "; n counts " + test.unit;
-  if (!test.p) return;
+  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
+  if (!test.p) return;  // without a test there is no statistic either
   test.statistic = found.value(by.statistic, key);
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);

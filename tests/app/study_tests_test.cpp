@@ -329,6 +329,22 @@ TEST(TestsOfAStudy, CountWhoContributesAndWhoIsLeftOut) {
   EXPECT_THAT(tests_of(outcome).note.english(), HasSubstr("not counted in its n: 1 of 3."));
 }
 
+// One participant: the p of a permutation test could only be 1. No number is left of it.
+TEST(TestsOfAStudy, HaveNoNumbersOfOneParticipant) {
+  const AnalysisOutcome outcome = analysed("selection", "{}", 1, [](int) {
+    return std::vector{choice({"new", "old"}, "new", "wood"),
+                       choice({"new", "old"}, "old", "metal")};
+  });
+  for (const char* const test : {"preference", "position"}) {
+    const TestedRow row = row_of(tests_of(outcome).table, test);
+    for (const char* const column :
+         {"method", "value", "permutations", "effect", "p", "p_smallest"}) {
+      EXPECT_EQ(row[column], Cell{}) << test << ' ' << column;
+    }
+    EXPECT_EQ(row.text("status"), StudyTests::kOneParticipantAlone);
+  }
+}
+
 TEST(TestsOfAStudy, StateThatNobodyChoseTheTarget) {
   const AnalysisOutcome outcome = analysed(
       "selection", R"({"analysis": {"target": "new", "family": ["textures"]}})", 3, [](int) {
