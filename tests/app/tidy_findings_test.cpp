@@ -312,6 +312,28 @@ TEST(TidyFamilies, CompareOneSampleWithNothing) {
   EXPECT_NEAR(value_of(found, "dz", ""), 2.0, 1e-14);
 }
 
+// The responses and numbers of crossed_binomial_test.cpp.
+TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
+  const std::string hits = "1233231122333221121213113332332323333322232323223333333322112332";
+  std::string table = "subject,item,condition,correct,trials\n";
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    table += "P" + std::to_string(i / 8) + ",T" + std::to_string(i / 2 % 4) +
+             (i % 2 == 0 ? ",plain," : ",masked,") + hits[i] + ",3\n";
+  }
+  const auto found = glmm_findings(
+      input_of(table, R"({"fixed": {"condition": ["plain", "masked"]}, "chance": 0.25})"));
+  EXPECT_NEAR(value_of(found, "glmm.beta", "condition|masked"), 0.546906472, 1e-7);
+  EXPECT_NEAR(value_of(found, "glmm.se", "intercept"), 0.4837842, 2e-6);
+  EXPECT_NEAR(value_of(found, "glmm.sigma", "item"), 0.461973039, 1e-7);
+  EXPECT_NEAR(value_of(found, "glmm.z", "intercept"), (1.200993899 + std::log(3.0)) / 0.4837842,
+              1e-4);
+  EXPECT_NEAR(value_of(found, "glmm.proportion", ""), 1.0 / (1.0 + std::exp(-1.200993899)), 1e-7);
+  EXPECT_GT(value_of(found, "glmm.lr", "condition"), 0.0);
+  const auto probit = glmm_findings(
+      input_of(table, R"({"fixed": {"condition": ["plain", "masked"]}, "link": "probit"})"));
+  EXPECT_NEAR(value_of(probit, "glmm.beta", "intercept"), 0.718190575, 1e-7);
+}
+
 TEST(TidyFamilies, TakeRowsThatStandForSeveral) {
   const char* options = R"({"items": ["a", "b"]})";
   const auto single = paired_findings(input_of(

@@ -142,6 +142,23 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
       "undefined_zero_variance");
 }
 
+TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
+  const std::string columns = "subject,item,correct,trials\n";
+  EXPECT_EQ(word_of(findings_of("glmm", columns + "A,x,3,3\nA,y,3,3\nB,x,0,3\nB,y,0,3\n", "{}"),
+                    "glmm.status"),
+            "no_maximum");
+  EXPECT_EQ(word_of(findings_of("glmm", columns + "A,x,9,10\nA,y,9,10\nB,x,4,10\nB,y,4,10\n", "{}"),
+                    "glmm.status"),
+            "no_item_variance");
+  EXPECT_EQ(word_of(findings_of("glmm", columns, "{}"), "glmm.status"), "no_data");
+  EXPECT_EQ(family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
+            "t.csv:2:3: 4 correct of 3 trials is not a proportion; leave out rows without trials");
+  EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"random": ["texture"]})"),
+              HasSubstr("\"random\" names \"texture\"; it must be subject, item, or both"));
+  EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"link": "log"})"),
+              HasSubstr("it must be logit or probit"));
+}
+
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
               HasSubstr("\"within\" must be an object of factors with their levels, like "

@@ -21,6 +21,13 @@ constexpr std::array kFamilies{
                "lower, upper: differences between them count as none, both or neither; alpha of "
                "either one-sided test; groups: two names, in order, of two samples; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
+    TidyFamily{"glmm",
+               "subject,item,correct,trials and one column per factor: the responses of a "
+               "participant to an item under a condition",
+               "link: logit, probit; random: subject, item or both; fixed: factors with their "
+               "levels, as {\"tip\": [\"a\", \"b\"]}; chance: proportion that the intercept is "
+               "tested against; conf",
+               glmm_findings, "link,random,fixed,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: two names, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"icc",

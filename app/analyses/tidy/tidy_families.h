@@ -64,6 +64,7 @@ std::string family_names();
 const TidyFamily& tidy_family(const std::string& name);
 
 std::vector<Finding> equivalence_findings(const TidyInput& input);
+std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
 std::vector<Finding> icc_findings(const TidyInput& input);
 std::vector<Finding> magnitude_findings(const TidyInput& input);

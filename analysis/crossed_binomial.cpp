@@ -1,0 +1,405 @@
+// Newton within, BOBYQA and Newton outside.
+
+#include "analysis/crossed_binomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Dense>
+#include <nlopt.hpp>
+
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNoVariance = 1e-3;    // σ below it is 0
+constexpr double kMostVariance = 30.0;  // σ and |β| beyond it: the probabilities are 0 and 1
+
+/// ln of the probability of a response with its first derivative and negative second one.
+struct ResponseTerm {
+  double value = 0.0;
+  double slope = 0.0;
+  double weight = 0.0;
+};
+
+// ln Φ(x), and φ(x)/Φ(x); far below 0 by the first terms of their series.
+struct NormalLog {
+  double value = 0.0;
+  double ratio = 0.0;
+};
+NormalLog normal_log(double x) {
+  if (x > -30.0) {
+    const double below = normal_below(x);
+    return {.value = std::log(below), .ratio = normal_density(x) / below};
+  }
+  const double square = 1.0 / (x * x);
+  return {.value = -0.5 * x * x - std::log(-x) - 0.5 * std::log(2.0 * std::numbers::pi) - square,
+          .ratio = -x / (1.0 - square + 3.0 * square * square)};
+}
+
+ResponseTerm response_term(const HitCount& count, double eta, BinomialLink link) {
+  const auto hits = static_cast<double>(count.hits);
+  const auto misses = static_cast<double>(count.trials - count.hits);
+  if (link == BinomialLink::logit) {
+    const double small = std::exp(-std::abs(eta));
+    const double p = eta >= 0.0 ? 1.0 / (1.0 + small) : small / (1.0 + small);
+    const double rest = std::log1p(small);
+    return {.value = -hits * (std::max(0.0, -eta) + rest) - misses * (std::max(0.0, eta) + rest),
+            .slope = hits - (hits + misses) * p,
+            .weight = (hits + misses) * small / ((1.0 + small) * (1.0 + small))};
+  }
+  const NormalLog hit = normal_log(eta);
+  const NormalLog miss = normal_log(-eta);
+  return {
+      .value = hits * hit.value + misses * miss.value,
+      .slope = hits * hit.ratio - misses * miss.ratio,
+      .weight = hits * hit.ratio * (hit.ratio + eta) + misses * miss.ratio * (miss.ratio - eta)};
+}
+
+class CrossedLikelihood final {
+ public:
+  CrossedLikelihood(std::span<const CrossedHits> responses, const CrossedModel& model)
+      : responses_(responses), model_(model) {
+    if (responses.empty() || model.design.rows() != static_cast<Eigen::Index>(responses.size()) ||
+        model.design.cols() < 1) {
+      throw std::invalid_argument("design: it has " + std::to_string(model.design.rows()) +
+                                  " rows for " + std::to_string(responses.size()) + " responses");
+    }
+    if (!model.participants_vary && !model.items_vary) {
+      throw std::invalid_argument("model: neither participants nor items vary");
+    }
+    if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
+      throw std::invalid_argument("design: its columns depend on each other");
+    }
+    for (const CrossedHits& one : responses) {
+      static_cast<void>(proportion(one.count));  // refuses impossible counts
+      participants_ = std::max(participants_, static_cast<Eigen::Index>(one.participant) + 1);
+      items_ = std::max(items_, static_cast<Eigen::Index>(one.item) + 1);
+      constant_ +=
+          log_choose(static_cast<double>(one.count.trials), static_cast<double>(one.count.hits));
+    }
+  }
+
+  /// The intercepts at the mode, with ln L.
+  struct Mode {
+    Eigen::VectorXd u{};
+    Eigen::VectorXd v{};
+    double log_likelihood = 0.0;
+  };
+
+  Mode mode(const Eigen::VectorXd& beta, double sigma_p, double sigma_i) const {
+    const Eigen::VectorXd fixed = model_.design * beta;
+    Mode at{.u = Eigen::VectorXd::Zero(participants_), .v = Eigen::VectorXd::Zero(items_)};
+    double value = joint(fixed, sigma_p, sigma_i, at);
+    constexpr int kMostSteps = 100;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const NewtonStep newton = newton_step(fixed, sigma_p, sigma_i, at);
+      double length = 1.0;
+      Mode next = at;
+      double there = value;
+      for (; length > 1e-10; length *= 0.5) {  // concave, but a step can overshoot
+        next.u = at.u + length * newton.u;
+        next.v = at.v + length * newton.v;
+        there = joint(fixed, sigma_p, sigma_i, next);
+        if (there >= value - 1e-12 * std::abs(value)) break;
+      }
+      at.u = next.u;
+      at.v = next.v;
+      value = there;
+      const double moved =
+          length * std::max(newton.u.cwiseAbs().maxCoeff(), newton.v.cwiseAbs().maxCoeff());
+      if (moved < 1e-11) break;
+    }
+    at.log_likelihood =
+        constant_ + value - 0.5 * newton_step(fixed, sigma_p, sigma_i, at).log_determinant;
+    return at;
+  }
+
+  /// Whether these intercepts and effects predict every response on its own side of one half.
+  bool separates(const Eigen::VectorXd& beta, double sigma_p, double sigma_i) const {
+    const Mode at = mode(beta, sigma_p, sigma_i);
+    const Eigen::VectorXd fixed = model_.design * beta;
+    for (std::size_t i = 0; i < responses_.size(); ++i) {
+      const CrossedHits& one = responses_[i];
+      const double eta = predictor(fixed, sigma_p, sigma_i, at, i);
+      if (one.count.hits > 0 && eta <= 0.0) return false;
+      if (one.count.hits < one.count.trials && eta >= 0.0) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct NewtonStep {
+    Eigen::VectorXd u{};
+    Eigen::VectorXd v{};
+    double log_determinant = 0.0;
+  };
+
+  double predictor(const Eigen::VectorXd& fixed, double sigma_p, double sigma_i, const Mode& at,
+                   std::size_t row) const {
+    const CrossedHits& one = responses_[row];
+    return fixed(static_cast<Eigen::Index>(row)) +
+           sigma_p * at.u(static_cast<Eigen::Index>(one.participant)) +
+           sigma_i * at.v(static_cast<Eigen::Index>(one.item));
+  }
+
+  // ln f without its constants.
+  double joint(const Eigen::VectorXd& fixed, double sigma_p, double sigma_i, const Mode& at) const {
+    double sum = -0.5 * (at.u.squaredNorm() + at.v.squaredNorm());
+    for (std::size_t i = 0; i < responses_.size(); ++i) {
+      sum +=
+          response_term(responses_[i].count, predictor(fixed, sigma_p, sigma_i, at, i), model_.link)
+              .value;
+    }
+    return sum;
+  }
+
+  // With H = [A B; B' C], A diagonal: the participants are eliminated, S = C − B'A⁻¹B remains, and
+  // |H| = |A|·|S|.
+  NewtonStep newton_step(const Eigen::VectorXd& fixed, double sigma_p, double sigma_i,
+                         const Mode& at) const {
+    Eigen::VectorXd slope_u = -at.u;
+    Eigen::VectorXd slope_v = -at.v;
+    Eigen::VectorXd a = Eigen::VectorXd::Ones(participants_);
+    Eigen::VectorXd c = Eigen::VectorXd::Ones(items_);
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(participants_, items_);
+    for (std::size_t i = 0; i < responses_.size(); ++i) {
+      const CrossedHits& one = responses_[i];
+      const auto p = static_cast<Eigen::Index>(one.participant);
+      const auto j = static_cast<Eigen::Index>(one.item);
+      const ResponseTerm term =
+          response_term(one.count, predictor(fixed, sigma_p, sigma_i, at, i), model_.link);
+      slope_u(p) += sigma_p * term.slope;
+      slope_v(j) += sigma_i * term.slope;
+      a(p) += sigma_p * sigma_p * term.weight;
+      c(j) += sigma_i * sigma_i * term.weight;
+      b(p, j) += sigma_p * sigma_i * term.weight;
+    }
+    const Eigen::MatrixXd scaled = a.cwiseInverse().asDiagonal() * b;
+    const Eigen::MatrixXd remaining = Eigen::MatrixXd(c.asDiagonal()) - b.transpose() * scaled;
+    const Eigen::LLT<Eigen::MatrixXd> factor(remaining);
+    NewtonStep step{};
+    step.v = factor.solve(slope_v - scaled.transpose() * slope_u);
+    step.u = slope_u.cwiseQuotient(a) - scaled * step.v;
+    step.log_determinant =
+        a.array().log().sum() + 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+    return step;
+  }
+
+  std::span<const CrossedHits> responses_{};
+  const CrossedModel& model_;
+  Eigen::Index participants_ = 0;
+  Eigen::Index items_ = 0;
+  double constant_ = 0.0;
+};
+
+/// β, then those of σ_p and σ_i that are estimated.
+class OuterProblem final {
+ public:
+  OuterProblem(const CrossedLikelihood& likelihood, const CrossedModel& model)
+      : likelihood_(likelihood), model_(model) {}
+
+  Eigen::Index effects() const { return model_.design.cols(); }
+  Eigen::Index size() const {
+    return effects() + (model_.participants_vary ? 1 : 0) + (model_.items_vary ? 1 : 0);
+  }
+  double sigma_p(const Eigen::VectorXd& at) const {
+    return model_.participants_vary ? at(effects()) : 0.0;
+  }
+  double sigma_i(const Eigen::VectorXd& at) const {
+    return model_.items_vary ? at(size() - 1) : 0.0;
+  }
+  double value(const Eigen::VectorXd& at) const {
+    return likelihood_.mode(at.head(effects()), sigma_p(at), sigma_i(at)).log_likelihood;
+  }
+
+ private:
+  const CrossedLikelihood& likelihood_;
+  const CrossedModel& model_;
+};
+
+Eigen::VectorXd searched(const OuterProblem& problem, const Eigen::VectorXd& start) {
+  const auto size = static_cast<std::size_t>(problem.size());
+  std::vector<double> low(size, -kMostVariance);
+  std::fill(low.begin() + problem.effects(), low.end(), 0.0);
+  std::vector<double> point(start.begin(), start.end());
+  nlopt::opt optimizer(nlopt::LN_BOBYQA, static_cast<unsigned>(size));
+  optimizer.set_lower_bounds(low);
+  optimizer.set_upper_bounds(std::vector<double>(size, kMostVariance));
+  optimizer.set_initial_step(0.3);
+  optimizer.set_max_objective(
+      [](const std::vector<double>& x, std::vector<double>&, void* data) {
+        return static_cast<const OuterProblem*>(data)->value(
+            Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+      },
+      const_cast<OuterProblem*>(&problem));
+  optimizer.set_xtol_rel(1e-7);
+  optimizer.set_ftol_abs(1e-10);
+  optimizer.set_maxeval(3000);
+  double value = 0.0;
+  try {
+    optimizer.optimize(point, value);
+  } catch (const nlopt::roundoff_limited&) {
+    // What it reached is the start of Newton's steps.
+  }
+  return Eigen::Map<const Eigen::VectorXd>(point.data(), problem.size());
+}
+
+struct Derivatives {
+  Eigen::VectorXd gradient{};
+  Eigen::MatrixXd hessian{};
+};
+
+// By differences of the fourth order; σ stays above 2h, where this is asked.
+Derivatives derivatives(const OuterProblem& problem, const Eigen::VectorXd& at, double h) {
+  const Eigen::Index size = at.size();
+  constexpr std::array<double, 4> kPlaces{-2.0, -1.0, 1.0, 2.0};
+  constexpr std::array<double, 4> kFirst{1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
+  constexpr std::array<double, 4> kSecond{-1.0 / 12.0, 16.0 / 12.0, 16.0 / 12.0, -1.0 / 12.0};
+  const double centre = problem.value(at);
+  Derivatives found{.gradient = Eigen::VectorXd::Zero(size),
+                    .hessian = Eigen::MatrixXd::Zero(size, size)};
+  for (Eigen::Index i = 0; i < size; ++i) {
+    found.hessian(i, i) = -30.0 / 12.0 * centre / (h * h);
+    for (std::size_t s = 0; s < kPlaces.size(); ++s) {
+      Eigen::VectorXd there = at;
+      there(i) += kPlaces[s] * h;
+      const double value = problem.value(there);
+      found.gradient(i) += kFirst[s] * value / h;
+      found.hessian(i, i) += kSecond[s] * value / (h * h);
+    }
+    for (Eigen::Index j = 0; j < i; ++j) {
+      for (std::size_t s = 0; s < kPlaces.size(); ++s) {
+        for (std::size_t t = 0; t < kPlaces.size(); ++t) {
+          Eigen::VectorXd there = at;
+          there(i) += kPlaces[s] * h;
+          there(j) += kPlaces[t] * h;
+          found.hessian(i, j) += kFirst[s] * kFirst[t] * problem.value(there) / (h * h);
+        }
+      }
+      found.hessian(j, i) = found.hessian(i, j);
+    }
+  }
+  return found;
+}
+
+// Whether each group of responses has only hits or only misses.
+template <typename Group>
+bool all_alike(std::span<const CrossedHits> responses, const Group& group_of) {
+  std::vector<HitCount> sums{};
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const std::size_t group = group_of(i);
+    if (group >= sums.size()) sums.resize(group + 1);
+    sums[group].hits += responses[i].count.hits;
+    sums[group].trials += responses[i].count.trials;
+  }
+  return std::all_of(sums.begin(), sums.end(),
+                     [](const HitCount& sum) { return sum.hits == 0 || sum.hits == sum.trials; });
+}
+
+// Whether the responses of a level of a condition, which is a 1 in its column of the design, or of the
+// rest, are all hits or all misses.
+bool is_separated_by_a_level(std::span<const CrossedHits> responses,
+                             const Eigen::MatrixXd& design) {
+  for (Eigen::Index column = 0; column < design.cols(); ++column) {
+    HitCount sum{};
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+      if (design(static_cast<Eigen::Index>(i), column) == 0.0) continue;
+      sum.hits += responses[i].count.hits;
+      sum.trials += responses[i].count.trials;
+    }
+    if (sum.trials > 0 && (sum.hits == 0 || sum.hits == sum.trials)) return true;
+  }
+  // The reference level: where all other columns are 0.
+  HitCount reference{};
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (design.cols() > 1 && design.row(row).tail(design.cols() - 1).cwiseAbs().sum() > 0.0) {
+      continue;
+    }
+    reference.hits += responses[i].count.hits;
+    reference.trials += responses[i].count.trials;
+  }
+  return reference.trials > 0 && (reference.hits == 0 || reference.hits == reference.trials);
+}
+
+bool is_separated(std::span<const CrossedHits> responses, const CrossedModel& model,
+                  const CrossedLikelihood& likelihood) {
+  if (is_separated_by_a_level(responses, model.design)) return true;
+  if (model.participants_vary &&
+      all_alike(responses, [&](std::size_t i) { return responses[i].participant; })) {
+    return true;
+  }
+  if (model.items_vary && all_alike(responses, [&](std::size_t i) { return responses[i].item; })) {
+    return true;
+  }
+  // Intercepts that may be as large as they like find a division where there is one.
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.design.cols());
+  return likelihood.separates(none, model.participants_vary ? kMostVariance : 0.0,
+                              model.items_vary ? kMostVariance : 0.0);
+}
+
+CrossedProblem boundary(bool participants, bool items) {
+  if (participants && items) return CrossedProblem::no_variance;
+  return participants ? CrossedProblem::no_participant_variance : CrossedProblem::no_item_variance;
+}
+
+}  // namespace
+
+CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& model) {
+  const CrossedLikelihood likelihood(responses, model);
+  if (is_separated(responses, model, likelihood)) return {};
+  const OuterProblem problem(likelihood, model);
+  Eigen::VectorXd at{};
+  double value = -std::numeric_limits<double>::infinity();
+  for (const double sigma : {0.3, 1.0}) {
+    Eigen::VectorXd start = Eigen::VectorXd::Zero(problem.size());
+    start.tail(problem.size() - problem.effects()).setConstant(sigma);
+    const Eigen::VectorXd found = searched(problem, start);
+    if (problem.value(found) > value) {
+      at = found;
+      value = problem.value(found);
+    }
+  }
+  if (at.cwiseAbs().maxCoeff() > 0.9 * kMostVariance) return {};
+  constexpr double kDifference = 1e-3;
+  const bool no_p =
+      model.participants_vary && problem.sigma_p(at) < 2.0 * kDifference + kNoVariance;
+  const bool no_i = model.items_vary && problem.sigma_i(at) < 2.0 * kDifference + kNoVariance;
+  if (no_p || no_i) return {.problem = boundary(no_p, no_i)};
+  Derivatives found = derivatives(problem, at, kDifference);
+  constexpr int kSharpenings = 4;
+  for (int step = 0; step < kSharpenings; ++step) {
+    const Eigen::VectorXd move = found.hessian.ldlt().solve(found.gradient);
+    if (!(move.cwiseAbs().maxCoeff() < 0.05)) break;  // no maximum near: judged below
+    at -= move;
+    found = derivatives(problem, at, kDifference);
+  }
+  const Eigen::LLT<Eigen::MatrixXd> information(-found.hessian);
+  if (information.info() != Eigen::Success || !(found.gradient.cwiseAbs().maxCoeff() < 1e-4)) {
+    return {};
+  }
+  const Eigen::MatrixXd covariance =
+      information.solve(Eigen::MatrixXd::Identity(problem.size(), problem.size()));
+  return {
+      .fit = CrossedFit{.beta = at.head(problem.effects()),
+                        .standard_error = covariance.diagonal().head(problem.effects()).cwiseSqrt(),
+                        .sigma_participants = problem.sigma_p(at),
+                        .sigma_items = problem.sigma_i(at),
+                        .log_likelihood = problem.value(at)}};
+}
+
+double crossed_log_likelihood(std::span<const CrossedHits> responses, const CrossedModel& model,
+                              const CrossedFit& at) {
+  return CrossedLikelihood(responses, model)
+      .mode(at.beta, at.sigma_participants, at.sigma_items)
+      .log_likelihood;
+}
+
+}  // namespace asperity

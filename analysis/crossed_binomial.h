@@ -1,0 +1,79 @@
+// Correct responses of participants to items: a mixed model with both as crossed random intercepts.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/proportion.h"
+
+namespace asperity {
+
+/// Which function of the probability is linear: ln(p/(1 − p)), or the normal quantile Φ⁻¹(p).
+enum class BinomialLink { logit, probit };
+
+/// The responses of one participant to one item under one condition.
+struct CrossedHits {
+  HitCount count{};
+  std::size_t participant = 0;
+  std::size_t item = 0;
+};
+
+/// link(P) = x'β + σ_p·u_participant + σ_i·v_item with independent u, v ~ N(0, 1).
+struct CrossedModel {
+  BinomialLink link = BinomialLink::logit;
+  Eigen::MatrixXd
+      design{};  ///< a row of fixed effects x' for each CrossedHits; its first column is 1
+  bool participants_vary = true;  ///< without: σ_p = 0
+  bool items_vary = true;         ///< without: σ_i = 0
+};
+
+/// The maximum of Laplace's approximation of the marginal likelihood: with f the joint density of
+/// responses, u and v, and H the negative Hessian of ln f at its mode,
+/// ln L = ln f(mode) + (d/2)·ln 2π − ½·ln|H|, d the number of intercepts; binomial coefficients included.
+/// H is the observed information. (lme4 takes the expected one: with the logit both are the same,
+/// with the probit the last digits differ.) The mode is Newton's, with the participants eliminated; the
+/// outer maximum BOBYQA's, sharpened by Newton's steps on differences of the fourth order. Standard
+/// errors are from the Hessian over β and σ together.
+///
+/// Laplace's approximation underestimates σ where participants and items have few responses each
+/// [Joe 2008].
+///
+/// [Joe 2008] Joe: Accuracy of Laplace approximation for discrete response mixed models.
+struct CrossedFit {
+  Eigen::VectorXd beta{};
+  Eigen::VectorXd standard_error{};
+  double sigma_participants = 0.0;
+  double sigma_items = 0.0;
+  double log_likelihood = 0.0;
+};
+
+/// Why there is no fit.
+enum class CrossedProblem {
+  no_maximum,               ///< the likelihood grows without bound in β or σ: no maximum exists
+  no_participant_variance,  ///< the maximum has σ_p = 0: a boundary, without standard errors
+  no_item_variance,         ///< σ_i = 0
+  no_variance,              ///< both
+};
+
+struct CrossedAnswer {
+  std::optional<CrossedFit> fit{};
+  CrossedProblem problem = CrossedProblem::no_maximum;  ///< where there is no fit
+};
+
+/// Separated are responses where the intercepts of participants and items, or either alone, or the
+/// fixed effects, predict every response without an error: of all participants (or items) each has
+/// only hits or only misses, or a level of a condition has. Throws std::invalid_argument for a design
+/// that does not fit the responses or is not of full rank, for impossible counts, and where neither
+/// varies.
+CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& model);
+
+/// Laplace's ln L at given β, σ_p and σ_i. Throws as `crossed_fit` does.
+double crossed_log_likelihood(std::span<const CrossedHits> responses, const CrossedModel& model,
+                              const CrossedFit& at);
+
+}  // namespace asperity
