@@ -10,7 +10,6 @@
 #include <Eigen/Cholesky>
 
 #include "analysis/comparison_graph.h"
-#include "analysis/conditional_logit.h"
 
 namespace asperity {
 namespace {
@@ -118,11 +117,13 @@ Eigen::VectorXd Abilities::standard_error() const {
   return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
+Eigen::MatrixXd centring(Eigen::Index items) {
+  return Eigen::MatrixXd::Identity(items, items) -
+         Eigen::MatrixXd::Constant(items, items, 1.0 / static_cast<double>(items));
+}
+
 Abilities Abilities::about_mean() const {
-  const Eigen::Index items = value.size();
-  const Eigen::MatrixXd centred =
-      Eigen::MatrixXd::Identity(items, items) -
-      Eigen::MatrixXd::Constant(items, items, 1.0 / static_cast<double>(items));
+  const Eigen::MatrixXd centred = centring(value.size());
   return {.value = centred * value, .covariance = centred * covariance * centred.transpose()};
 }
 
@@ -148,6 +149,8 @@ std::optional<BradleyTerry> bradley_terry(std::span<const Comparison> comparison
   const Eigen::MatrixXd clustered =
       clustered_covariance(*fit, judgements.data, judgements.clusters);
   result.clustered = abilities_of(fit->coefficients, clustered, size);
+  result.centred_errors = clustered_errors(*fit, judgements.data, judgements.clusters,
+                                           centring(size).rightCols(size - 1));
   if (const auto with_order = conditional_logit(by_participant(comparisons, items, true).data)) {
     result.order = {.advantage = with_order->coefficients(size - 1),
                     .standard_error = std::sqrt(with_order->covariance(size - 1, size - 1)),

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "analysis/conditional_logit.h"
+
 namespace asperity {
 
 /// One comparison, items by number.
@@ -46,9 +48,14 @@ struct Abilities {
   Eigen::VectorXd worth() const;
 };
 
+/// K × K: takes values to the same with their mean at 0.
+Eigen::MatrixXd centring(Eigen::Index items);
+
 struct BradleyTerry {
   Abilities abilities{};
-  Abilities clustered{};          ///< the same; their covariance with participants as clusters
+  Abilities clustered{};  ///< the same; their covariance with participants as clusters (CR0)
+  /// Of `abilities.about_mean()`, participants as clusters; empty for too few (`clustered_errors`).
+  std::vector<ClusteredError> centred_errors{};
   double deviance = 0.0;          ///< against a probability for each pair
   std::size_t df = 0;             ///< compared pairs − (K − 1)
   double likelihood_ratio = 0.0;  ///< against equal abilities, K − 1 degrees of freedom

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 namespace asperity {
 
@@ -80,10 +82,15 @@ ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
   if (!clusters.empty()) {
     const std::size_t most = *std::max_element(clusters.begin(), clusters.end());
     at.scores = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(most) + 1, size);
+    at.informations.assign(most + 1, Eigen::MatrixXd::Zero(size, size));
   }
   std::vector<double> weights{};
   Eigen::VectorXd mean(size);
   Eigen::VectorXd score(size);
+  // The information of a stratum goes to its cluster, and from there to the sum.
+  const auto information_of = [&](std::size_t index) -> Eigen::MatrixXd& {
+    return clusters.empty() ? at.information : at.informations[clusters[index]];
+  };
   for (std::size_t index = 0; index < strata_.size(); ++index) {
     const Range range = stratum(index);
     double most = -std::numeric_limits<double>::infinity();
@@ -102,6 +109,7 @@ ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
     const double log_all = most + std::log(all);
     mean.setZero();
     score.setZero();
+    Eigen::MatrixXd& information = information_of(index);
     for (std::size_t a = range.begin; a < range.end; ++a) {
       const double p = weights[a - range.begin] / all;
       if (counts_[a] > 0.0) {
@@ -113,18 +121,19 @@ ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
         mean(row) += p * terms_[i].weight;
         score(row) += counts_[a] * terms_[i].weight;
         for (std::size_t j = own.begin; j < own.end; ++j) {
-          at.information(row, static_cast<Eigen::Index>(terms_[j].parameter)) +=
+          information(row, static_cast<Eigen::Index>(terms_[j].parameter)) +=
               chosen * p * terms_[i].weight * terms_[j].weight;
         }
       }
     }
     score -= chosen * mean;
     at.score += score;
-    at.information -= chosen * mean * mean.transpose();
+    information -= chosen * mean * mean.transpose();
     if (!clusters.empty()) {
       at.scores.row(static_cast<Eigen::Index>(clusters[index])) += score.transpose();
     }
   }
+  for (const Eigen::MatrixXd& own : at.informations) at.information += own;
   return at;
 }
 
@@ -170,6 +179,58 @@ Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceDa
   }
   const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
   return fit.covariance * (scores.transpose() * scores) * fit.covariance;
+}
+
+std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const ChoiceData& data,
+                                             std::span<const std::size_t> clusters,
+                                             const Eigen::MatrixXd& combinations) {
+  if (clusters.size() != data.strata()) {
+    throw std::invalid_argument("clusters must name the cluster of every stratum");
+  }
+  if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};
+  const ChoiceData::Slopes at = data.slopes(fit.coefficients, clusters);
+  using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+  const Eigen::MatrixXd root = Solver(fit.covariance).operatorSqrt();  // V^½
+  const Eigen::MatrixXd directions = root * combinations.transpose();
+  const Eigen::Index rows = combinations.rows();
+  Eigen::RowVectorXd squares = Eigen::RowVectorXd::Zero(rows);  // Σℓ_g²
+  // With b_g = M_g·a_g and q_g = a_g'b_g: tr Γ = Σ(q_g − |b_g|²), and, because the sum of all
+  // (b_g'b_k)² is the square of the Frobenius norm of Σb_g·b_g',
+  // tr Γ² = |Σb_g·b_g'|² + Σ(q_g² − 2·q_g·|b_g|²).
+  Eigen::RowVectorXd trace = Eigen::RowVectorXd::Zero(rows);
+  Eigen::RowVectorXd trace_of_square = Eigen::RowVectorXd::Zero(rows);
+  std::vector<Eigen::MatrixXd> outer(static_cast<std::size_t>(rows),
+                                     Eigen::MatrixXd::Zero(root.rows(), root.cols()));
+  for (std::size_t g = 0; g < at.informations.size(); ++g) {
+    const Solver m(root * at.informations[g] * root);
+    // A cluster that alone determines a direction (h = 1) shows no differences along it.
+    constexpr double kAlone = 1.0 - 1e-9;
+    const Eigen::VectorXd factors = m.eigenvalues().unaryExpr(
+        [](double h) { return h < kAlone ? 1.0 / std::sqrt(1.0 - h) : 0.0; });
+    const Eigen::MatrixXd turned = m.eigenvectors().transpose() * directions;
+    const Eigen::MatrixXd adjusted = m.eigenvectors() * factors.asDiagonal() * turned;  // a_g
+    const Eigen::MatrixXd weighted =
+        m.eigenvectors() * m.eigenvalues().cwiseProduct(factors).asDiagonal() * turned;  // b_g
+    const Eigen::RowVectorXd score = at.scores.row(static_cast<Eigen::Index>(g)) * root;
+    squares += (score * adjusted).cwiseAbs2();
+    const Eigen::RowVectorXd q = adjusted.cwiseProduct(weighted).colwise().sum();
+    const Eigen::RowVectorXd norms = weighted.colwise().squaredNorm();
+    trace += q - norms;
+    trace_of_square += q.cwiseProduct(q - 2.0 * norms);
+    for (Eigen::Index c = 0; c < rows; ++c) {
+      outer[static_cast<std::size_t>(c)] += weighted.col(c) * weighted.col(c).transpose();
+    }
+  }
+  std::vector<ClusteredError> errors{};
+  for (Eigen::Index c = 0; c < rows; ++c) {
+    // Participants who respond alike have no spread but for rounding.
+    constexpr double kOnlyRounding = 1e-20;
+    const bool has_spread = squares(c) > kOnlyRounding * directions.col(c).squaredNorm();
+    const double of_square = trace_of_square(c) + outer[static_cast<std::size_t>(c)].squaredNorm();
+    errors.push_back({.standard_error = has_spread ? std::sqrt(squares(c)) : 0.0,
+                      .df = trace(c) * trace(c) / of_square});
+  }
+  return errors;
 }
 
 }  // namespace asperity

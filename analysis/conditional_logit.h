@@ -43,6 +43,7 @@ class ChoiceData final {
     Eigen::VectorXd score{};        ///< ∂/∂β
     Eigen::MatrixXd information{};  ///< −∂²/∂β²
     Eigen::MatrixXd scores{};       ///< by cluster, a row each; empty without clusters
+    std::vector<Eigen::MatrixXd> informations{};  ///< by cluster; empty without clusters
   };
   /// `clusters`: of each stratum, numbered from 0; may be empty.
   Slopes slopes(const Eigen::VectorXd& coefficients,
@@ -79,5 +80,32 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data);
 /// with the score U of each cluster (CR0, without a correction for few clusters).
 Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
                                      std::span<const std::size_t> clusters);
+
+/// Fewer clusters show too little of how clusters differ.
+inline constexpr std::size_t kFewestClusters = 5;
+
+/// A standard error with the degrees of freedom of its t distribution.
+struct ClusteredError {
+  double standard_error = 0.0;
+  double df = 1.0;
+};
+
+/// Of c'β for each row c of `combinations`, with few clusters: CR2 and Satterthwaite's degrees of
+/// freedom [Bell 2002], [Pustejovsky 2018], with the model itself as the working model. Empty with
+/// fewer than `kFewestClusters` clusters.
+///
+/// At the estimate the score of cluster g is Û_g = U_g − I_g·V·ΣU, of covariance I_g − I_g·V·I_g
+/// under the model, less than the information I_g: CR0 is too small. With M_g = V^½·I_g·V^½ and
+/// s_g = V^½·Û_g, A_g = (I − M_g)^−½ gives A_g·s_g the covariance M_g, so that
+/// V^½·Σ(A_g·s_g)(A_g·s_g)'·V^½ has the expectation V. Its c'·c is the sum of the squares of
+/// ℓ_g = a_g's_g, a_g = A_g·V^½·c, with Cov(ℓ_g, ℓ_k) = a_g'(δ_gk·M_g − M_g·M_k)a_k =: Γ_gk, and
+/// df = (tr Γ)²/tr Γ². Clusters of equal information: the factor G/(G − 1) and df = G − 1.
+///
+/// [Bell 2002] Bell, McCaffrey: Bias reduction in standard errors for linear regression with
+/// multi-stage samples. [Pustejovsky 2018] Pustejovsky, Tipton: Small-sample methods for
+/// cluster-robust variance estimation and hypothesis testing in fixed effects models.
+std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const ChoiceData& data,
+                                             std::span<const std::size_t> clusters,
+                                             const Eigen::MatrixXd& combinations);
 
 }  // namespace asperity

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "analysis/comparison_graph.h"
-#include "analysis/conditional_logit.h"
 
 namespace asperity {
 namespace {
@@ -98,6 +97,8 @@ std::optional<PlackettLuce> plackett_luce(std::span<const Ranking> rankings, std
   result.log_worths.value.tail(size - 1) = fit->coefficients;
   result.clustered = {.value = result.log_worths.value,
                       .covariance = with_first(clustered_covariance(*fit, data, clusters))};
+  result.centred_errors =
+      clustered_errors(*fit, data, clusters, centring(size).rightCols(size - 1));
   result.equal_log_likelihood = data.log_likelihood(Eigen::VectorXd::Zero(size - 1));
   return result;
 }

@@ -27,7 +27,9 @@ struct Ranking {
 /// [Plackett 1975] Plackett: The analysis of permutations.
 struct PlackettLuce {
   Abilities log_worths{};  ///< ln w, 0 for the first item
-  Abilities clustered{};   ///< the same worths; their covariance with participants as clusters
+  Abilities clustered{};  ///< the same worths; their covariance with participants as clusters (CR0)
+  /// Of `log_worths.about_mean()`, participants as clusters; empty for too few (`clustered_errors`).
+  std::vector<ClusteredError> centred_errors{};
   double log_likelihood = 0.0;
   double equal_log_likelihood = 0.0;  ///< of equal worths
 };

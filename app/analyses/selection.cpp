@@ -1,8 +1,10 @@
 // Selection: which of several renderings of one texture is the most realistic.
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "analysis/conditional_logit.h"
 #include "app/analyses/families.h"
 #include "app/analyses/selection_choices.h"
 #include "app/analyses/selection_questions.h"
@@ -141,31 +143,39 @@ void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
 void add_scale_table(const Selection& selection, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
   const bool paired = selection.two_offered;
-  const char* plain = paired ? "bt.ability.sumzero" : "pl.logworth.sumzero";
-  const char* clustered = paired ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
+  const char* log_worth = paired ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
   const char* worth = paired ? "bt.worth" : "pl.worth";
-  if (found.find(plain, selection.items.front()) == nullptr) {
+  if (found.find(log_worth, selection.items.front()) == nullptr) {
     outcome.remarks.push_back(phrase(
         "Analysis",
         "There is no scale of the models: one of them was always chosen, or never, wherever it "
         "was offered, or was never offered with the others. No finite distance fits that best."));
     return;
   }
+  const bool has_intervals =
+      found.find(paired ? "bt.cluster.status" : "pl.cluster.status") == nullptr;
+  const Phrase intervals =
+      has_intervals ? phrase("Analysis",
+                             "95 % CI: t intervals of CR2 standard errors with the participants as "
+                             "clusters, with Satterthwaite's degrees of freedom.")
+                    : phrase("Analysis", "No CI: it needs at least %1 participants.")
+                          .with(std::to_string(kFewestClusters));
   NamedTable made{
       "scale",
       phrase("Analysis", "The models on one scale"),
       {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
       paired ? phrase("Analysis",
-                      "Bradley and Terry: of two models, i is chosen with probability 1/(1 + "
-                      "exp(l_j − l_i)). The log worths have the mean 0; their intervals are Wald's "
-                      "with the persons as clusters. Worths add up to 1.")
+                      "Bradley–Terry model: of two models, i is chosen with probability 1/(1 + "
+                      "exp(l_j − l_i)). The log-worths l have the mean 0; worths add up to 1. %1")
+                   .with(intervals)
              : phrase("Analysis",
-                      "Luce and Plackett: of several models, each is chosen in proportion to its "
-                      "worth. The log worths have the mean 0; their intervals are Wald's with the "
-                      "persons as clusters. Worths add up to 1.")};
+                      "Plackett–Luce model: of several models, each is chosen in proportion to its "
+                      "worth. The log-worths have the mean 0; worths add up to 1. %1")
+                   .with(intervals)};
   for (const std::string& item : selection.items) {
-    const auto [low, high] = found.interval(clustered, item);
-    made.table.rows.push_back({item, found.cell(plain, item), low, high, found.cell(worth, item)});
+    const auto [low, high] = found.interval(log_worth, item);
+    made.table.rows.push_back(
+        {item, found.cell(log_worth, item), low, high, found.cell(worth, item)});
   }
   outcome.tables.push_back(std::move(made));
 }

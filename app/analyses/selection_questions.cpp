@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/conditional_logit.h"
 #include "analysis/number_text.h"
 
 namespace asperity {
@@ -81,7 +82,7 @@ std::string log_worth(double value) {
 }
 
 const char* scale_quantity(const Selection& selection) {
-  return selection.two_offered ? "bt.ability.sumzero" : "pl.logworth.sumzero";
+  return selection.two_offered ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
 }
 
 /// The log worths of all items, the greatest first; none where there is no scale.
@@ -100,15 +101,13 @@ std::vector<std::pair<std::string, const Finding*>> worths_in_order(const Select
 }
 
 /// "a 0.52, 95 % CI [0.10, 0.94]; b …"
-Phrase scale_text(std::span<const std::pair<std::string, const Finding*>> order,
-                  const std::string& clustered, const FoundNumbers& scale) {
+Phrase scale_text(std::span<const std::pair<std::string, const Finding*>> order) {
   Phrase all{};
   for (const auto& [item, worth] : order) {
-    const Finding* with_interval = scale.find(clustered, item);
     Phrase one = phrase("Analysis", "%1 %2").with(item, log_worth(*worth->value));
-    if (with_interval != nullptr && with_interval->low && with_interval->high) {
+    if (worth->low && worth->high) {
       one = phrase("Analysis", "%1, 95 % CI [%2, %3]")
-                .with(one, log_worth(*with_interval->low), log_worth(*with_interval->high));
+                .with(one, log_worth(*worth->low), log_worth(*worth->high));
     }
     all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   }
@@ -120,11 +119,13 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
   const Phrase method =
       selection.two_offered
           ? phrase("Analysis",
-                   "Bradley–Terry model of all choices: log worths with the mean 0; intervals with "
-                   "the participants as clusters.")
+                   "Bradley–Terry model of all choices: log-worths with the mean 0; CIs with the "
+                   "participants as clusters (CR2, at least %1 participants).")
+                .with(std::to_string(kFewestClusters))
           : phrase("Analysis",
-                   "Plackett–Luce model of all choices: log worths with the mean 0; intervals with "
-                   "the participants as clusters.");
+                   "Plackett–Luce model of all choices: log-worths with the mean 0; CIs with the "
+                   "participants as clusters (CR2, at least %1 participants).")
+                .with(std::to_string(kFewestClusters));
   const auto order = worths_in_order(selection, scale);
   if (order.empty()) {
     add_question(outcome, "preference", question,
@@ -134,10 +135,8 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
                  method, "shares", nullptr);
     return;
   }
-  const std::string clustered = std::string(scale_quantity(selection)) + ".cluster";
   add_question(outcome, "preference", question,
-               phrase("Analysis", "Log worths, in decreasing order: %1.")
-                   .with(scale_text(order, clustered, scale)),
+               phrase("Analysis", "Log-worths, in decreasing order: %1.").with(scale_text(order)),
                method, "scale", order.front().second);
 }
 

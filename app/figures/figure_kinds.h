@@ -21,13 +21,14 @@ Figure matching_forest(const FoundNumbers& found);
 Figure recognition_forest(const FoundNumbers& found);
 std::vector<Figure> seedpaper_forests(const FoundNumbers& found);
 
-/// Items along a scale with intervals, the greatest on top. `quantities`: the first of which there
-/// are findings is shown; `status`: that of the fit.
+/// Items along a scale with intervals over participants, the greatest on top.
 struct ScaleChoice {
-  std::vector<std::string> quantities{};
-  std::string status{};
+  std::string quantity{};
+  /// Shown where there is nothing of `quantity`, without its intervals, which take all judgements as
+  /// independent; may be empty.
+  std::string otherwise{};
+  std::string status{};  ///< of the fit
   Phrase title{};
-  Phrase axis{};  ///< with a place for the confidence, in percent
 };
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);
 

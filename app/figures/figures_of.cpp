@@ -11,17 +11,16 @@ namespace asperity {
 namespace {
 
 ScaleChoice bradley_terry() {
-  return {.quantities = {"bt.ability.sumzero", "bt.firth.ability"},
+  return {.quantity = "bt.ability.sumzero.cluster",
+          .otherwise = "bt.firth.ability",
           .status = "bt.status",
-          .title = phrase("Figures", "Scale of preference (Bradley–Terry)"),
-          .axis = phrase("Figures", "log-worth (centred), with its %1 % CI")};
+          .title = phrase("Figures", "Scale of preference (Bradley–Terry)")};
 }
 
 ScaleChoice plackett_luce() {
-  return {.quantities = {"pl.logworth.sumzero"},
+  return {.quantity = "pl.logworth.sumzero.cluster",
           .status = "pl.status",
-          .title = phrase("Figures", "Scale of preference (Plackett–Luce)"),
-          .axis = phrase("Figures", "log-worth (centred), with its %1 % CI")};
+          .title = phrase("Figures", "Scale of preference (Plackett–Luce)")};
 }
 
 /// Of several analyses that stand together, that one.

@@ -7,16 +7,10 @@
 namespace asperity {
 
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found) {
-  Figure figure{.name = name,
-                .title = choice.title,
-                .note = phrase("Figures",
-                               "Points are log-worths (centred), bars their CIs. Overlapping CIs "
-                               "are not a test of a difference."),
-                .shape = FigureShape::rows};
-  std::vector<const Finding*> items{};
-  for (const std::string& quantity : choice.quantities) {
-    if (items.empty()) items = found.all(quantity);
-  }
+  Figure figure{.name = name, .title = choice.title, .shape = FigureShape::rows};
+  std::vector<const Finding*> items = found.all(choice.quantity);
+  const bool is_over_participants = !items.empty();
+  if (items.empty()) items = found.all(choice.otherwise);
   std::erase_if(items, [](const Finding* item) { return !item->value; });
   if (items.empty()) {
     const Finding* status = found.find(choice.status);
@@ -28,21 +22,40 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
   std::stable_sort(items.begin(), items.end(),
                    [](const Finding* a, const Finding* b) { return *a->value > *b->value; });
   FigureSeries points{};
+  bool has_intervals = false;
   double low = *items.back()->value;
   double high = *items.front()->value;
   for (const Finding* item : items) {
-    const std::optional<FigureSpan> interval = interval_of(*item);
+    const std::optional<FigureSpan> interval =
+        is_over_participants ? interval_of(*item) : std::nullopt;
     points.points.push_back({.x = *item->value,
                              .y = static_cast<double>(figure.y.places.size()),
                              .x_interval = interval});
     figure.y.places.push_back(item->key);
     if (!interval) continue;
+    has_intervals = true;
     low = std::min(low, interval->low);
     high = std::max(high, interval->high);
   }
   const double room = high > low ? 0.05 * (high - low) : 0.5;
-  figure.x = {
-      .name = choice.axis.filled({percent_of(items)}), .low = low - room, .high = high + room};
+  figure.x = {.name = has_intervals
+                          ? phrase("Figures", "log-worth (centred), with its %1 % CI").with(percent_of(items))
+                          : phrase("Figures", "log-worth (centred)"),
+              .low = low - room,
+              .high = high + room};
+  if (has_intervals) {
+    figure.note = phrase("Figures",
+                         "Points are log-worths, bars their t CIs with the participants as clusters. "
+                         "Overlapping CIs are not a test of a difference.");
+  } else if (is_over_participants) {
+    figure.note = phrase("Figures",
+                         "Points are log-worths. The participants show no spread that would give "
+                         "intervals, or are too few for them.");
+  } else {
+    figure.note = phrase("Figures",
+                         "Points are log-worths with Firth's bias reduction, relative to the first "
+                         "item. There are no intervals over participants.");
+  }
   figure.series.push_back(std::move(points));
   return figure;
 }

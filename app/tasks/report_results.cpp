@@ -202,6 +202,7 @@ std::string refused_quantity(std::string quantity) {
 /// What a finding is about that can have no answer; the words of its name where it has no others.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
+      {"bt.cluster.status", "the intervals of the scale of preference"},
       {"bt.firth.status", "the scale of preference with Firth’s correction"},
       {"bt.order.status", "whether the first of two is preferred, on the scale of preference"},
       {"bt.status", "the scale of preference (Bradley–Terry)"},
@@ -214,6 +215,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"mallows.theta", "Mallows’ θ"},
       {"mixed.status", "the logistic regression with random intercepts"},
       {"peak.status", "the peak of the curve"},
+      {"pl.cluster.status", "the intervals of the scale of preference"},
       {"pl.status", "the scale of preference (Plackett–Luce)"},
       {"pooled.deff", "the design effect of pooling"},
       {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},

@@ -1,5 +1,6 @@
 // Scales of items where the answer can be written down.
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -105,6 +106,106 @@ TEST(PlackettLuce, IsLucesModelForFirstChoices) {
   EXPECT_NEAR(fit->log_worths.worth()(0), 3.0 / 6.0, 1e-10);
   EXPECT_NEAR(fit->log_worths.worth()(2), 1.0 / 6.0, 1e-10);
   EXPECT_NEAR(fit->equal_log_likelihood, -6.0 * std::log(3.0), 1e-12);
+}
+
+/// First choices among three by participants of `trials` trials each.
+std::vector<Ranking> first_choices(const std::vector<std::array<std::size_t, 3>>& counts) {
+  std::vector<Ranking> rankings{};
+  for (std::size_t person = 0; person < counts.size(); ++person) {
+    for (std::size_t item = 0; item < 3; ++item) {
+      rankings.push_back({.participant = person,
+                          .ranked = {item},
+                          .behind = {(item + 1) % 3, (item + 2) % 3},
+                          .times = counts[person][item]});
+    }
+  }
+  return rankings;
+}
+
+// All sets are the same, so that a participant of n trials has the share h = n/N of the information:
+// the influence on a centred log-worth is scaled by 1/√(1 − h), and the covariances of these
+// influences under the model are (δ·h_g − h_g·h_k)/√((1 − h_g)(1 − h_k)) times a constant.
+TEST(PlackettLuce, HasErrorsOverParticipantsThatFollowTheirTrials) {
+  const std::vector<std::array<std::size_t, 3>> counts{{4, 5, 3}, {10, 2, 8}, {1, 2, 1},
+                                                       {3, 6, 0}, {7, 7, 6},  {2, 9, 1}};
+  const auto fit = plackett_luce(first_choices(counts), 3);
+  ASSERT_TRUE(fit);
+  ASSERT_EQ(fit->centred_errors.size(), 3U);
+  const Eigen::VectorXd p = fit->log_worths.worth();
+  std::vector<double> trials{};
+  double all = 0.0;
+  for (const auto& own : counts) {
+    trials.push_back(static_cast<double>(own[0] + own[1] + own[2]));
+    all += trials.back();
+  }
+  double trace = 0.0;
+  double trace_of_square = 0.0;
+  for (std::size_t g = 0; g < counts.size(); ++g) {
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      const double h = trials[g] / all;
+      const double other = trials[k] / all;
+      const double gamma = ((g == k ? h : 0.0) - h * other) / std::sqrt((1.0 - h) * (1.0 - other));
+      trace += g == k ? gamma : 0.0;
+      trace_of_square += gamma * gamma;
+    }
+  }
+  for (Eigen::Index item = 0; item < 3; ++item) {
+    double squares = 0.0;
+    for (std::size_t g = 0; g < counts.size(); ++g) {
+      Eigen::Vector3d influence;
+      for (Eigen::Index j = 0; j < 3; ++j) {
+        const auto chosen = static_cast<double>(counts[g][static_cast<std::size_t>(j)]);
+        influence(j) = (chosen / p(j) - trials[g]) / all;
+      }
+      const double centred = influence(item) - influence.mean();
+      squares += centred * centred / (1.0 - trials[g] / all);
+    }
+    const ClusteredError& error = fit->centred_errors[static_cast<std::size_t>(item)];
+    EXPECT_NEAR(error.standard_error, std::sqrt(squares), 1e-9);
+    EXPECT_NEAR(error.df, trace * trace / trace_of_square, 1e-9);
+  }
+}
+
+// Participants of equal trials: the correction is G/(G − 1), with G − 1 degrees of freedom.
+TEST(PlackettLuce, HasTheErrorsOfEqualClusters) {
+  const auto fit =
+      plackett_luce(first_choices({{4, 5, 3}, {6, 2, 4}, {8, 2, 2}, {3, 6, 3}, {4, 4, 4}}), 3);
+  ASSERT_TRUE(fit);
+  const Eigen::VectorXd uncorrected = fit->clustered.about_mean().standard_error();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ClusteredError& error = fit->centred_errors.at(i);
+    EXPECT_NEAR(error.standard_error,
+                std::sqrt(5.0 / 4.0) * uncorrected(static_cast<Eigen::Index>(i)), 1e-9);
+    EXPECT_NEAR(error.df, 4.0, 1e-9);
+  }
+}
+
+TEST(PlackettLuce, HasNoErrorsOverFewParticipantsOrOfTheirAgreement) {
+  EXPECT_TRUE(plackett_luce(first_choices({{4, 5, 3}, {6, 2, 4}, {8, 2, 2}, {3, 6, 3}}), 3)
+                  ->centred_errors.empty());
+  const auto alike =
+      plackett_luce(first_choices({{4, 5, 3}, {4, 5, 3}, {4, 5, 3}, {4, 5, 3}, {4, 5, 3}}), 3);
+  EXPECT_EQ(alike->centred_errors.at(0).standard_error, 0.0);
+}
+
+TEST(BradleyTerry, HasTheErrorsOfEqualClusters) {
+  std::vector<Comparison> all{};
+  const std::vector<std::size_t> won{3, 5, 2, 4, 6, 5};
+  for (std::size_t person = 0; person < won.size(); ++person) {
+    for (std::size_t winner = 0; winner < 2; ++winner) {
+      all.push_back({.participant = person,
+                     .first = 0,
+                     .second = 1,
+                     .winner = winner,
+                     .times = winner == 0 ? won[person] : 8 - won[person]});
+    }
+  }
+  const auto fit = bradley_terry(all, 2);
+  ASSERT_TRUE(fit);
+  const Eigen::VectorXd uncorrected = fit->clustered.about_mean().standard_error();
+  EXPECT_NEAR(fit->centred_errors.at(1).standard_error, std::sqrt(6.0 / 5.0) * uncorrected(1),
+              1e-9);
+  EXPECT_NEAR(fit->centred_errors.at(1).df, 5.0, 1e-9);
 }
 
 // One triad A > B > C > A is as circular as three items can be.

@@ -131,8 +131,8 @@ TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
   EXPECT_THAT(answer_of(all_pairs(), "pairs"),
               testing::HasSubstr(" % to 100 %; p = .012, Holm-corrected"));
   EXPECT_THAT(answer_of(all_pairs(), "preference"),
-              AllOf(StartsWith("Log worths, in decreasing order: a "), HasSubstr("95 % CI [")));
-  EXPECT_EQ(all_pairs().questions[1].finding.quantity, "bt.ability.sumzero");
+              AllOf(StartsWith("Log-worths, in decreasing order: a "), HasSubstr("95 % CI [")));
+  EXPECT_EQ(all_pairs().questions[1].finding.quantity, "bt.ability.sumzero.cluster");
   // Each of the two orders of a pair was chosen from once.
   EXPECT_THAT(answer_of(all_pairs(), "position"),
               HasSubstr("all positions were chosen equally often, each in 50 %"));

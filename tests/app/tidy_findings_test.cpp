@@ -181,6 +181,11 @@ TEST(TableFindings, HaveTheIntervalsThatTheirMethodsPromise) {
       "paired", input_of("subject,first,second,winner\nx,a,b,a\nx,b,a,b\ny,a,b,a\ny,b,a,a\n",
                          R"({"items": ["a", "b"]})"));
   EXPECT_THAT(pairs, HasSubstr("bt.ability interval"));
+  EXPECT_THAT(pairs,
+              HasSubstr("bt.ability: Bradley–Terry, ties left out, relative to a, judgements "
+                        "taken as independent; interval of Wald"));
+  EXPECT_LT(pairs.find("bt.ability.sumzero.cluster"), pairs.find("bt.ability.sumzero "));
+  EXPECT_LT(pairs.find("bt.worth"), pairs.find("bt.ability interval"));
 }
 
 TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {

@@ -1,6 +1,7 @@
 // What the families of analyses answer to tables that have no answer.
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 
@@ -371,6 +372,39 @@ TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
       word_of(findings_of("psyfit", head + "c,1,10,5\nc,2,10,7\nc,3,10,10\nc,9,0,0\n", options),
               "threshold.status"),
       "(absent)");
+}
+
+// Scales of one, four and five participants: no spread between participants, too little, enough.
+TEST(TidyRefusals, HaveNoIntervalOfAScaleOverFewerThanFiveParticipants) {
+  const auto scale_of = [](const std::string& family, int people) {
+    std::string rows = family == "paired" ? "subject,first,second,winner,times\n"
+                                          : "subject,trial,item,rank,times\n";
+    for (int person = 0; person < people; ++person) {
+      const std::string who = std::to_string(person);
+      const std::string more = std::to_string(2 + person % 3);
+      rows += family == "paired" ? who + ",a,b,a," + more + '\n' + who + ",a,b,b,2\n"
+                                 : who + ",1,a,1," + more + '\n' + who + ",1,b,," + more + '\n' +
+                                       who + ",2,b,1,2\n" + who + ",2,a,,2\n";
+    }
+    return findings_of(family, rows, R"({"items": ["a", "b"]})");
+  };
+  for (const auto& [family, prefix, value] :
+       {std::array{"paired", "bt", "bt.ability.sumzero.cluster"},
+        std::array{"ranking", "pl", "pl.logworth.sumzero.cluster"}}) {
+    for (const int people : {1, 4, 5}) {
+      const std::vector<Finding> findings = scale_of(family, people);
+      EXPECT_EQ(word_of(findings, std::string(prefix) + ".cluster.status"),
+                people < 5 ? "too_few_participants" : "(absent)");
+      for (const Finding& finding : findings) {
+        if (finding.quantity == value) {
+          EXPECT_EQ(finding.low.has_value(), people == 5);
+        }
+        if (finding.quantity == std::string(prefix) + ".se.cluster") {
+          EXPECT_EQ(finding.word, people == 1 ? "NA" : "") << finding.key;
+        }
+      }
+    }
+  }
 }
 
 TEST(TidyRefusals, HaveNoClusterErrorOfAGroupWithOneParticipant) {

@@ -25,6 +25,7 @@ using Row = std::vector<std::string>;
 
 constexpr double kTolerance = 1e-9;
 constexpr double kRounding = 1e-12;  // of numbers that are zero but for it
+constexpr const char* kFindings = "findings";
 constexpr const char* kReport = "rows of tables";
 
 /// Without tabs and line breaks, which separate cells and rows where they are stored.
@@ -284,16 +285,23 @@ void compare(const NumberTable& stored, const NumberTable& now, std::vector<std:
     }
     return;
   }
+  // Findings have names; the answers and the rows of a report are read one after the other.
+  const bool is_ordered = !stored.name.ends_with(kFindings);
+  std::vector<bool> taken(now.rows.size(), false);
   std::size_t at = 0;
   for (std::size_t row = 0; row < stored.rows.size(); ++row) {
     std::size_t found = at;
-    while (found < now.rows.size() && !comparison.differences(row, found).empty()) ++found;
+    while (found < now.rows.size() &&
+           (taken[found] || !comparison.differences(row, found).empty())) {
+      ++found;
+    }
     if (found == now.rows.size()) {
       std::string cells{};
       for (const std::string& cell : stored.rows[row]) cells += (cells.empty() ? "" : ", ") + cell;
       lacking.push_back(stored.name + " lacks a row, or has it elsewhere: " + cells);
     } else {
-      at = found + 1;
+      taken[found] = true;
+      if (is_ordered) at = found + 1;
     }
   }
 }
@@ -326,7 +334,7 @@ Numbers numbers_of_analysis(const std::string& json) {
                                  table.at("columns").get<std::vector<std::string>>(),
                                  table.at("rows")));
     }
-    numbers.push_back(table_of(name + ": findings", kFinding, outcome.at("findings")));
+    numbers.push_back(table_of(name + ": " + kFindings, kFinding, outcome.at("findings")));
     numbers.back().may_grow = true;
     Json answers = Json::array();
     for (const Json& question : outcome.at("questions")) {

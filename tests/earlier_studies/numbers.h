@@ -14,7 +14,7 @@ struct NumberTable {
   std::string name{};
   std::vector<std::string> columns{};
   std::vector<std::vector<std::string>> rows{};
-  bool may_grow = false;  ///< rows may be added between those that are there
+  bool may_grow = false;  ///< rows may be added; those of findings may change their order
 };
 using Numbers = std::vector<NumberTable>;
 

@@ -89,24 +89,27 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
     findings.number(quantity, key, value, {.n = n, .method = how});
   };
   const std::string from_first = method + ", relative to " + read.items.front();
-  add_scale(read.items, fit.abilities, scale_names(read, "bt.ability", "bt.se", from_first),
-            findings);
-  add_scale(read.items, fit.abilities.about_mean(),
-            scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", method + ", mean 0"),
-            findings);
-  if (n > 1) {
-    add_scale(read.items, fit.clustered.about_mean(),
-              scale_names(read, "bt.ability.sumzero.cluster", "bt.se.sumzero.cluster",
-                          method + ", mean 0, participants as clusters (CR0)"),
-              findings);
-  }
-  const Eigen::VectorXd clustered = fit.clustered.standard_error();
+  const std::string centred = method + ", mean 0";
+  add_clustered_scale(read.items,
+                      {.centred = fit.abilities.about_mean(), .errors = fit.centred_errors},
+                      {.prefix = "bt",
+                       .value = "bt.ability.sumzero.cluster",
+                       .method = method,
+                       .n = n,
+                       .confidence = read.confidence},
+                      findings);
   const Eigen::VectorXd worth = fit.abilities.worth();
   for (Eigen::Index i = 0; i < items; ++i) {
-    const std::string& item = read.items[static_cast<std::size_t>(i)];
-    number("bt.worth", item, worth(i), method + ", sum 1");
-    number("bt.se.cluster", item, clustered(i), from_first + ", participants as clusters (CR0)");
+    number("bt.worth", read.items[static_cast<std::size_t>(i)], worth(i), method + ", sum 1");
   }
+  add_cluster_errors(read.items, fit.clustered.about_mean(),
+                     scale_names(read, "", "bt.se.sumzero.cluster", centred), findings);
+  add_cluster_errors(read.items, fit.clustered, scale_names(read, "", "bt.se.cluster", from_first),
+                     findings);
+  add_scale(read.items, fit.abilities.about_mean(),
+            scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", centred), findings);
+  add_scale(read.items, fit.abilities, scale_names(read, "bt.ability", "bt.se", from_first),
+            findings);
   const auto df = static_cast<double>(fit.df);
   number("bt.deviance", "", fit.deviance, method);
   number("bt.df", "", df, method);

@@ -112,39 +112,31 @@ Rankings rankings_in(const TidyInput& input) {
 
 void add_plackett_luce(const Rankings& read, const PlackettLuce& fit, FindingList& findings) {
   const std::size_t n = read.participants.size();
-  const std::string method = "Plackett–Luce, relative to " + read.items.front();
-  add_scale(read.items, fit.log_worths,
-            {.value = "pl.logworth",
-             .error = "pl.se",
-             .method = method,
-             .n = n,
-             .confidence = read.confidence},
-            findings);
-  add_scale(read.items, fit.log_worths.about_mean(),
-            {.value = "pl.logworth.sumzero",
-             .error = "pl.se.sumzero",
-             .method = "Plackett–Luce, mean 0",
-             .n = n,
-             .confidence = read.confidence},
-            findings);
-  if (n > 1) {
-    add_scale(read.items, fit.clustered.about_mean(),
-              {.value = "pl.logworth.sumzero.cluster",
-               .error = "pl.se.sumzero.cluster",
-               .method = "Plackett–Luce, mean 0, participants as clusters (CR0)",
-               .n = n,
-               .confidence = read.confidence},
-              findings);
-  }
-  const Eigen::VectorXd clustered = fit.clustered.standard_error();
+  const auto named = [&](const char* value, const char* error, const std::string& method) {
+    return ScaleNames{
+        .value = value, .error = error, .method = method, .n = n, .confidence = read.confidence};
+  };
+  const std::string from_first = "Plackett–Luce, relative to " + read.items.front();
+  const std::string centred = "Plackett–Luce, mean 0";
+  add_clustered_scale(read.items,
+                      {.centred = fit.log_worths.about_mean(), .errors = fit.centred_errors},
+                      {.prefix = "pl",
+                       .value = "pl.logworth.sumzero.cluster",
+                       .method = "Plackett–Luce",
+                       .n = n,
+                       .confidence = read.confidence},
+                      findings);
   const Eigen::VectorXd worth = fit.log_worths.worth();
   for (std::size_t i = 0; i < read.items.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    findings.number("pl.worth", read.items[i], worth(index),
+    findings.number("pl.worth", read.items[i], worth(static_cast<Eigen::Index>(i)),
                     {.n = n, .method = "Plackett–Luce, sum 1"});
-    findings.number("pl.se.cluster", read.items[i], clustered(index),
-                    {.n = n, .method = method + ", participants as clusters (CR0)"});
   }
+  add_cluster_errors(read.items, fit.clustered.about_mean(),
+                     named("", "pl.se.sumzero.cluster", centred), findings);
+  add_cluster_errors(read.items, fit.clustered, named("", "pl.se.cluster", from_first), findings);
+  add_scale(read.items, fit.log_worths.about_mean(),
+            named("pl.logworth.sumzero", "pl.se.sumzero", centred), findings);
+  add_scale(read.items, fit.log_worths, named("pl.logworth", "pl.se", from_first), findings);
   const double lr = 2.0 * (fit.log_likelihood - fit.equal_log_likelihood);
   const double df = static_cast<double>(read.items.size()) - 1.0;
   const Basis likelihood{.n = n, .method = "log likelihood"};

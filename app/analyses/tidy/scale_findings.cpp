@@ -1,8 +1,58 @@
 #include "app/analyses/tidy/scale_findings.h"
 
+#include <string>
+
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
+
+void add_clustered_scale(std::span<const std::string> items, const ClusteredScale& scale,
+                         const ClusteredNames& names, FindingList& findings) {
+  const bool has_errors = !scale.errors.empty();
+  const std::string method = names.method + ", mean 0";
+  const std::string error_method =
+      method + "; CR2 standard error with participants as clusters, Satterthwaite's df";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double value = scale.centred.value(static_cast<Eigen::Index>(i));
+    Basis basis{.n = names.n, .method = method};
+    if (has_errors) {
+      const ClusteredError& error = scale.errors[i];
+      basis.method += "; t interval of the CR2 standard error with participants as clusters";
+      const auto limit = t_limit({.confidence = names.confidence, .df = error.df});
+      if (error.standard_error > 0.0 && limit) {
+        const double half = *limit * error.standard_error;
+        basis.interval = {.low = value - half, .high = value + half};
+        basis.confidence = names.confidence;
+      }
+    }
+    findings.number(names.value, items[i], value, basis);
+    if (!has_errors) continue;
+    const Basis of_error{.n = names.n, .method = error_method};
+    findings.number(names.prefix + ".se.sumzero.cr2", items[i], scale.errors[i].standard_error,
+                    of_error);
+    findings.number(names.prefix + ".df.sumzero.cr2", items[i], scale.errors[i].df, of_error);
+  }
+  if (has_errors) return;
+  findings.word(names.prefix + ".cluster.status", "", "too_few_participants",
+                "an interval over participants needs " + std::to_string(kFewestClusters) +
+                    " participants at least: with fewer, the data do not show how participants "
+                    "differ; add participants",
+                {.n = names.n, .method = error_method});
+}
+
+void add_cluster_errors(std::span<const std::string> items, const Abilities& clustered,
+                        const ScaleNames& names, FindingList& findings) {
+  const Eigen::VectorXd errors = clustered.standard_error();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double error = names.n > 1 ? errors(static_cast<Eigen::Index>(i)) : kUndefined;
+    findings.number(names.error, items[i], error,
+                    {.n = names.n,
+                     .method = names.method + ", participants as clusters (CR0: too small with "
+                                              "few participants)",
+                     .undefined = "one participant does not show how participants differ: add "
+                                  "participants"});
+  }
+}
 
 void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
                FindingList& findings) {
@@ -12,13 +62,14 @@ void add_scale(std::span<const std::string> items, const Abilities& scale, const
     const auto index = static_cast<Eigen::Index>(i);
     const double value = scale.value(index);
     const double error = errors(index);
-    Basis basis{.n = names.n, .method = names.method + "; interval of Wald"};
+    const std::string method = names.method + ", judgements taken as independent";
+    Basis basis{.n = names.n, .method = method + "; interval of Wald"};
     if (error > 0.0) {
       basis.interval = {.low = value - z * error, .high = value + z * error};
       basis.confidence = names.confidence;
     }
     findings.number(names.value, items[i], value, basis);
-    findings.number(names.error, items[i], error, {.n = names.n, .method = names.method});
+    findings.number(names.error, items[i], error, {.n = names.n, .method = method});
   }
 }
 

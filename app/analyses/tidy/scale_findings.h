@@ -22,7 +22,29 @@ struct ScaleNames {
   double confidence = 0.95;
 };
 
-/// The place of each item, with Wald's interval, and its standard error.
+/// The log-worth of each item about their mean, with the t interval of its CR2 standard error, that
+/// error, and its degrees of freedom. With too few participants only the values, and
+/// `PREFIX.cluster.status` instead.
+struct ClusteredScale {
+  Abilities centred{};
+  std::span<const ClusteredError> errors{};
+};
+struct ClusteredNames {
+  std::string prefix{};  ///< "pl" of `pl.logworth.sumzero.cluster`
+  std::string value{};
+  std::string method{};
+  std::size_t n = 0;
+  double confidence = 0.95;
+};
+void add_clustered_scale(std::span<const std::string> items, const ClusteredScale& scale,
+                         const ClusteredNames& names, FindingList& findings);
+
+/// CR0 standard errors of a scale with participants as clusters: NA of a single one.
+void add_cluster_errors(std::span<const std::string> items, const Abilities& clustered,
+                        const ScaleNames& names, FindingList& findings);
+
+/// The place of each item, with Wald's interval, and its standard error: with all judgements taken as
+/// independent.
 void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
                FindingList& findings);
 

@@ -436,14 +436,6 @@
         <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und bleiben hier außer Betracht.</translation>
     </message>
     <message>
-        <source>Bradley and Terry: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log worths have the mean 0; their intervals are Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
-        <translation>Bradley und Terry: Von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die Log-Werte haben den Mittelwert 0; ihre Intervalle sind Walds mit den Personen als Clustern. Die Werte summieren sich zu 1.</translation>
-    </message>
-    <message>
-        <source>Luce and Plackett: of several models, each is chosen in proportion to its worth. The log worths have the mean 0; their intervals are Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
-        <translation>Luce und Plackett: Von mehreren Modellen wird jedes im Verhältnis seines Wertes gewählt. Die Log-Werte haben den Mittelwert 0; ihre Intervalle sind Walds mit den Personen als Clustern. Die Werte summieren sich zu 1.</translation>
-    </message>
-    <message>
         <source>one participant</source>
         <translation>eine Versuchsperson</translation>
     </message>
@@ -660,20 +652,8 @@
         <translation>%1, 95-%-KI [%2, %3]</translation>
     </message>
     <message>
-        <source>Bradley–Terry model of all choices: log worths with the mean 0; intervals with the participants as clusters.</source>
-        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittel 0; Intervalle mit den Personen als Clustern.</translation>
-    </message>
-    <message>
-        <source>Plackett–Luce model of all choices: log worths with the mean 0; intervals with the participants as clusters.</source>
-        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittel 0; Intervalle mit den Personen als Clustern.</translation>
-    </message>
-    <message>
         <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models.</source>
         <translation>Die Skala lässt sich nicht schätzen: ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle.</translation>
-    </message>
-    <message>
-        <source>Log worths, in decreasing order: %1.</source>
-        <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
     </message>
     <message>
         <source>the smallest p is shared by %1 pairs (each %2)</source>
@@ -978,6 +958,34 @@
     <message>
         <source>Proportions of all responses pool several responses of the same participants (%1 responses of %2 participants in total). They are not independent: the CIs of these proportions are too narrow and their p too small. Means over the participants have the participant as the unit.</source>
         <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Versuchspersonen zusammen (insgesamt %1 Antworten von %2 Versuchspersonen). Sie sind nicht unabhängig: Die KI dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
+    </message>
+    <message>
+        <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
+        <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Personen als Clustern und Satterthwaites Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>No CI: it needs at least %1 participants.</source>
+        <translation>Kein KI: Dafür sind mindestens %1 Personen nötig.</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have the mean 0; worths add up to 1. %1</source>
+        <translation>Bradley-Terry-Modell: Von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die logarithmierten Werte l haben den Mittelwert 0; die Werte summieren sich zu 1. %1</translation>
+    </message>
+    <message>
+        <source>Plackett–Luce model: of several models, each is chosen in proportion to its worth. The log-worths have the mean 0; worths add up to 1. %1</source>
+        <translation>Plackett-Luce-Modell: Von mehreren Modellen wird jedes im Verhältnis seines Wertes gewählt. Die logarithmierten Werte haben den Mittelwert 0; die Werte summieren sich zu 1. %1</translation>
+    </message>
+    <message>
+        <source>Bradley–Terry model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
+        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Personen als Clustern (CR2, mindestens %1 Personen).</translation>
+    </message>
+    <message>
+        <source>Plackett–Luce model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
+        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Personen als Clustern (CR2, mindestens %1 Personen).</translation>
+    </message>
+    <message>
+        <source>Log-worths, in decreasing order: %1.</source>
+        <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
     </message>
 </context>
 <context>
@@ -2397,18 +2405,6 @@
         <translation>%1 Offene Zeichen: signifikante innere Maxima der Kurven.</translation>
     </message>
     <message>
-        <source>log-worth (centred), with its %1 % CI</source>
-        <translation>Log-Wert (zentriert) mit %1-%-KI</translation>
-    </message>
-    <message>
-        <source>proportion correct, mean with its %1 % CI</source>
-        <translation>Anteil richtiger Antworten, Mittelwert mit %1-%-KI</translation>
-    </message>
-    <message>
-        <source>correctly matched items per trial, mean with its %1 % CI</source>
-        <translation>richtige Zuordnungen je Durchgang, Mittelwert mit %1-%-KI</translation>
-    </message>
-    <message>
         <source>proportion, with its %1 % CI</source>
         <translation>Anteil mit %1-%-KI</translation>
     </message>
@@ -2517,16 +2513,40 @@
         <translation>Anteil richtiger Antworten</translation>
     </message>
     <message>
-        <source>Points are log-worths (centred), bars their CIs. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind Log-Werte (zentriert), Balken ihre KI. Dass KI sich überlappen, ist kein Test eines Unterschieds.</translation>
-    </message>
-    <message>
         <source>There are no confusions from which to make a dendrogram.</source>
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm machen ließe.</translation>
     </message>
     <message>
         <source>All were confused equally: a dendrogram would have no heights.</source>
         <translation>Alle wurden gleich oft verwechselt: Ein Dendrogramm hätte keine Höhen.</translation>
+    </message>
+    <message>
+        <source>Points are log-worths. The participants show no spread that would give intervals, or are too few for them.</source>
+        <translation>Punkte sind logarithmierte Werte. Die Personen zeigen keine Streuung, aus der sich Intervalle ergäben, oder sind dafür zu wenige.</translation>
+    </message>
+    <message>
+        <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no intervals over participants.</source>
+        <translation>Punkte sind logarithmierte Werte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Intervalle über Personen gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>proportion correct, mean with its %1 % CI</source>
+        <translation>Anteil richtiger Antworten, Mittel mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>correctly matched items per trial, mean with its %1 % CI</source>
+        <translation>richtige Zuordnungen je Durchgang, Mittel mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>log-worth (centred), with its %1 % CI</source>
+        <translation>logarithmierter Wert (zentriert), mit %1-%-KI</translation>
+    </message>
+    <message>
+        <source>log-worth (centred)</source>
+        <translation>logarithmierter Wert (zentriert)</translation>
+    </message>
+    <message>
+        <source>Points are log-worths, bars their t CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
+        <translation>Punkte sind logarithmierte Werte, Balken ihre t-KI mit den Personen als Clustern. Dass KI sich überlappen, prüft keinen Unterschied.</translation>
     </message>
 </context>
 <context>
