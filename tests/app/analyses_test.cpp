@@ -200,7 +200,7 @@ TEST(Selection, LeavesOutWhatSomebodyExcludedAndSaysSo) {
 
 TEST(Selection, WarnsWherePersonsArePooledAndGivesThePersonsAsUnit) {
   const AnalysisOutcome& outcome = selections_of_the_chapter();
-  EXPECT_THAT(outcome.remarks, testing::Contains(says("60 answers of 20 persons")));
+  EXPECT_THAT(outcome.remarks, testing::Contains(says("60 responses of 20 participants")));
   const Table& persons = table_of(outcome, "persons").table;
   EXPECT_EQ(number(persons, {"height_map"}, "persons"), 20);
   EXPECT_NEAR(number(persons, {"height_map"}, "mean"), 0.60, 1e-12);
@@ -779,7 +779,7 @@ TEST(Recognition, NamesEveryMostFrequentConfusionInOneDirection) {
   const AnalysisOutcome outcome =
       analyze_answers({{"brick", "wood"}, {"brick", "gravel"}, {"wood", "wood"}, {"wood", "wood"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Most alike are brick / wood: one was taken for the other in 1 of 4 answers. "
+            "Only brick / wood were felt: one was taken for the other in 1 of 4 answers. "
             "Counted in one direction only, these confusions are the most frequent: brick called "
             "gravel, brick called wood, each in 50 % of the answers to the texture felt.");
 }

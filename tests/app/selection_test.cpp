@@ -202,7 +202,7 @@ TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {
                                     trial_of(three, person == 0 ? "b" : "c")};
   });
   EXPECT_THAT(answer_of(outcome, "preference"),
-              StartsWith("b, c were chosen equally often, and most often: each in 50 % of"));
+              StartsWith("b and c were chosen equally often, and most often: each in 50 % of"));
 }
 
 // Each person chooses once at every position: nothing was chosen most often.

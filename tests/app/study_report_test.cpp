@@ -117,7 +117,7 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   EXPECT_THAT(words, HasSubstr("Four participants took part."));
   EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not reported."));
   // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
-  EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 told)."));
+  EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 reported)."));
   EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not reported."));
   EXPECT_THAT(words, HasSubstr("No consent is stored of p1, p2, p3 and p4."));
 }
@@ -528,8 +528,8 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
   EXPECT_THAT(words,
               HasSubstr("Device: falcon Novint Falcon (in 1 of 2 sessions); mouse pointer of "
                         "a window (in 1 of 2 sessions). A device without motors was used in 1 of "
-                        "2 sessions: forces were computed but not exerted, and nobody felt the "
-                        "surfaces there."));
+                        "2 sessions: forces were computed but not exerted, and no participant "
+                        "felt the surfaces there."));
   EXPECT_THAT(
       words_of(section(chapter(), "Exploration")),
       HasSubstr("The normal force is the one sent to a device without motors, zero, in 1 of "
@@ -707,8 +707,8 @@ TEST(ReportNumbers, WriteCountsAsCountsAndNumbersWithTheirUnit) {
   ASSERT_EQ(table.rows.size(), 3U) << "no number of a single participant";
   EXPECT_THAT(table.rows[0], ElementsAre("items", "–", "234", "–", "20"));
   EXPECT_THAT(table.rows[1],
-              ElementsAre("information in the choice of answers", "–", "2.47 bit", "–", "20"));
-  EXPECT_THAT(table.rows[2], ElementsAre("right among the answers that name it", "wood", "80 %",
+              ElementsAre("response entropy H(R)", "–", "2.47 bit", "–", "20"));
+  EXPECT_THAT(table.rows[2], ElementsAre("precision (positive predictive value)", "wood", "80 %",
                                          "55 % to 97 %", "20"));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,18 +101,21 @@ TEST(CoverageCounts, GoOnWhereTheyWereStopped) {
 // A quantity that a family no longer has would count as never given.
 TEST(CoverageParts, FindEveryNumberThatTheyLookFor) {
   for (const CoveragePart& part : coverage_parts()) {
-    const auto rows = [&](const CoverageSetting& setting) { return setting.participants == 12; };
+    std::map<std::string, std::uint64_t> given{};
     for (const CoverageSetting& setting : part.settings) {
-      if (!rows(setting) || std::abs(setting.effect) > 2.0) continue;
+      if (setting.participants != 12) continue;
       for (const CoverageCount& count : counts_in(part, setting, {.seed = 1, .tables = 2})) {
-        EXPECT_GT(count.given, 0U) << row_of(count);
+        given[count.quantity + ' ' + count.key] += count.given;
       }
+    }
+    for (const auto& [quantity, times] : given) {
+      EXPECT_GT(times, 0U) << part.name << ' ' << quantity;
     }
   }
 }
 
 TEST(CoverageParts, KnowTheMeanOfALogisticVariable) {
-  EXPECT_DOUBLE_EQ(mean_of_logistic(0.0, 1.0), 0.5);
+  EXPECT_NEAR(mean_of_logistic(0.0, 1.0), 0.5, 1e-12);
   EXPECT_NEAR(mean_of_logistic(1.0, 0.0), 1.0 / (1.0 + std::exp(-1.0)), 1e-15);
   for (const double p : {0.05, 0.5, 0.98}) {
     EXPECT_NEAR(mean_of_logistic(mu_of_mean(p, 1.0), 1.0), p, 1e-12);

@@ -178,7 +178,10 @@ TidyInput draw_estimates(const CoverageSetting& setting, Random& random) {
       }
     }
   }
-  return std::move(table).as_input();
+  TidyInput input = std::move(table).as_input();
+  input.options.add("zero_rule", "exclude");
+  input.options.add("normalisation", "geomean");
+  return input;
 }
 
 std::vector<CheckedInterval> estimate_intervals(const CoverageSetting& setting) {

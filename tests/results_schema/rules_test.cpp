@@ -347,6 +347,7 @@ TEST(TidyViews, CallAnEmergencyStopAnEmergencyStop) {
     AttemptRow attempt = some_attempt(trial, 1);
     attempt.outcome = trial == 1 ? AttemptOutcome::emergency_stop : AttemptOutcome::device_fault;
     attempt.valid = false;
+    attempt.invalid_reason = "stopped";
     attempt.servo->fault = trial == 1 ? "emergency_stop" : "device";
     study.add_attempt(session, attempt);
   }
