@@ -29,6 +29,9 @@ struct AnalysisDeclaration {
   std::optional<std::string>
       target{};                       ///< of a selection: the item whose superiority is in question
   std::vector<std::string> family{};  ///< names of tests; empty: not declared
+  /// Of a matching or a recognition: differences of proportions correct from −margin to +margin count as
+  /// none.
+  std::optional<double> equivalence_margin{};
   bool operator==(const AnalysisDeclaration&) const = default;
 };
 

@@ -36,7 +36,7 @@ void Meaning::check_analysis() {
   const auto found = root.find("analysis");
   if (found == root.end()) return;
   // Any other key is a remark; one that is nearly a key of ours is a slip of the pen.
-  const std::vector<std::string> known{"target", "family"};
+  const std::vector<std::string> known{"target", "family", "equivalence_margin"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string guess = did_you_mean(key, known);
@@ -55,6 +55,11 @@ void Meaning::check_analysis() {
                                      " is nothing that can be chosen in a main block" +
                                      (names.empty() ? "" : "; there are " + one_of(names)));
     }
+  }
+  if (declared.equivalence_margin && protocol_.kind != ProtocolKind::matching &&
+      protocol_.kind != ProtocolKind::recognition) {
+    report("/analysis/equivalence_margin",
+           "only a matching and a recognition have proportions correct to compare");
   }
   std::vector<std::string> tests{};
   for (const TestName& test : test_names()) {

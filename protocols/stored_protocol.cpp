@@ -134,6 +134,10 @@ AnalysisDeclaration analysis_declared_in(const Json& protocol) {
   const Json& analysis = member_of(protocol, "analysis");
   AnalysisDeclaration declared{.family = texts_in(analysis, "family")};
   if (member_of(analysis, "target").is_string()) declared.target = text_in(analysis, "target");
+  const Json& margin = member_of(analysis, "equivalence_margin");
+  if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
+    declared.equivalence_margin = margin.get<double>();
+  }
   return declared;
 }
 

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "app/analyses/families.h"
+#include "app/analyses/group_equivalence.h"
+#include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
 
@@ -35,6 +37,15 @@ struct Assignment {
   std::size_t items() const noexcept { return felt.size(); }
   bool whole() const noexcept { return right == items(); }
 };
+
+std::vector<RepeatedScore> repeated_scores(const std::vector<Assignment>& assignments) {
+  std::vector<RepeatedScore> scores{};
+  for (const Assignment& one : assignments) {
+    const double proportion = static_cast<double>(one.right) / static_cast<double>(one.items());
+    scores.insert(scores.end(), one.times, {one.person, one.column, proportion});
+  }
+  return scores;
+}
 using Chosen = std::span<const Assignment* const>;
 
 bool is_permutation_of_pictures(const GatheredAnswers& gathered, const GatheredAnswer& answer) {
@@ -524,6 +535,15 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     }
   }
   ask_sexes(sexes, tests, outcome);
+  if (equal_size) {
+    std::vector<std::optional<double>> proportions{};
+    for (const AnsweringPerson& person : gathered.people) {
+      const std::optional<double> mean = found.value("subject.mean", person.label);
+      proportions.push_back(mean ? std::optional(*mean / static_cast<double>(items)) : mean);
+    }
+    ask_equivalence_of_sexes(gathered, proportions, outcome);
+  }
+  ask_reliability(gathered, repeated_scores(assignments), outcome);
   add_texture_force(gathered, outcome);
   std::size_t goes = 0;
   for (const Assignment& assignment : assignments) goes += assignment.times;

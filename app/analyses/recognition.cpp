@@ -11,6 +11,8 @@
 
 #include "analysis/number_text.h"
 #include "app/analyses/families.h"
+#include "app/analyses/group_equivalence.h"
+#include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
 
@@ -130,6 +132,21 @@ std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
   input.tables.emplace_back(text, "the participants");
   input.options.add("groups", R"(["F", "M"])");
   return input;
+}
+
+/// Of each of the people; nothing for those without an answer that can be judged.
+std::vector<std::optional<double>> proportions_right(const GatheredAnswers& gathered,
+                                                     const std::vector<Judged>& judged) {
+  std::vector<HitCount> own(gathered.people.size());
+  for (const Judged& one : judged) {
+    ++own[one.answer->person].trials;
+    own[one.answer->person].hits += one.right ? 1 : 0;
+  }
+  std::vector<std::optional<double>> proportions(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i].trials > 0) proportions[i] = proportion(own[i]);
+  }
+  return proportions;
 }
 
 void add_recognition_tables(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
@@ -608,6 +625,12 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
              .difference = of_sexes("subj.diff", ""),
              .scale = SexesScale::shares_of_answers},
             tests, outcome);
+  ask_equivalence_of_sexes(gathered, proportions_right(gathered, judged), outcome);
+  std::vector<RepeatedScore> scores{};
+  for (const Judged& one : judged) {
+    scores.push_back({one.answer->person, one.answer->column, one.right ? 1.0 : 0.0});
+  }
+  ask_reliability(gathered, scores, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(judged.size(), people, outcome);
 }

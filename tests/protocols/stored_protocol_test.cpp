@@ -19,7 +19,7 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
       "questions": {"hand": {"prompt": "Which hand?", "form": "choice", "options": ["left", 2, "right"],
                              "minimum": 1, "maximum": "2"}},
       "blocks": {"main": {"question": {"name": "rough", "prompt": "How rough?"}}, "rest": {}},
-      "analysis": {"target": "new", "family": ["spacing", 4]},
+      "analysis": {"target": "new", "family": ["spacing", 4], "equivalence_margin": 0.1},
       "estimation": {"spacing": "texture", "condition": "tip"}})");
   EXPECT_EQ(read.title, "Roughness");
   ASSERT_EQ(read.factors.size(), 1U);
@@ -35,6 +35,7 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_EQ(read.trial_questions.at("main").name, "rough");
   EXPECT_EQ(read.trial_questions.at("main").prompt, "How rough?");
   EXPECT_EQ(read.analysis.target, "new");
+  EXPECT_EQ(read.analysis.equivalence_margin, 0.1);
   EXPECT_THAT(read.analysis.family, ElementsAre("spacing"));
   ASSERT_TRUE(read.estimation);
   EXPECT_THAT(read.estimation->conditions, ElementsAre("small", "large"));

@@ -987,6 +987,62 @@
         <source>Log-worths, in decreasing order: %1.</source>
         <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
     </message>
+    <message>
+        <source>This cannot be assessed: a group has one participant, or all participants have the same result.</source>
+        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder alle Versuchspersonen haben dasselbe Ergebnis.</translation>
+    </message>
+    <message>
+        <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
+        <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2, %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
+    </message>
+    <message>
+        <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would support equivalence within ±%2 percentage points.</source>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher gibt es kein Urteil: %1. Die Daten würden Äquivalenz innerhalb von ±%2 Prozentpunkten stützen.</translation>
+    </message>
+    <message>
+        <source>Yes, within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected.</source>
+        <translation>Ja, innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>Equivalence within ±%1 percentage points is not shown: %2; two one-sided tests, %3, uncorrected.</source>
+        <translation>Äquivalenz innerhalb von ±%1 Prozentpunkten ist nicht gezeigt: %2; zwei einseitige Tests, %3, unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>Are women and men equivalent?</source>
+        <translation>Sind Frauen und Männer äquivalent?</translation>
+    </message>
+    <message>
+        <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: equivalence is shown where the 90 % CI lies within the margin. Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; below 1 it favours no difference.</source>
+        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeder zu 5 %: Äquivalenz ist gezeigt, wo das 90-%-KI innerhalb der Grenze liegt. Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 für die standardisierte Differenz; unter 1 spricht er gegen einen Unterschied.</translation>
+    </message>
+    <message>
+        <source>%1 is not defined</source>
+        <translation>%1 ist nicht definiert</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2, 95 % CI [%3, %4]</source>
+        <translation>%1 = %2, 95-%-KI [%3, %4]</translation>
+    </message>
+    <message>
+        <source>Not defined: all participants have the same result in every repetition.</source>
+        <translation>Nicht definiert: Alle Versuchspersonen haben in jeder Wiederholung dasselbe Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Of one repetition %1 (consistency), %2 (agreement); of the mean of the %3 repetitions %4. N = %5 participants.</source>
+        <translation>Einer Wiederholung: %1 (Konsistenz), %2 (Übereinstimmung); des Mittels der %3 Wiederholungen: %4. N = %5 Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>How reliable are the participants&apos; results over repetitions?</source>
+        <translation>Wie reliabel sind die Ergebnisse der Versuchspersonen über die Wiederholungen?</translation>
+    </message>
+    <message>
+        <source>Intraclass correlations of the participants&apos; proportions correct in each repetition. They are low also where participants differ little from each other.</source>
+        <translation>Intraklassenkorrelationen der Anteile richtiger Antworten der Versuchspersonen in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>

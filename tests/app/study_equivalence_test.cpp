@@ -1,0 +1,131 @@
+// Equivalence of groups and reliability over repetitions, from the rows of a study.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "app/analyses/group_equivalence.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::vector<std::string> kTwoTextures{"metal", "stone"};
+
+/// One answer of a recognition in a repetition.
+MadeUpTrial repeated_trial(int repetition, bool is_right) {
+  MadeUpTrial trial{};
+  trial.factors_json = R"({"column": )" + std::to_string(repetition) + "}";
+  trial.surfaces = {surface_of("metal", "height_map", "metal")};
+  trial.answers = {kTwoTextures[is_right ? 0 : 1]};
+  trial.right = {"metal"};
+  trial.options = kTwoTextures;
+  return trial;
+}
+
+/// Correct answers of each participant in both repetitions, of four each; women first, then men.
+AnalysisOutcome analyze_repetitions(const std::vector<std::array<int, 2>>& correct,
+                                    const std::string& protocol_json) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition", protocol_json);
+  for (std::size_t i = 0; i < correct.size(); ++i) {
+    const std::string label = "p" + std::to_string(i);
+    made.add_person(label, i < correct.size() / 2 ? "F" : "M");
+    std::vector<MadeUpTrial> trials{};
+    for (int repetition = 1; repetition <= 2; ++repetition) {
+      const int right = correct[i][static_cast<std::size_t>(repetition - 1)];
+      for (int k = 0; k < 4; ++k) trials.push_back(repeated_trial(repetition, k < right));
+    }
+    made.add_session(label, protocol, trials);
+  }
+  return analyze_study(made.study()).front();
+}
+
+std::string answer_of(const AnalysisOutcome& outcome, const std::string& question) {
+  for (const AnsweredQuestion& one : outcome.questions) {
+    if (one.name == question) return one.answer.english();
+  }
+  return "(not asked)";
+}
+
+double value_in(const AnalysisOutcome& outcome, const std::string& analysis,
+                const std::string& quantity, const std::string& key = "") {
+  for (const Finding& one : outcome.findings) {
+    if (one.analysis == analysis && one.quantity == quantity && one.key == key) {
+      return one.value.value_or(std::nan(""));
+    }
+  }
+  throw std::runtime_error("no finding " + quantity);
+}
+
+const std::vector<std::array<int, 2>> kSimilarGroups{{4, 3}, {2, 2}, {3, 3}, {1, 2},
+                                                     {3, 4}, {2, 2}, {3, 3}, {2, 1}};
+
+TEST(Equivalence, IsTestedWithTheMarginThatTheProtocolDeclares) {
+  // Women 7/8, 4/8, 6/8, 3/8 and men 7/8, 4/8, 6/8, 3/8: means 0.625 each, no difference at all.
+  const AnalysisOutcome wide =
+      analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.5}})");
+  EXPECT_THAT(answer_of(wide, kSexesEquivalence),
+              StartsWith("Yes, within ±50.0 percentage points: difference (women − men) = 0.0 "
+                         "percentage points, 90 % CI [−"));
+  const AnalysisOutcome narrow =
+      analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.05}})");
+  EXPECT_THAT(answer_of(narrow, kSexesEquivalence),
+              StartsWith("Equivalence within ±5.0 percentage points is not shown: "));
+  // SE² = 2·s²/4 with s² = (0.25² + 0.125² + 0.125² + 0.25²)/3: t₆(.95)·SE.
+  const double se = std::sqrt(2.0 * (2.0 * 0.0625 + 2.0 * 0.015625) / 3.0 / 4.0);
+  EXPECT_NEAR(value_in(narrow, kSexesEquivalence, "equivalence.margin"), 1.943180280515304 * se,
+              1e-9);
+}
+
+TEST(Equivalence, HasNoVerdictWithoutADeclaredMargin) {
+  const AnalysisOutcome outcome = analyze_repetitions(kSimilarGroups, "{}");
+  const std::string answer = answer_of(outcome, kSexesEquivalence);
+  EXPECT_THAT(answer, StartsWith("The protocol declares no margin of equivalence, so that there is "
+                                 "no verdict: "));
+  EXPECT_THAT(answer, HasSubstr("The data would support equivalence within ±"));
+  EXPECT_TRUE(std::none_of(outcome.findings.begin(), outcome.findings.end(),
+                           [](const Finding& one) { return one.quantity == "tost.p"; }));
+}
+
+TEST(Equivalence, CannotBeAssessedWhereNobodyDiffers) {
+  const AnalysisOutcome outcome = analyze_repetitions({{2, 2}, {2, 2}, {2, 2}, {2, 2}}, "{}");
+  EXPECT_THAT(answer_of(outcome, kSexesEquivalence), StartsWith("This cannot be assessed: "));
+  EXPECT_THAT(answer_of(outcome, "reliability"), StartsWith("Not defined: "));
+}
+
+// Of proportions ¼ apart in the second repetition: consistency is whole, agreement is not.
+TEST(ReliabilityOverRepetitions, TellsConsistencyFromAgreement) {
+  const AnalysisOutcome outcome = analyze_repetitions({{0, 1}, {1, 2}, {2, 3}, {3, 4}}, "{}");
+  EXPECT_NEAR(value_in(outcome, "reliability", "icc", "ICC3"), 1.0, 1e-12);
+  // MSB = 10/3/16·2, MSJ = 2·4/4/16: in sixteenths 10/3 and 2, MSE 0.
+  EXPECT_NEAR(value_in(outcome, "reliability", "icc", "ICC2"), (10.0 / 3.0) / (10.0 / 3.0 + 1.0),
+              1e-12);
+  EXPECT_THAT(answer_of(outcome, "reliability"),
+              HasSubstr("of the mean of the 2 repetitions ICC(3,k) = 1.00. N = 4 participants."));
+}
+
+TEST(ReliabilityOverRepetitions, IsNotAskedWithoutRepetitions) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  for (const char* label : {"a", "b"}) {
+    made.add_person(label, "F");
+    MadeUpTrial trial = repeated_trial(1, label[0] == 'a');
+    trial.factors_json = "{}";
+    made.add_session(label, protocol, {trial, trial});
+  }
+  EXPECT_EQ(answer_of(analyze_study(made.study()).front(), "reliability"), "(not asked)");
+}
+
+}  // namespace
+}  // namespace asperity
