@@ -1,4 +1,4 @@
-// Thresholds of psychometric functions fitted to resampled counts.
+// Thresholds of psychometric functions fitted to resampled counts: given ones, and drawn ones.
 
 #pragma once
 
@@ -24,5 +24,18 @@ struct ThresholdBootstrap {
 ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks,
                                        std::span<const std::vector<std::uint64_t>> resamples,
                                        const PsychometricQuestion& question);
+
+/// Counts drawn from the binomial distributions of a fitted function, always the same ones
+/// (`kSeedOfTests`), and fitted again. Their thresholds show the sampling of the threshold where the
+/// delta method fails: near bounds, and with few trials. `deviance_p` is the proportion of all
+/// draws and the data whose deviance is at least that of the data: a test of the fit that does not
+/// rest on many trials per level. Both take the hits of a level as binomial.
+struct ParametricBootstrap {
+  ThresholdBootstrap thresholds{};
+  double deviance_p = 1.0;
+};
+ParametricBootstrap parametric_bootstrap(std::span<const PsychometricBlock> blocks,
+                                         const PsychometricFit& fit,
+                                         const PsychometricQuestion& question, std::size_t draws);
 
 }  // namespace asperity

@@ -66,6 +66,33 @@ std::optional<PsychometricFit::Precision> precision_of(const PsychometricLikelih
   return answer;
 }
 
+PsychometricFit::Precision overdispersed(const PsychometricFit& fit, double limit) {
+  const double factor = std::sqrt(std::max(1.0, *fit.dispersion));
+  PsychometricFit::Precision answer{.alpha_se = factor * fit.precision->alpha_se,
+                                    .beta_se = factor * fit.precision->beta_se,
+                                    .threshold_se = factor * fit.precision->threshold_se};
+  const double half = limit * answer.threshold_se;
+  answer.threshold = {.low = fit.threshold - half, .high = fit.threshold + half};
+  return answer;
+}
+
+std::optional<PsychometricFit::FreeLapses> free_lapses(std::span<const PsychometricBlock> blocks,
+                                                       const PsychometricQuestion& question,
+                                                       double log_likelihood) {
+  if (!question.model.lambda) {
+    return std::nullopt;
+  }
+  PsychometricModel model = question.model;
+  model.lambda.reset();
+  model.greatest_lambda = std::max(model.greatest_lambda, *question.model.lambda);
+  const PsychometricMaximum maximum = maximise_psychometric(blocks, model);
+  return PsychometricFit::FreeLapses{
+      .lambda = maximum.function.lambda,
+      .alpha = maximum.function.alpha,
+      .threshold = maximum.function.inverse(question.performance),
+      .likelihood_ratio = std::max(0.0, 2.0 * (maximum.log_likelihood - log_likelihood))};
+}
+
 // Where the profile of α has fallen by half the quantile of χ², on one side. Far beyond the levels
 // the best functions of α are constant: with F(α) or less above it, with more below.
 std::optional<double> profile_end(const PsychometricLikelihood& data, const CurveSolution& solution,
@@ -184,10 +211,18 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
   fit.pearson = pearson(data.blocks(), fit.function);
   fit.deviance_p = upper_tail(ChiSquaredStatistic{.value = fit.deviance, .df = fit.deviance_df});
   fit.threshold = fit.function.inverse(question.performance);
+  fit.free_lapses = free_lapses(blocks, question, fit.log_likelihood);
+  if (fit.pearson && fit.deviance_df > 0.0) {
+    fit.dispersion = *fit.pearson / fit.deviance_df;
+  }
   if (fit.beta_at_bound) {
     return fit;
   }
   fit.precision = precision_of(data, solution, question);
+  const auto t = t_limit({.confidence = question.confidence, .df = fit.deviance_df});
+  if (fit.precision && fit.dispersion && t) {
+    fit.overdispersed = overdispersed(fit, *t);
+  }
   if (fit.precision) {
     const double fall = 0.5 * z * z;
     fit.profile_low = profile_end(data, solution, -fit.precision->alpha_se, fall);

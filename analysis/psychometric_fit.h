@@ -55,6 +55,23 @@ struct PsychometricFit {
     ConfidenceInterval threshold{};  ///< ± z standard errors
   };
   std::optional<Precision> precision{};
+  /// φ = X²/df, near 1 where hits vary as the binomial distribution says; absent where X² or its
+  /// degrees of freedom are.
+  std::optional<double> dispersion{};
+  /// `precision` for hits that vary more than that: standard errors times √max(1, φ), and Student's
+  /// limit with the degrees of freedom of φ instead of z [Finney 1971].
+  ///
+  /// [Finney 1971] Finney: Probit Analysis.
+  std::optional<Precision> overdispersed{};
+  /// Where λ is fixed: what λ between 0 and `greatest_lambda` gives instead. A wrong λ shifts α and
+  /// the threshold, and no interval above allows for that.
+  struct FreeLapses {
+    double lambda = 0.0;
+    double alpha = 0.0;
+    double threshold = 0.0;
+    double likelihood_ratio = 0.0;  ///< against the fixed λ
+  };
+  std::optional<FreeLapses> free_lapses{};
   /// The α that the likelihood ratio does not reject, the other parameters fitted again within their
   /// bounds. An end is absent where there is none: where one of the constant functions that the
   /// likelihood approaches as α → ±∞ (0 for a weibull) and β → 0 is not rejected either. Only with

@@ -231,8 +231,10 @@ PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blo
                                           const PsychometricModel& model) {
   const PsychometricLikelihood data(blocks, model);
   const CurveSolution solution = greatest_likelihood(data);
+  const double log_likelihood = std::max(solution.maximum.value, data.constant());
   return {.function = data.function(solution.maximum.at),
-          .log_likelihood = std::max(solution.maximum.value, data.constant()),
+          .log_likelihood = log_likelihood,
+          .deviance = 2.0 * (data.saturated() - log_likelihood),
           .increases = is_increasing(data, solution.maximum),
           .beta_at_bound = solution.at_bound.beta};
 }

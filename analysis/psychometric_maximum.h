@@ -47,6 +47,7 @@ bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maxim
 struct PsychometricMaximum {
   PsychometricFunction function{};
   double log_likelihood = 0.0;  ///< its supremum where the function is not increasing
+  double deviance = 0.0;        ///< against a probability of its own for each block
   bool increases = true;  ///< `is_increasing`; otherwise the function is where the search ended
   bool beta_at_bound = false;
 };

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/psychometric_bootstrap.h"
 #include "analysis/psychometric_maximum.h"
 
 namespace asperity {
@@ -142,6 +143,58 @@ TEST(PsychometricFit, HasAnOpenProfileWhereAConstantIsNotRejected) {
   ASSERT_TRUE(low->profile_low);
   EXPECT_FALSE(low->profile_high);
   EXPECT_LT(*low->profile_low, low->function.alpha);
+}
+
+// φ = X²/df multiplies the variance, and z becomes Student's limit.
+TEST(PsychometricFit, AllowsForMoreThanBinomialVariation) {
+  const PsychometricQuestion question{.model = {.shape = PsychometricShape::normal}};
+  const auto wild = fit_psychometric(
+      Blocks{{1, 20, 1}, {2, 20, 9}, {3, 20, 5}, {4, 20, 17}, {5, 20, 13}}, question);
+  ASSERT_TRUE(wild && wild->overdispersed);
+  EXPECT_NEAR(*wild->dispersion, *wild->pearson / 3.0, 1e-12);
+  EXPECT_GT(*wild->dispersion, 1.5);
+  const double factor = std::sqrt(*wild->dispersion);
+  EXPECT_NEAR(wild->overdispersed->threshold_se, factor * wild->precision->threshold_se, 1e-12);
+  EXPECT_NEAR(wild->overdispersed->beta_se, factor * wild->precision->beta_se, 1e-12);
+  constexpr double kStudent = 3.1824463052842638;  // 97.5 % with 3 degrees of freedom
+  EXPECT_NEAR(wild->overdispersed->threshold.high,
+              wild->threshold + kStudent * wild->overdispersed->threshold_se, 1e-9);
+  const auto tame = fit_psychometric(
+      Blocks{{1, 20, 2}, {2, 20, 5}, {3, 20, 10}, {4, 20, 15}, {5, 20, 18}}, question);
+  ASSERT_TRUE(tame && tame->overdispersed);
+  EXPECT_LT(*tame->dispersion, 1.0);
+  EXPECT_EQ(tame->overdispersed->alpha_se, tame->precision->alpha_se);
+}
+
+// The highest of many levels has lapses only: fixed at 0, they flatten the function.
+TEST(PsychometricFit, StatesWhatAFixedLapseRateDoes) {
+  const Blocks lapsing{{1, 100, 2},  {2, 100, 16}, {3, 100, 50}, {4, 100, 80},
+                       {5, 100, 93}, {6, 100, 94}, {7, 100, 95}, {8, 100, 95}};
+  const auto fixed = fit_psychometric(lapsing, {});
+  ASSERT_TRUE(fixed && fixed->free_lapses);
+  EXPECT_NEAR(fixed->free_lapses->lambda, 0.05, 0.01);
+  EXPECT_GT(fixed->free_lapses->likelihood_ratio, 10.0);
+  const auto free = fit_psychometric(lapsing, {.model = {.lambda = std::nullopt}});
+  ASSERT_TRUE(free);
+  EXPECT_FALSE(free->free_lapses);
+  EXPECT_NEAR(fixed->free_lapses->threshold, free->threshold, 1e-6);
+}
+
+TEST(ParametricBootstrap, AgreesWithLargeSamplesAndTestsTheFit) {
+  const PsychometricQuestion question{};
+  const Blocks good{{1, 200, 24}, {2, 200, 54}, {3, 200, 100}, {4, 200, 146}, {5, 200, 176}};
+  const auto fit = fit_psychometric(good, question);
+  ASSERT_TRUE(fit && fit->precision);
+  const ParametricBootstrap boot = parametric_bootstrap(good, *fit, question, 400);
+  EXPECT_EQ(boot.thresholds.valid, 400U);
+  EXPECT_NEAR(*boot.thresholds.standard_error, fit->precision->threshold_se,
+              0.15 * fit->precision->threshold_se);
+  EXPECT_NEAR(boot.deviance_p, *fit->deviance_p, 0.08);
+  EXPECT_EQ(boot.deviance_p, parametric_bootstrap(good, *fit, question, 400).deviance_p);
+  const Blocks bad{{1, 200, 24}, {2, 200, 104}, {3, 200, 60}, {4, 200, 156}, {5, 200, 176}};
+  const auto wrong = fit_psychometric(bad, question);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(parametric_bootstrap(bad, *wrong, question, 99).deviance_p, 0.01);
 }
 
 TEST(PsychometricFit, RefusesImpossibleCounts) {

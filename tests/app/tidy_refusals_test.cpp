@@ -361,6 +361,23 @@ TEST(TidyRefusals, SayThatAnIntervalHasNoEnd) {
   EXPECT_EQ(word_of(findings, "alpha.profile.upper"), "unbounded");
 }
 
+TEST(TidyRefusals, SayThatAFixedLapseRateMovesTheThreshold) {
+  const std::string rows =
+      "condition,x,n,k\nc,1,200,1\nc,2,200,10\nc,3,200,100\nc,4,200,180\nc,5,200,188\nc,6,200,"
+      "189\nc,7,200,190\nc,8,200,189\n";
+  const auto options = [](const std::string& lambda) {
+    return R"({"shape": "logistic", "gamma": 0, "pt": 0.5, "bootstrap": 20, "lambda": )" + lambda +
+           '}';
+  };
+  EXPECT_EQ(word_of(findings_of("psyfit", rows, options("0")), "lapse.status"), "sensitive");
+  EXPECT_EQ(word_of(findings_of("psyfit", rows, options("0.055")), "lapse.status"), "(absent)");
+  EXPECT_EQ(word_of(findings_of("psyfit", rows, options("\"free\"")), "lapse.status"), "(absent)");
+  EXPECT_THAT(family_refusal("psyfit", rows,
+                             R"({"shape": "logistic", "gamma": 0, "lambda": 0, "pt": 0.5,
+                                 "bootstrap": 2.5})"),
+              HasSubstr("\"bootstrap\" is 2.5; it is a number of draws"));
+}
+
 // A threshold outside the levels rests on the form of the function alone.
 TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
   const char* options = R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";

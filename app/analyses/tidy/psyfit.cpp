@@ -122,9 +122,21 @@ Word word_of(PsychometricStatus status) {
   return {};
 }
 
+std::size_t draws_of(const FamilyOptions& options) {
+  constexpr double kDraws = 1000.0;
+  constexpr double kMost = 1e6;
+  const double draws = options.number_or("bootstrap", kDraws);
+  if (draws >= 0.0 && draws <= kMost && draws == std::floor(draws)) {
+    return static_cast<std::size_t>(draws);
+  }
+  throw std::runtime_error("the option \"bootstrap\" is " + number_text(draws) +
+                           "; it is a number of draws from 0 (none) to 1000000");
+}
+
 class PsychometricList final {
  public:
-  explicit PsychometricList(PsychometricQuestion question) : question_(std::move(question)) {}
+  PsychometricList(PsychometricQuestion question, std::size_t draws)
+      : question_(std::move(question)), draws_(draws) {}
 
   /// The fit, where there is one.
   std::optional<PsychometricFit> condition(const Condition& condition) {
@@ -150,6 +162,9 @@ class PsychometricList final {
     parameters(*fit);
     threshold(*fit);
     say_where_outside(fit->threshold, condition.blocks);
+    overdispersion(*fit);
+    if (fit->free_lapses) lapses(*fit);
+    if (draws_ > 0) drawn(condition.blocks, *fit);
     return fit;
   }
 
@@ -213,6 +228,60 @@ class PsychometricList final {
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
     number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
            "χ² of the deviance; indicative only");
+  }
+
+  void overdispersion(const PsychometricFit& fit) {
+    number("dispersion", fit.dispersion.value_or(kUndefined),
+           "Pearson's X² over its degrees of freedom; near 1 for binomial hits");
+    if (!fit.overdispersed) return;
+    const std::string method =
+        "standard error times √max(1, dispersion), for hits that vary more than binomially";
+    number("se.alpha.overdispersed", fit.overdispersed->alpha_se, method);
+    number("se.beta.overdispersed", fit.overdispersed->beta_se, method);
+    number("threshold.se.overdispersed", fit.overdispersed->threshold_se, method);
+    const std::string interval =
+        method + "; t interval with the degrees of freedom of the deviance";
+    number("threshold.overdispersed.lower", fit.overdispersed->threshold.low, interval);
+    number("threshold.overdispersed.upper", fit.overdispersed->threshold.high, interval);
+  }
+
+  /// The intervals take a fixed λ as true.
+  void lapses(const PsychometricFit& fit) {
+    const PsychometricFit::FreeLapses& free = *fit.free_lapses;
+    const double shift = free.threshold - fit.threshold;
+    const double most = std::max(question_.model.greatest_lambda, *question_.model.lambda);
+    const std::string method = "λ fitted between 0 and " + number_text(most) + " instead of fixed";
+    number("lapse.free.lambda", free.lambda, method);
+    number("lapse.free.alpha", free.alpha, method);
+    number("lapse.free.threshold", free.threshold, method);
+    number("lapse.free.shift", shift, method + "; threshold less that with the fixed λ");
+    number("lapse.free.lr", free.likelihood_ratio, method + "; likelihood ratio against it");
+    if (!fit.precision) return;
+    const bool moves = std::abs(shift) > fit.precision->threshold_se ||
+                       std::abs(free.alpha - fit.function.alpha) > fit.precision->alpha_se;
+    if (!moves) return;
+    list_.word("lapse.status", key_, "sensitive",
+               "with lambda fitted instead of fixed, alpha or the threshold moves by more than its "
+               "standard error, for which the intervals do not allow: present levels at which only "
+               "lapses cause misses, or fit lambda (free)",
+               basis(method));
+  }
+
+  void drawn(const Blocks& blocks, const PsychometricFit& fit) {
+    const ParametricBootstrap boot = parametric_bootstrap(blocks, fit, question_, draws_);
+    const std::string method = "parametric bootstrap, " + way_of_counting(draws_);
+    const ThresholdBootstrap& thresholds = boot.thresholds;
+    number("deviance.p.montecarlo", boot.deviance_p,
+           "Monte-Carlo test of the deviance, " + way_of_counting(draws_));
+    number("bootstrap.valid", static_cast<double>(thresholds.valid), method + ", with a threshold");
+    number("bootstrap.slope.at.bound", static_cast<double>(thresholds.slopes_at_bound),
+           method + ", slope at its bound (kept)");
+    number("bootstrap.threshold.se", thresholds.standard_error.value_or(kUndefined),
+           method + ", SD of the thresholds");
+    const ConfidenceInterval none{.low = kUndefined, .high = kUndefined};
+    const ConfidenceInterval ends = thresholds.percentile.value_or(none);
+    number("bootstrap.threshold.lower", ends.low, method + ", percentile interval");
+    number("bootstrap.threshold.upper", ends.high, method + ", percentile interval");
   }
 
   void threshold(const PsychometricFit& fit) {
@@ -283,6 +352,7 @@ class PsychometricList final {
   }
 
   PsychometricQuestion question_{};
+  std::size_t draws_ = 0;
   FindingList list_{};
   std::string key_{};
   std::size_t n_ = 0;
@@ -304,7 +374,7 @@ std::vector<std::vector<std::uint64_t>> read_resampled_hits(const TidyTable& tab
 std::vector<Finding> psyfit_findings(const TidyInput& input) {
   const PsychometricQuestion question = question_of(input.options);
   const std::vector<Condition> conditions = read_conditions(input.table(), question.model);
-  PsychometricList list(question);
+  PsychometricList list(question, draws_of(input.options));
   std::vector<const Condition*> fitted{};
   double separate = 0.0;
   for (const Condition& condition : conditions) {

@@ -63,8 +63,9 @@ constexpr std::array kFamilies{
                "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
-               "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; conf",
-               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,conf", 2},
+               "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; "
+               "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
+               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
                "stands behind all that were ranked; an item that was not offered has no row; and, "
