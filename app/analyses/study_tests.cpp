@@ -250,7 +250,6 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
   }
   test.effect = effect_in(found, by.effect, key);
-  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
 }
 
 void StudyTests::add_untested(const std::string& name, const std::string& about,
@@ -350,9 +349,11 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     if (!is_in_family(test.name)) continue;
     finding.quantity = "p.holm";
     finding.value = test.adjusted;
-    finding.method +=
-        "; Holm over the " + (in_family == 1 ? "one test" : std::to_string(in_family) + " tests") +
+    const std::string family =
         " of the family " + name_ + (is_declared_ ? ", which the protocol declares" : "");
+    finding.method += in_family == 1
+                          ? "; the only test" + family + ", without adjustment"
+                          : "; Holm over the " + std::to_string(in_family) + " tests" + family;
     outcome.findings.push_back(std::move(finding));
   }
   outcome.tables.push_back(std::move(made));

@@ -228,7 +228,7 @@ TEST(SelectionTies, AnswerWhetherThePositionMattersByTheTest) {
 }
 
 TEST(SelectionTies, NameAllPairsWithTheSmallestP) {
-  const AnalysisOutcome outcome = analysed(1, "{}", all_pairs_of);
+  const AnalysisOutcome outcome = analysed(2, "{}", [](int) { return all_pairs_of(0); });
   EXPECT_THAT(
       answer_of(outcome, "pairs"),
       StartsWith("No pair differs significantly: the smallest p is shared by 6 pairs (each p"));
