@@ -117,6 +117,8 @@ TEST_F(DataView, ShowsTheNumbersOfTheStore) {
   EXPECT_EQ(compliance.text_at(0, 7), *force.passed ? "✓ met" : "✕ not met");
   const auto& loop = child<StudyTable>(page, "attempt_loop");
   EXPECT_EQ(loop.text_at(0, 1), QString::number(stored.servo->ticks));
+  ASSERT_GT(loop.shown_rows(), 10) << "more than one digit: sorted by number, not as text";
+  EXPECT_EQ(loop.text_at(loop.shown_rows() - 1, 0), "fault");
 }
 
 TEST_F(DataView, DrawsTheRecordingOfEverySurfaceOverOneTime) {
