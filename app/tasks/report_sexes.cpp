@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kSexes = "sexes";
+constexpr std::string_view kSexes = "sexes";  // and, for their equivalence, kSexesEquivalence
 constexpr std::string_view kEveryone = "Total";
 
 bool is_of_one_sex(const Finding& finding) {
@@ -23,7 +23,7 @@ bool is_of_one_sex(const Finding& finding) {
 }
 
 bool compares_sexes(const Finding& finding) {
-  return finding.analysis == kSexes || finding.quantity.starts_with("group.") ||
+  return finding.analysis.starts_with(kSexes) || finding.quantity.starts_with("group.") ||
          finding.key.starts_with("test=sexes") || is_of_one_sex(finding);
 }
 
@@ -49,7 +49,7 @@ void drop_test_of_sexes(Table& tests) {
 
 AnalysisOutcome without_sexes(AnalysisOutcome outcome) {
   std::erase_if(outcome.questions,
-                [](const AnsweredQuestion& question) { return question.name == kSexes; });
+                [](const AnsweredQuestion& question) { return question.name.starts_with(kSexes); });
   std::erase_if(outcome.findings, compares_sexes);
   for (NamedTable& named : outcome.tables) {
     keep_everyone(named.table);
