@@ -147,6 +147,7 @@ std::vector<CheckedInterval> matching_intervals(const CoverageSetting& setting) 
        .truth = mean_over_thetas(setting, [](const auto& own) { return own[kItems]; }),
        .lower = "perfect.wilson.lower",
        .upper = "perfect.wilson.upper"}};
+  intervals.push_back({.quantity = "perfect.subj.mean", .truth = intervals.back().truth});
   if (setting.spread == 0.0) {
     intervals.push_back({.quantity = "mallows.theta",
                          .truth = setting.effect,
@@ -157,7 +158,11 @@ std::vector<CheckedInterval> matching_intervals(const CoverageSetting& setting) 
 }
 
 std::vector<CheckedTest> tests_of_guessing(const CoverageSetting&) {
-  return {{.quantity = "exact.p.greater"},
+  return {{.quantity = "relabel.p.greater"},
+          {.quantity = "perfect.relabel.p.greater"},
+          {.quantity = "texture.relabel.p.greater", .key = "a"},
+          // These take trials as independent.
+          {.quantity = "exact.p.greater"},
           {.quantity = "perfect.p.greater"},
           {.quantity = "texture.p.greater", .key = "a"}};
 }
