@@ -118,14 +118,14 @@ std::string until_text(const Protocol::Criterion& until) {
          " correct, at most " + std::to_string(until.maximum_trials) + " trials";
 }
 
-/// " The criterion was not met in one of two sessions."; nothing where it was met in all.
+/// " The criterion was not met in either session."; nothing where it was met in all.
 std::string unmet_text(const std::string& block, const ReportFacts& facts) {
   const auto unmet = static_cast<std::size_t>(std::count_if(
       facts.sessions.begin(), facts.sessions.end(),
       [&](const ReportedSession& one) { return one.unmet_criteria.contains(block); }));
   if (unmet == 0) return {};
   return " The criterion was not met " +
-         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text() + '.';
+         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text_after_not() + '.';
 }
 
 ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
