@@ -124,7 +124,7 @@ AnalysisOutcome selection_of_six() {
       });
 }
 
-/// Each pair of three models in both orders; whoever is even prefers the first of each.
+/// Each pair of three models in both orders; participants with even numbers prefer the first of each.
 AnalysisOutcome paired_selection_of_four() {
   return analysed("selection", "{}", 4, [](int i) {
     std::vector<MadeUpTrial> trials{};

@@ -14,8 +14,6 @@ namespace {
 constexpr std::array kSpreads{0.0, 1.0};
 constexpr std::array kNoSpread{0.0};
 
-std::vector<CheckedInterval> no_intervals(const CoverageSetting&) { return {}; }
-
 // --- recognition: one of four pictures -----------------------------------------------------------
 
 constexpr std::array<std::string_view, 4> kPictures{"a", "b", "c", "d"};
@@ -189,19 +187,13 @@ TidyInput draw_kept_matching(const CoverageSetting& setting, Random& random) {
 constexpr std::array<std::string_view, 3> kModels{"A", "B", "C"};
 constexpr std::array kAdvantages{-2.0, 0.0, 1.0, 2.5, 4.0};
 
-/// A participant's own utilities: normal about the advantage of A and twice zero.
-std::array<double, 3> own_weights(const CoverageSetting& setting, Random& random) {
-  std::array<double, 3> weights{};
-  for (std::size_t j = 0; j < weights.size(); ++j) {
-    weights[j] = std::exp((j == 0 ? setting.effect : 0.0) + setting.spread * random.normal());
-  }
-  return weights;
-}
+/// Of A, B and C.
+ThreeItems mean_utilities(const CoverageSetting& setting) { return {setting.effect, 0.0, 0.0}; }
 
 TidyInput draw_selection(const CoverageSetting& setting, Random& random) {
   DrawnTable table("subject,sample,choice");
   for (std::size_t i = 0; i < setting.participants; ++i) {
-    const auto weights = own_weights(setting, random);
+    const ThreeItems weights = own_weights(mean_utilities(setting), setting.spread, random);
     for (std::size_t trial = 0; trial < setting.trials; ++trial) {
       table.add({participant_label(i), "s", kModels[drawn_by_weight(weights, random)]});
     }
@@ -212,35 +204,9 @@ TidyInput draw_selection(const CoverageSetting& setting, Random& random) {
   return input;
 }
 
-/// Of A, over participants. The difference of two utilities is normal, which leaves two integrals.
-double mean_choice_of_first(const CoverageSetting& setting) {
-  if (setting.spread == 0.0) {
-    return std::exp(setting.effect) / (std::exp(setting.effect) + 2.0);
-  }
-  constexpr int kSteps = 60;
-  constexpr double kFurthest = 6.0;
-  double sum = 0.0;
-  double all = 0.0;
-  const auto place = [](int i) { return kFurthest * (2.0 * i / kSteps - 1.0); };
-  for (int a = 0; a <= kSteps; ++a) {
-    for (int b = 0; b <= kSteps; ++b) {
-      for (int c = 0; c <= kSteps; ++c) {
-        const double weight =
-            std::exp(-0.5 * (place(a) * place(a) + place(b) * place(b) + place(c) * place(c)));
-        const double first = std::exp(setting.effect + setting.spread * place(a));
-        const double others =
-            std::exp(setting.spread * place(b)) + std::exp(setting.spread * place(c));
-        sum += weight * first / (first + others);
-        all += weight;
-      }
-    }
-  }
-  return sum / all;
-}
-
 std::vector<CheckedInterval> selection_intervals(const CoverageSetting& setting) {
-  const double p = mean_choice_of_first(setting);
-  return {{.quantity = "subj.mean", .key = "A", .truth = p}};
+  const ThreeItems chosen = mean_choices(mean_utilities(setting), setting.spread);
+  return {{.quantity = "subj.mean", .key = "A", .truth = chosen[0]}};
 }
 
 std::vector<CheckedTest> selection_tests(const CoverageSetting& setting) {

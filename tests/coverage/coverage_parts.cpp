@@ -54,6 +54,43 @@ double mu_of_mean(double mean, double spread) {
   return 0.5 * (low + high);
 }
 
+ThreeItems own_weights(const ThreeItems& mean_utilities, double spread, Random& random) {
+  ThreeItems weights{};
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    weights[j] = std::exp(mean_utilities[j] + spread * random.normal());
+  }
+  return weights;
+}
+
+ThreeItems mean_choices(const ThreeItems& mean_utilities, double spread) {
+  const int steps = spread > 0.0 ? 60 : 0;
+  constexpr double kFurthest = 6.0;
+  const auto place = [steps](int i) {
+    return steps == 0 ? 0.0 : kFurthest * (2.0 * i / steps - 1.0);
+  };
+  ThreeItems sum{};
+  double all = 0.0;
+  for (int a = 0; a <= steps; ++a) {
+    for (int b = 0; b <= steps; ++b) {
+      for (int c = 0; c <= steps; ++c) {
+        const ThreeItems z{place(a), place(b), place(c)};
+        const double weight = std::exp(-0.5 * (z[0] * z[0] + z[1] * z[1] + z[2] * z[2]));
+        ThreeItems own{};
+        for (std::size_t j = 0; j < own.size(); ++j) {
+          own[j] = std::exp(mean_utilities[j] + spread * z[j]);
+        }
+        const double total = std::accumulate(own.begin(), own.end(), 0.0);
+        for (std::size_t j = 0; j < own.size(); ++j) sum[j] += weight * own[j] / total;
+        all += weight;
+      }
+    }
+  }
+  for (double& one : sum) one /= all;
+  return sum;
+}
+
+std::vector<CheckedInterval> no_intervals(const CoverageSetting&) { return {}; }
+
 void DrawnTable::add(std::initializer_list<std::string_view> cells) {
   const char* between = "";
   for (const std::string_view cell : cells) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -68,6 +69,16 @@ std::vector<CoverageSetting> all_designs(std::span<const double> effects,
 double mean_of_logistic(double mu, double spread);
 /// The μ with that mean. Throws std::invalid_argument where `mean` is not between 0 and 1.
 double mu_of_mean(double mean, double spread);
+
+/// Something of each of three items, of which the best is chosen.
+using ThreeItems = std::array<double, 3>;
+/// A participant's own weights in Luce's rule: exp of utilities that are normal about these means.
+ThreeItems own_weights(const ThreeItems& mean_utilities, double spread, Random& random);
+/// The probabilities that a participant drawn so chooses each of them.
+ThreeItems mean_choices(const ThreeItems& mean_utilities, double spread);
+
+/// For a part that checks tests alone.
+std::vector<CheckedInterval> no_intervals(const CoverageSetting& setting);
 
 /// Text of a table: a line of column names, then rows.
 class DrawnTable {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "analysis/bradley_terry.h"
 #include "analysis/number_text.h"
@@ -83,19 +82,19 @@ std::vector<CheckedTest> pair_tests(const CoverageSetting& setting) {
 
 // --- the best of three ---------------------------------------------------------------------------------
 
-constexpr std::size_t kOffered = 3;
+/// Of A, B and C.
+ThreeItems offered_utilities(const CoverageSetting& setting) {
+  return {mean_utility(setting, 0), mean_utility(setting, 1), mean_utility(setting, 2)};
+}
 
 TidyInput draw_best_of_three(const CoverageSetting& setting, Random& random) {
   DrawnTable table("subject,trial,item,rank");
   for (std::size_t i = 0; i < setting.participants; ++i) {
-    std::array<double, kOffered> own{};
-    for (std::size_t j = 0; j < kOffered; ++j) {
-      own[j] = std::exp(mean_utility(setting, j) + setting.spread * random.normal());
-    }
+    const ThreeItems own = own_weights(offered_utilities(setting), setting.spread, random);
     for (std::size_t trial = 0; trial < setting.trials; ++trial) {
       const std::size_t best = drawn_by_weight(own, random);
       const std::string number = std::to_string(trial + 1);
-      for (std::size_t j = 0; j < kOffered; ++j) {
+      for (std::size_t j = 0; j < own.size(); ++j) {
         table.add({participant_label(i), number, kCompared[j], j == best ? "1" : ""});
       }
     }
@@ -105,39 +104,20 @@ TidyInput draw_best_of_three(const CoverageSetting& setting, Random& random) {
   return input;
 }
 
-/// Worths of first choices are their probabilities, here of any participant.
-std::array<double, kOffered> log_worths(const CoverageSetting& setting) {
-  constexpr int kGrid = 60;
-  constexpr double kFurthest = 6.0;
-  std::array<double, kOffered> sum{};
-  const auto place = [](int i) { return kFurthest * (2.0 * i / kGrid - 1.0); };
-  const int steps = setting.spread > 0.0 ? kGrid : 0;
-  const auto z_of = [&](int i) { return steps == 0 ? 0.0 : place(i); };
-  for (int a = 0; a <= steps; ++a) {
-    for (int b = 0; b <= steps; ++b) {
-      for (int c = 0; c <= steps; ++c) {
-        const std::array z{z_of(a), z_of(b), z_of(c)};
-        const double weight = std::exp(-0.5 * (z[0] * z[0] + z[1] * z[1] + z[2] * z[2]));
-        std::array<double, kOffered> own{};
-        for (std::size_t j = 0; j < kOffered; ++j) {
-          own[j] = std::exp(mean_utility(setting, j) + setting.spread * z[j]);
-        }
-        const double total = std::accumulate(own.begin(), own.end(), 0.0);
-        for (std::size_t j = 0; j < kOffered; ++j) sum[j] += weight * own[j] / total;
-      }
-    }
-  }
+/// Worths of first choices are their probabilities, here of any participant; centred.
+ThreeItems log_worths(const CoverageSetting& setting) {
+  ThreeItems worths = mean_choices(offered_utilities(setting), setting.spread);
   double mean = 0.0;
-  for (double& one : sum) {
+  for (double& one : worths) {
     one = std::log(one);
-    mean += one / static_cast<double>(kOffered);
+    mean += one / static_cast<double>(worths.size());
   }
-  for (double& one : sum) one -= mean;
-  return sum;
+  for (double& one : worths) one -= mean;
+  return worths;
 }
 
 std::vector<CheckedInterval> best_of_three_intervals(const CoverageSetting& setting) {
-  const auto truth = log_worths(setting);
+  const ThreeItems truth = log_worths(setting);
   std::vector<CheckedInterval> intervals{};
   for (const char* const quantity : {"pl.logworth.sumzero.cluster", "pl.logworth.sumzero"}) {
     for (const std::size_t item : {std::size_t{0}, std::size_t{2}}) {
@@ -248,8 +228,6 @@ TidyInput draw_measurements(const CoverageSetting& setting, Random& random) {
   return input;
 }
 
-std::vector<CheckedInterval> no_scale_intervals(const CoverageSetting&) { return {}; }
-
 std::vector<CheckedTest> variance_tests(const CoverageSetting&) {
   return {{.quantity = "p", .key = "spacing"}, {.quantity = "p.GG", .key = "spacing"}};
 }
@@ -298,7 +276,7 @@ std::span<const CoveragePart> scale_parts() {
                    .spread = "always 0",
                    .settings = kOfCorrelations,
                    .draw = draw_measurements,
-                   .intervals = no_scale_intervals,
+                   .intervals = no_intervals,
                    .tests = variance_tests}};
   return kParts;
 }
