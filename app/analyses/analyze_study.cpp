@@ -55,11 +55,10 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
         "These sessions are pilots: they are analysed apart from sessions of mode \"run\"."));
   }
   if (gathered.sources > 1) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "%1 different files carry this protocol name and version; their answers are counted "
-               "together.")
-            .with(std::to_string(gathered.sources)));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "%1 different files carry this protocol name and version; "
+                                     "their responses are counted together.")
+                                  .with(std::to_string(gathered.sources)));
   }
   if (!gathered.declared_alike) {
     outcome.remarks.push_back(
@@ -79,11 +78,10 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
             .with(std::to_string(count.unfelt_sessions), std::to_string(count.sessions)));
   }
   if (count.guessing_sessions > 0) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "Sessions of observers that are deaf or expect nothing, so that their answers are "
-               "guesses: %1.")
-            .with(std::to_string(count.guessing_sessions)));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Sessions of virtual observers that ignore the surface or "
+                                     "expect nothing, so that their responses are guesses: %1.")
+                                  .with(std::to_string(count.guessing_sessions)));
   }
   Phrase not_counted{};
   for (const auto& [what, attempts] : count.not_counted) {
@@ -131,7 +129,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);
     if (gathered.answers.empty()) {
-      outcome.remarks.push_back(phrase("Analysis", "There is no answer to count yet."));
+      outcome.remarks.push_back(phrase("Analysis", "There are no responses yet."));
     } else if (const Family analyze = family_of(gathered.kind)) {
       analyze(gathered, outcome);
     } else {

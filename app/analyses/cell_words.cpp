@@ -108,11 +108,47 @@ Phrase words_of_method(const std::string& text) {
   return phrase("CellWords", "%1, %2 random permutations").with(name, permutations);
 }
 
+/// "height_map / sinusoid" of "height_map|sinusoid".
+std::string with_strokes(const std::string& text) {
+  std::string shown{};
+  for (const char letter : text)
+    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
+  return shown;
+}
+
+/// "pairs", "pairs|height_map|sinusoid".
+Phrase words_of_test(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  const Phrase name = cell_word_in(words_of_tests(), text.substr(0, bar));
+  if (bar == std::string::npos) return name;
+  return phrase("CellWords", "%1: %2").with(name, words_of_cell("about", text.substr(bar + 1)));
+}
+
+/// "20|participants"
+Phrase words_of_count(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  if (bar == std::string::npos) return text;
+  return phrase("CellWords", "%1 %2")
+      .with(text.substr(0, bar), cell_word_in(words_of_units(), text.substr(bar + 1)));
+}
+
+/// What R and programs call such values.
+const CellWords& words_in_any_column() {
+  static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
+                                {"Inf", phrase("CellWords", "∞")},
+                                {"cannot_tell", phrase("CellWords", "cannot tell")}};
+  return kWords;
+}
+
 }  // namespace
 
 Phrase words_of_cell(const std::string& column, const std::string& text) {
+  if (const auto known = words_in_any_column().find(text); known != words_in_any_column().end()) {
+    return known->second;
+  }
   if (column == "measure") return cell_word_in(words_of_measures(), text);
-  if (column == "test" || column == "effect") return cell_word_in(words_of_tests(), text);
+  if (column == "test" || column == "effect") return words_of_test(text);
+  if (column == "n") return words_of_count(text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
   if (column == "method") return words_of_method(text);
@@ -121,6 +157,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
                                   : phrase("CellWords", "exploratory");
   }
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
+  if (column == "about") return with_strokes(text);
   if (column != "family") return text;
   // Names of tests with commas between.
   Phrase all{};

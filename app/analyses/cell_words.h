@@ -8,8 +8,9 @@
 
 namespace asperity {
 
-/// "right items of a go" of `right_items_per_go` in the column `measure`, "whole goes" of `whole` in
-/// the column `test`. What has no other words, and every name that a study has given, stays.
+/// "d′" of `d_prime` in the column `measure`, "pairs: a / b" of `pairs|a|b` in the column `test`, "20
+/// participants" of `20|participants` in the column `n`. What has no other words, and every name that a
+/// study has given, stays.
 Phrase words_of_cell(const std::string& column, const std::string& text);
 
 }  // namespace asperity

@@ -54,11 +54,10 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   }
   const std::size_t left_out = gathered.answers.size() - estimates.size();
   if (left_out > 0) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "Answers that are no number above 0, or whose spacing the protocol does not say, "
-               "which are left out: %1.")
-            .with(std::to_string(left_out)));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Responses that are not a number above 0, or whose spacing "
+                                     "the protocol does not state, left out: %1.")
+                                  .with(std::to_string(left_out)));
   }
   if (gathered.count.anchors > 0) {
     outcome.remarks.push_back(
@@ -158,13 +157,12 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
       {{"condition", "spacing_m", "persons", "left_out", "normalised", "normalised_low",
         "normalised_high", "raw"},
        {}},
-      phrase(
-          "Analysis",
-          "Geometric means. normalised: each participant's own scale taken out, by the mean of "
-          "the logarithms of all cells; its interval is within participants (Cousineau and "
-          "Morey): it compares cells and does not contain the spread between participants. "
-          "raw: participants as they count. left out: those of the persons who are in raw alone, "
-          "because somewhere they have no estimate and so no scale that could be taken out.")};
+      phrase("Analysis",
+             "Geometric means. normalised: each participant's own scale removed by the mean of the "
+             "logarithms of all cells; its CI is within participants (Cousineau and Morey): it "
+             "compares cells and does not contain the differences between participants. raw: not "
+             "normalised. left out: participants who are only in raw, because they have no "
+             "estimate in some cell.")};
   NamedTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
@@ -400,8 +398,8 @@ void ask_effect(const char* name, const Phrase& question, const char* table,
   if (numbers.empty()) return;
   const Phrase roughest = roughest_of(name, levels, test->shows(), found);
   if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
-  const Sayings sayings{phrase("Analysis", "It does: %1.").with(numbers),
-                        phrase("Analysis", "Nothing shows that it does: %1.").with(numbers),
+  const Sayings sayings{phrase("Analysis", "Yes: %1.").with(numbers),
+                        phrase("Analysis", "Not significantly: %1.").with(numbers),
                         phrase("Analysis", "%1.").with(numbers)};
   add_question(
       outcome, name, question, said_of(*test, sayings),
@@ -425,7 +423,7 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
     Phrase one{};
     if (peak_status(found, condition, spacings) == kTooFew) {
       one = phrase("Analysis",
-                   "%1 cannot be told, because with %2 participants its interval is wider than the "
+                   "%1 cannot be determined, because with %2 participants its CI is wider than the "
                    "tested spacings")
                 .with(condition, std::to_string(peak->n));
     } else if (peak_status(found, condition, spacings) == kNoInterior) {
@@ -453,13 +451,43 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
   }
   if (answer.empty()) return;
   add_question(
-      outcome, "peaks", phrase("Analysis", "At which spacing does it feel roughest?"),
+      outcome, "peaks", phrase("Analysis", "Which spacing is judged roughest?"),
       phrase("Analysis", "By the peaks of the curves: %1.").with(answer),
       phrase("Analysis",
              "The maximum of the mean of the participants' parabolas, in logarithms; CI by the "
              "delta method. It is reported where the test for an interior maximum by Lind and "
              "Mehlum is significant: the mean curve rises at the smallest and falls at the largest "
              "spacing."),
+      "peaks", first);
+}
+
+/// Whether two conditions have their peaks at different spacings, of every two of them.
+void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
+  Phrase answer{};
+  const Finding* first = nullptr;
+  for (const StudyTests::Test& test : tests.tests()) {
+    if (test.name != "peaks" || !test.p || test.degrees.empty() || !test.statistic) continue;
+    const Finding* ratio = found.find("peakratio", test.about);
+    if (ratio == nullptr || !ratio->value || !ratio->low || !ratio->high) continue;
+    const std::size_t bar = test.about.find('|');
+    const Phrase numbers =
+        phrase("Analysis", "the peak of %1 is at %2 times the spacing of %3 (95 % CI %4 to %5)")
+            .with(test.about.substr(0, bar), fixed(*ratio->value, 2), test.about.substr(bar + 1),
+                  fixed(*ratio->low, 2), fixed(*ratio->high, 2));
+    const Phrase one =
+        phrase("Analysis", "%1, t(%2) = %3, %4")
+            .with(numbers, fixed(test.degrees.front(), 0), fixed(*test.statistic, 2), p_text(test));
+    answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
+    if (first == nullptr) first = ratio;
+  }
+  if (answer.empty()) return;
+  add_question(
+      outcome, "peak_ratios",
+      phrase("Analysis", "Do the conditions differ in the spacing judged roughest?"),
+      phrase("Analysis", "By the ratios of the peaks: %1.").with(answer),
+      phrase("Analysis",
+             "The ratio of the peaks of two conditions that both have an interior maximum, "
+             "with a CI by t on the logarithms over participants."),
       "peaks", first);
 }
 
@@ -564,6 +592,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
              phrase("Analysis", "Does the curve over spacings depend on the condition?"), kAnova,
              {}, found_anova, tests, outcome);
   ask_peaks(conditions, spacings, found, outcome);
+  ask_peak_ratios(found, tests, outcome);
   ask_types(conditions, found, outcome);
   keep_findings(roughness, outcome);
   keep_findings(anova, outcome);

@@ -109,8 +109,8 @@ std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, Analysis
   if (left_out > 0) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "Answers left out because they do not give every picture to one surface, so that "
-               "chance is not that of a permutation: %1.")
+               "Responses left out because they do not assign every picture to one surface, so "
+               "that the chance level is not that of a permutation: %1.")
             .with(std::to_string(left_out)));
   }
   return assignments;
@@ -248,14 +248,15 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Assign
     });
   }
   whole.add(
-      "table_2", phrase("Analysis", "Matched: whole permutations right (counts)"),
+      "table_2", phrase("Analysis", "Trials with all items correct (counts)"),
       phrase("Analysis", "%1 %2")
-          .with(chance_note(goes, phrase("Analysis", "By chance: 1/%1 of the goes wholly right.")),
-                chance_note(single,
-                            phrase("Analysis", "By chance: 1/%1 of the single items right."))),
+          .with(
+              chance_note(goes, phrase("Analysis",
+                                       "Chance level: all items correct in 1/%1 of the trials.")),
+              chance_note(single, phrase("Analysis", "Chance level: 1/%1 of the items correct."))),
       outcome);
   ShareTable shares{"whole_permutations",
-                    phrase("Analysis", "Whole permutations: share of goes with every item right"),
+                    phrase("Analysis", "Proportion of trials with all items correct"),
                     phrase("Analysis",
                            "Chance is 1/m! for m items. p: exact binomial test, two-sided, not "
                            "corrected for the number of rows."),
@@ -265,7 +266,7 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Assign
                     {}};
   NamedTable items{
       "items",
-      phrase("Analysis", "Items: share of right items"),
+      phrase("Analysis", "Proportion of correctly matched items"),
       {{"column", "person", "correct", "of", "persons", "share", "chance", "chance_low",
         "chance_high", "p"},
        {}},
@@ -303,15 +304,16 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const Assignment>
   for (const std::uint32_t list : lists) {
     options.insert(gathered.option_lists[list].begin(), gathered.option_lists[list].end());
   }
-  ShareTable textures{"shares_by_texture",
-                      phrase("Analysis", "Share of right items, by felt texture"),
-                      phrase("Analysis",
-                             "One texture alone is right with chance 1/m; the rows depend on each "
-                             "other."),
-                      {"felt"},
-                      "correct",
-                      "share_of_items_correct",
-                      {}};
+  ShareTable textures{
+      "shares_by_texture",
+      phrase("Analysis", "Proportion of correctly matched items, by texture"),
+      phrase(
+          "Analysis",
+          "The chance level of each texture is 1/m. The rows are not independent of each other."),
+      {"felt"},
+      "correct",
+      "share_of_items_correct",
+      {}};
   for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
   add_shares(textures, outcome);
   confusions.add_table(gathered, options, outcome);
@@ -344,9 +346,9 @@ void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers
 
 void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutcome& outcome) {
   NamedTable made{"right_items",
-                  phrase("Analysis", "Goes with so many right items"),
+                  phrase("Analysis", "Trials by their number of correctly matched items"),
                   {{"right", "goes", "by_chance"}, {}},
-                  phrase("Analysis", "By chance: how many goes of random permutations.")};
+                  phrase("Analysis", "Expected under guessing: trials of random permutations.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
     const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
@@ -384,8 +386,7 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
                           "where the chance level is %3; permutation test over participants, "
                           "%4."))};
   add_question(
-      outcome, "items",
-      phrase("Analysis", "Do felt textures find their pictures more often than by chance?"),
+      outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
       said_of(*test, sayings),
       phrase("Analysis",
              "The proportion of each participant's correctly matched items, averaged over the "
@@ -405,7 +406,7 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
   Finding share = *mean;
   share.quantity = "perfect.share";
   add_question(
-      outcome, "whole", phrase("Analysis", "How often is a whole go right?"),
+      outcome, "whole", phrase("Analysis", "How often are all items of a trial correct?"),
       phrase("Analysis",
              "Trials with all items correct: %1 of %2, on average %3 of a participant's trials "
              "(%4); permutation test over participants, %5.")
@@ -460,7 +461,7 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
                    "Most often %1 and %2; number of confusions, counted in both directions: %3.")
                 .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
                       std::to_string(times)),
-      phrase("Analysis", "Counts of all answers; an interval needs a model of confusions."),
+      phrase("Analysis", "Counts of all responses; a CI would need a model of the confusions."),
       "confused_pairs", &finding, CountedUnit::participants);
 }
 
@@ -469,8 +470,8 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<Assignment> assignments = assignments_of(gathered, outcome);
   if (assignments.empty()) {
-    outcome.remarks.push_back(
-        phrase("Analysis", "No answer gives every picture to one surface: nothing is analysed."));
+    outcome.remarks.push_back(phrase(
+        "Analysis", "No response assigns every picture to one surface: nothing is analysed."));
     return;
   }
   add_matching_tables(gathered, assignments, outcome);

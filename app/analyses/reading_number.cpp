@@ -44,7 +44,7 @@ Prefix prefix_of(double value, std::string_view unit) {
 
 std::string reading_number(double value) {
   if (value == std::round(value) && std::abs(value) < 1e9) return fixed(value, 0);
-  const bool in_powers = std::abs(value) < 1e-3 || std::abs(value) >= 1e9;
+  const bool in_powers = std::abs(value) < 1e-4 || std::abs(value) >= 1e9;
   return in_powers ? with_digits(value, std::chars_format::scientific, 1)
                    : with_digits(value, std::chars_format::general, kReadingDigits);
 }

@@ -39,8 +39,7 @@ std::vector<Judged> judged_of(const GatheredAnswers& gathered, AnalysisOutcome& 
   const std::size_t left_out = gathered.answers.size() - judged.size();
   if (left_out > 0) {
     outcome.remarks.push_back(
-        phrase("Analysis",
-               "Answers to trials without a declared right answer, which are left out: %1.")
+        phrase("Analysis", "Responses in trials without a declared correct response, left out: %1.")
             .with(std::to_string(left_out)));
   }
   return judged;
@@ -168,14 +167,15 @@ void add_recognition_tables(const GatheredAnswers& gathered, const std::vector<J
     right.count(
         {.column = one.answer->column, .person = person, .hit = one.right, .outcomes = outcomes});
   }
-  right.add("table_3", phrase("Analysis", "Recognised: right answers (counts)"),
-            chance_note(all, phrase("Analysis", "By chance: 1/%1 of the answers right.")), outcome);
+  right.add("table_3", phrase("Analysis", "Correct responses (counts)"),
+            chance_note(all, phrase("Analysis", "Chance level: 1/%1 of the responses correct.")),
+            outcome);
   ShareTable shares{
       "shares",
-      phrase("Analysis", "Share of right answers"),
+      phrase("Analysis", "Proportion correct"),
       phrase("Analysis",
-             "Chance is 1 in the number of pictures shown; “cannot tell” is not right. p: exact "
-             "binomial test, two-sided, not corrected for the number of rows."),
+             "The chance level is 1 divided by the number of pictures shown; “cannot tell” is not "
+             "correct. p: exact binomial test, two-sided, uncorrected for the number of rows."),
       {"column", "person"},
       "correct",
       "share_correct",
@@ -183,7 +183,7 @@ void add_recognition_tables(const GatheredAnswers& gathered, const std::vector<J
   right.add_rows(shares);
   add_shares(shares, outcome);
   ShareTable textures{"shares_by_texture",
-                      phrase("Analysis", "Share of right answers, by felt texture"),
+                      phrase("Analysis", "Proportion correct, by texture"),
                       {},
                       {"felt"},
                       "correct",
@@ -227,29 +227,29 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
     };
     outcome.remarks.push_back(
         phrase("Analysis",
-               "Similarities, map and tree rest on too few confusions (number of confusions: %1): "
-               "%2 of %3 pairs of textures were never confused, and their dissimilarities are set "
-               "by the ½ that is added to every count.")
+               "Similarities, MDS configuration and dendrogram rest on too few confusions (number "
+               "of confusions: %1): %2 of %3 pairs of textures were never confused, and their "
+               "dissimilarities are set by the ½ that is added to every count.")
             .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
   }
   if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
   NamedTable pairs{
       "similarity",
-      phrase("Analysis", "How alike the textures feel"),
+      phrase("Analysis", "Similarity of the textures"),
       {{"felt", "other", "similarity", "dissimilarity"}, {}},
-      phrase("Analysis",
-             "Similarity: Luce's choice model, 1 for what cannot be told apart, with "
-             "the favourite answers taken out. Dissimilarity: Shepard's −ln of it from "
-             "the counts plus ½, not below 0.")};
+      phrase(
+          "Analysis",
+          "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
+          "biases separated. Dissimilarity: Shepard's −ln η from the counts plus ½, not below 0.")};
   NamedTable map{"map",
-                 phrase("Analysis", "The textures on a map: what is alike lies together"),
+                 phrase("Analysis", "MDS configuration of the textures"),
                  {{"item", "x", "y"}, {}},
                  phrase("Analysis",
-                        "Classical scaling of the dissimilarities. Only the distances mean "
-                        "something: the map may be turned and mirrored.")};
+                        "Classical scaling of the dissimilarities. Only distances can be "
+                        "interpreted: the configuration may be rotated and mirrored.")};
   NamedTable tree{
       "tree",
-      phrase("Analysis", "The textures as a tree: what is alike joins first"),
+      phrase("Analysis", "Dendrogram of the textures"),
       {{"join", "first", "second", "height"}, {}},
       phrase("Analysis",
              "Average linkage of the dissimilarities. Each row joins the cluster of the "
@@ -298,20 +298,19 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   const Finding* mean = found.find("subj.mean");
   const StudyTests::Test* test = tests.find("right");
   if (mean == nullptr || !mean->value || test == nullptr) return;
-  const Phrase question = phrase("Analysis", "Are felt textures recognised?");
-  const Phrase method =
-      phrase("Analysis",
-             "The proportion of each participant's correct responses, averaged over the "
-             "participants, with a CI by Student's t on the logit scale and Student's t test "
-             "against chance; with a single participant the exact binomial test. Answers “cannot "
-             "tell” name no picture and are left out here; the "
-             "table of shares counts them as not right.");
+  const Phrase question = phrase("Analysis", "Are textures recognised above chance?");
+  const Phrase method = phrase(
+      "Analysis",
+      "The proportion of each participant's correct responses, averaged over the participants, "
+      "with a t-based CI on the logit scale and a one-sample t test against the chance level; with "
+      "a single participant the exact binomial test. Responses “cannot tell” name no picture and "
+      "are left out here; the table of proportions counts them as not correct.");
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
   if (!test->p) {
     add_question(outcome, "right", question,
                  phrase("Analysis",
-                        "%1 of a participant's answers are right on average (%2), where chance is "
-                        "%3; the participants do not differ, so there is no test.")
+                        "On average %1 of a participant's responses were correct (%2), where the "
+                        "chance level is %3; the participants do not differ, so there is no test.")
                      .with(percent(*mean->value), interval_text(*mean), chance),
                  method, "shares", mean);
     return;
@@ -321,19 +320,18 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   };
   const Phrase nothing =
       with_numbers(phrase("Analysis",
-                          "Nothing shows that they are: %1 of a participant's answers are right on "
-                          "average (%2), where chance is %3; %4."));
+                          "Not significantly: on average %1 of a participant's responses were "
+                          "correct (%2), where the chance level is %3; %4."));
   const bool above = *mean->value > 1.0 / static_cast<double>(pictures);
   const Sayings sayings{
-      above ? with_numbers(
-                  phrase("Analysis",
-                         "They are: %1 of a participant's answers are right on average (%2), where "
-                         "chance is %3; %4."))
+      above ? with_numbers(phrase("Analysis",
+                                  "Yes: on average %1 of a participant's responses were correct "
+                                  "(%2), where the chance level is %3; %4."))
             : nothing,
       nothing,
-      with_numbers(phrase(
-          "Analysis",
-          "%1 of a participant's answers are right on average (%2), where chance is %3; %4."))};
+      with_numbers(phrase("Analysis",
+                          "On average %1 of a participant's responses were correct (%2), where the "
+                          "chance level is %3; %4."))};
   add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);
 }
 
@@ -347,25 +345,24 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const double shown = std::clamp(*bits->value, 0.0, *of);
   const Phrase sensitivity =
       dprime != nullptr && dprime->value && dprime->low && dprime->high
-          ? phrase("Analysis", "d′ is %1 (95 % interval %2 to %3, n = %4 answers)")
+          ? phrase("Analysis", "d′ is %1 (95 % CI %2 to %3, n = %4 responses)")
                 .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2), fixed(*dprime->high, 2),
                       std::to_string(dprime->n))
           : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
-      enough
-          ? phrase("Analysis",
-                   "The answers carry %1 of %2 bits about what was felt, corrected for the number "
-                   "of answers; %3.")
-          : phrase("Analysis",
-                   "The answers carry about %1 of %2 bits about what was felt, corrected for the "
-                   "number of answers, of which there are too few to trust it; %3.");
+      enough ? phrase("Analysis",
+                      "The responses transmit %1 of %2 bits about the texture presented, "
+                      "bias-corrected; %3.")
+             : phrase("Analysis",
+                      "The responses transmit about %1 of %2 bits about the texture presented; "
+                      "with so few responses the bias correction is not reliable; %3.");
   add_question(
-      outcome, "information", phrase("Analysis", "How much do the answers tell?"),
+      outcome, "information", phrase("Analysis", "How much information do the responses transmit?"),
       answer.with(fixed(shown, 2), fixed(*of, 2), sensitivity),
       phrase("Analysis",
-             "Transmitted information less Miller's bias; at least 5·m² answers are needed "
-             "for m pictures. d′ of m alternatives without bias, all answers pooled, its "
-             "interval at the Wilson limits of the share of right answers."),
+             "Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are "
+             "needed for m pictures. d′ of m alternatives without response bias, all responses "
+             "pooled, its CI at the Wilson limits of the proportion correct."),
       "measures", bits, CountedUnit::answers);
 }
 
@@ -475,18 +472,18 @@ Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPa
   if (largest.size() > kMostNamedConfusions) {
     return phrase("Analysis",
                   "%1 Counted in one direction only, %2 confusions are the most frequent: each in "
-                  "%3 of the answers to the texture felt.")
+                  "%3 of the responses to the texture presented.")
         .with(answer, std::to_string(largest.size()), percent(first.share()));
   }
   if (largest.size() > 1) {
     return phrase("Analysis",
                   "%1 Counted in one direction only, these confusions are the most frequent: %2, "
-                  "each in %3 of the answers to the texture felt.")
+                  "each in %3 of the responses to the texture presented.")
         .with(answer, confusions_text(largest), percent(first.share()));
   }
   return phrase("Analysis",
                 "%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 "
-                "answers.")
+                "responses.")
       .with(answer, confusions_text(largest), std::to_string(first.times),
             std::to_string(first.answers));
 }
@@ -506,14 +503,16 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
       "answers in which one was taken for the other, of the answers to either; n counts answers";
   Phrase answer{};
   if (first.times == 0) {
-    answer = phrase("Analysis", "No felt texture was ever taken for another felt one.");
+    answer =
+        phrase("Analysis", "No texture was ever confused with another one that was presented.");
   } else if (pictures.felt.size() == 2) {
     answer =
-        phrase("Analysis", "Only %1 were felt: one was taken for the other in %2 of %3 answers.")
+        phrase("Analysis",
+               "Only %1 were presented: one was confused with the other in %2 of %3 responses.")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() == 1) {
     answer =
-        phrase("Analysis", "Most alike are %1: one was taken for the other in %2 of %3 answers.")
+        phrase("Analysis", "Most often confused are %1: one with the other in %2 of %3 responses.")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() <= kMostNamedConfusions) {
     Phrase names = first.names;
@@ -523,20 +522,26 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
               .with(names, most[i].names);
     }
     answer = phrase("Analysis",
-                    "Equally alike are %1: one was taken for the other in %2 of the answers to "
+                    "Equally often confused are %1: one with the other in %2 of the responses to "
                     "the two textures of each pair.")
                  .with(names, percent(first.share()));
   } else {
     answer = phrase("Analysis",
-                    "%1 pairs of textures are equally alike, and none more: one was taken for the "
-                    "other in %2 of the answers to the two textures of each pair.")
+                    "%1 pairs of textures are equally often confused, and none more often: one "
+                    "with the other in %2 of the responses to the two textures of each pair.")
                  .with(std::to_string(most.size()), percent(first.share()));
   }
-  add_question(outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
+  add_question(outcome, "confusions",
+               phrase("Analysis", "Which textures are confused with each other?"),
                with_larger_confusions(answer, most, largest_confusions(gathered, judged, pictures)),
-               phrase("Analysis",
-                      "Of the answers to either of two textures, those that name the other one. "
-                      "There is no interval: it is the largest of several."),
+               pictures.felt.size() == 2
+                   ? phrase("Analysis",
+                            "Of the responses to the two textures, those that name the other one, "
+                            "all participants pooled.")
+                   : phrase("Analysis",
+                            "Of the responses to either of two textures, those that name the other "
+                            "one, all participants pooled. There is no CI, because the pair is "
+                            "selected as the most frequent of several."),
                "confusion", &finding, CountedUnit::answers);
 }
 
@@ -573,8 +578,8 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   } else {
     outcome.remarks.push_back(phrase(
         "Analysis",
-        "The pictures differ between the trials, and chance with them: sensitivity, information "
-        "and similarities of all answers together would compare nothing and are left out."));
+        "The pictures and with them the chance level differ between trials: sensitivity, "
+        "information and similarities of all responses together are not meaningful and left out."));
   }
   const FoundNumbers found(findings);
   const FoundNumbers found_likeness(likeness);

@@ -70,19 +70,19 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
 void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                       const ChapterCells& cells, AnalysisOutcome& outcome) {
   const std::size_t items = selection.items.size();
-  ShareTable shares{
-      "shares",
-      phrase("Analysis", "Share of each model among the choices"),
-      phrase("Analysis",
-             "Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not "
-             "corrected for the number of rows; the shares of one column depend on each other."),
-      {"column", "item"},
-      "chosen",
-      "share_chosen",
-      {}};
+  ShareTable shares{"shares",
+                    phrase("Analysis", "Proportion of choices of each model"),
+                    phrase("Analysis",
+                           "The chance level is 1 divided by the number of surfaces presented. p: "
+                           "exact binomial test, two-sided, uncorrected for the number of rows; "
+                           "the proportions of one column are not independent of each other."),
+                    {"column", "item"},
+                    "chosen",
+                    "share_chosen",
+                    {}};
   if (selection.can_abstain) {
     shares.note =
-        phrase("Analysis", "%1 Answers “cannot tell” are counted above and take no part here.")
+        phrase("Analysis", "%1 Responses “cannot tell” are counted above and excluded here.")
             .with(shares.note);
   }
   ShareTable pairs{"pairs",
@@ -108,7 +108,7 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
   add_shares(shares, outcome);
   add_shares(pairs, outcome);
   ShareTable textures{"shares_by_texture",
-                      phrase("Analysis", "Share of each model among the choices, by texture"),
+                      phrase("Analysis", "Proportion of choices of each model, by texture"),
                       {},
                       {"texture", "item"},
                       "chosen",
@@ -126,10 +126,10 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
 void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
   ShareTable positions{
       "positions",
-      phrase("Analysis", "Share of each position among the choices"),
+      phrase("Analysis", "Proportion of choices of each position"),
       phrase("Analysis",
-             "The first, second, … surface that was felt, whatever it was. Where surfaces are "
-             "felt in random order, more than chance is a habit, not a preference."),
+             "The first, second, … surface presented, whichever it was. Where the order of "
+             "surfaces is random, a proportion above chance is a position bias, not a preference."),
       {"position"},
       "chosen",
       "share_of_position",
@@ -284,8 +284,9 @@ void add_untestable(StudyTests& tests) {
 void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const Selection selection(gathered);
   if (selection.items.empty()) {
-    outcome.remarks.push_back(phrase(
-        "Analysis", "No surface was felt before these answers: there is nothing to compare."));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "No surface was presented before these responses: there is nothing to compare."));
     return;
   }
   const ChapterCells cells(gathered);
@@ -303,12 +304,11 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
             .with(*gathered.compared_parameter));
   }
   counts.table_1.note = chance_note(
-      counts.choices,
-      selection.all_offered
-          ? phrase("Analysis", "By chance: 1/%1 of the choices for each model.")
-          : phrase("Analysis",
-                   "By chance: each model in 1/%1 of the choices of the trials that presented "
-                   "it."));
+      counts.choices, selection.all_offered
+                          ? phrase("Analysis", "Chance level: 1/%1 of the choices for each model.")
+                          : phrase("Analysis",
+                                   "Chance level: each model in 1/%1 of the choices of the trials "
+                                   "that presented it."));
   add_counts(counts.table_1, outcome);
   add_share_tables(selection, counts, cells, outcome);
 

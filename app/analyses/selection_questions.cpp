@@ -54,24 +54,23 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
   const Phrase share = percent(*most.mean->value);
   const Phrase chance = percent(1.0 / static_cast<double>(items));
   if (most.names.size() == items && items > 1) {
-    return (items == kBoth
-                ? phrase("Analysis",
-                         "Both were chosen equally often: each in %1 of a participant's choices on "
-                         "average, where chance is %2")
-                : phrase("Analysis",
-                         "All were chosen equally often: each in %1 of a participant's choices on "
-                         "average, where chance is %2"))
+    return (items == kBoth ? phrase("Analysis",
+                                    "Both were chosen equally often: each in %1 of a participant's "
+                                    "choices on average, where the chance level is %2")
+                           : phrase("Analysis",
+                                    "All were chosen equally often: each in %1 of a participant's "
+                                    "choices on average, where the chance level is %2"))
         .with(share, chance);
   }
   if (most.names.size() > 1) {
     return phrase("Analysis",
                   "%1 were chosen equally often, and most often: each in %2 of a participant's "
-                  "choices on average, where chance is %3")
+                  "choices on average, where the chance level is %3")
         .with(listed_names(most.names), share, chance);
   }
   return phrase("Analysis",
                 "%1 was chosen most often: in %2 of a participant's choices on average (%3), where "
-                "chance is %4")
+                "the chance level is %4")
       .with(most.names.front(), share, interval_text(*most.mean), chance);
 }
 
@@ -205,26 +204,26 @@ Phrase positions_text(const GreatestMean& most, std::size_t positions, const Fin
   }
   if (most.names.size() > 1 && is_first) {
     return phrase("Analysis",
-                  "what was felt at the positions %1 was chosen equally often, each in %2 of a "
-                  "participant's choices on average, where chance is %3")
+                  "the positions %1 were chosen equally often, each in %2 of a participant's "
+                  "choices on average, where the chance level is %3")
         .with(listed_names(most.names), share, chance);
   }
   if (most.names.size() > 1) {
-    return phrase("Analysis",
-                  "what was felt at the positions %1 was chosen equally often, each in %2 of a "
-                  "participant's choices on average, and what was felt first in %3 (%4), where "
-                  "chance is %5")
+    return phrase(
+               "Analysis",
+               "the positions %1 were chosen equally often, each in %2 of a participant's choices "
+               "on average, and the first position in %3 (%4), where the chance level is %5")
         .with(listed_names(most.names), share, percent(*first.value), interval_text(first), chance);
   }
   if (is_first) {
     return phrase("Analysis",
-                  "what was felt first was chosen in %1 of a participant's choices on average "
-                  "(%2), where chance is %3")
+                  "the first position was chosen in %1 of a participant's choices on average (%2), "
+                  "where the chance level is %3")
         .with(share, interval_text(first), chance);
   }
   return phrase("Analysis",
-                "what was felt at position %1 was chosen in %2 of a participant's choices on "
-                "average (%3), and what was felt first in %4 (%5), where chance is %6")
+                "position %1 was chosen in %2 of a participant's choices on average (%3), and the "
+                "first position in %4 (%5), where the chance level is %6")
       .with(most.names.front(), share, interval_text(*most.mean), percent(*first.value),
             interval_text(first), chance);
 }
@@ -270,7 +269,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
              "choices of a participant depend on each other.");
   const StudyTests::Test* test = tests.find("preference");
   if (most.mean == nullptr || test == nullptr) {
-    add_question(outcome, "preference", question, phrase("Analysis", "Nobody has chosen one yet."),
+    add_question(outcome, "preference", question, phrase("Analysis", "There are no choices yet."),
                  method, "shares", nullptr);
     return;
   }
@@ -350,7 +349,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
   if (test == nullptr || first == nullptr || !first->value) return;
   const std::vector<std::string> names = numbers_up_to(positions);
   const GreatestMean most = greatest_mean(names, found);
-  const Phrase question = phrase("Analysis", "Does it matter what is felt first?");
+  const Phrase question = phrase("Analysis", "Does the position in the trial matter?");
   const Phrase method =
       phrase("Analysis", "As the preference, with the positions in the place of the models.");
   if (is_of_one_participant(*test)) {
@@ -413,9 +412,9 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   const Sayings sayings{
       with_numbers(phrase("Analysis",
                           "It does: that %1 is chosen equally often with every texture has %2.")),
-      with_numbers(phrase("Analysis",
-                          "Nothing shows that it does: that %1 is chosen equally often with every "
-                          "texture has %2.")),
+      with_numbers(
+          phrase("Analysis",
+                 "Not significantly: test of equal proportions of %1 with every texture, %2.")),
       with_numbers(
           phrase("Analysis", "That %1 is chosen equally often with every texture has %2."))};
   Phrase answer = said_of(*test, sayings);

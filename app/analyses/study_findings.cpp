@@ -212,7 +212,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
                   AnalysisOutcome& outcome) {
   NamedTable made{"measures",
-                  phrase("Analysis", "Measures of all answers together"),
+                  phrase("Analysis", "Measures of all responses together"),
                   {{"measure", "value", "value_low", "value_high", "unit"}, {}},
                   {}};
   for (const Measure& measure : measures) {

@@ -41,6 +41,17 @@ std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
       .value = *finding->value, .low = finding->low, .high = finding->high};
 }
 
+/// An effect size that takes single trials for independent, in a test of participants, says so; of one
+/// participant its interval would say nothing about participants.
+void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
+  if (!test.effect || test.unit != kUsualUnit) return;
+  const Finding* finding = found.find(test.made_by->effect, key);
+  test.effect->takes_trials_as_independent = finding->n != test.n;
+  if (test.n > 1) return;
+  test.effect->low.reset();
+  test.effect->high.reset();
+}
+
 /// Why nobody has added a test that the protocol declares: a code of cell_words.h.
 std::string reason_for(const std::string& name) {
   using WhyNot = std::pair<std::string_view, std::string_view>;
@@ -63,6 +74,11 @@ Cell permutations_cell(const StudyTests::Test& test) {
   if (!test.random_permutations) return {};
   return *test.random_permutations == 0 ? std::string("exact")
                                         : std::to_string(*test.random_permutations);
+}
+
+/// The smallest attainable p, where it exceeds 5 %.
+std::optional<double> too_large(std::optional<double> smallest) {
+  return smallest && *smallest > kAlpha ? smallest : std::nullopt;
 }
 
 Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
@@ -96,7 +112,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
           {"left_out", static_cast<std::int64_t>(test.left_out)},
           {"p", cell_of(test.p)},
           {"p_holm", cell_of(test.adjusted)},
-          {"p_smallest", cell_of(test.smallest_p)},
+          {"p_smallest", cell_of(too_large(test.smallest_p))},
           {"family", text_cell(family)},
           {"role", std::string(family.empty() ? "exploratory" : "confirmatory")},
           {"status", test.p ? Cell{} : Cell{test.status}}};
@@ -136,6 +152,18 @@ Cell method_cell(const TestRow& row) {
   const std::string permutations = row.text("permutations");
   if (permutations.empty()) return row.cell("method");
   return row.text("method") + '|' + permutations;
+}
+
+/// The code of the test, and after a stroke what it is about.
+Cell test_cell(const TestRow& row) {
+  const std::string about = row.text("about");
+  return row.text("test") + (about.empty() ? "" : '|' + about);
+}
+
+/// How many, and after a stroke of what; missing where nothing was tested.
+Cell n_cell(const TestRow& row) {
+  const double n = row.number("n").value_or(0.0);
+  return n > 0.0 ? Cell{fixed(n, 0) + '|' + row.text("unit")} : Cell{};
 }
 
 /// "F(2, 38) = 5.17"
@@ -182,23 +210,22 @@ void drop_empty(Table& table, std::initializer_list<std::string> names) {
 
 /// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
 Table with_joined_cells(const Table& tests) {
-  Table made{{"test", "about", "method", "n", "unit", "statistic", "effect_size", "p", "p_holm",
-              "p_smallest", "role", "status"},
+  Table made{{"test", "method", "n", "statistic", "effect_size", "p", "p_holm", "p_smallest",
+              "role", "status"},
              {}};
   for (const std::vector<Cell>& cells : tests.rows) {
     const TestRow row(tests, cells);
-    made.rows.push_back({row.cell("test"), row.cell("about"), method_cell(row), row.cell("n"),
-                         row.cell("unit"), statistic_cell(row), effect_cell(row), row.cell("p"),
-                         row.cell("p_holm"), row.cell("p_smallest"), row.cell("role"),
-                         row.cell("status")});
+    made.rows.push_back({test_cell(row), method_cell(row), n_cell(row), statistic_cell(row),
+                         effect_cell(row), row.cell("p"), row.cell("p_holm"),
+                         row.cell("p_smallest"), row.cell("role"), row.cell("status")});
   }
-  drop_empty(made, {"about", "p_smallest", "status"});
+  drop_empty(made, {"p_holm", "p_smallest", "status"});
   return made;
 }
 
-/// The smallest p that could be attained, where it exceeds 5 %; that of a single participant is 1, and no test.
+/// The smallest p that could be attained; that of a single participant is 1, and no test.
 void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
-  if (!test.p || smallest.value_or(0.0) <= kAlpha) return;
+  if (!test.p || !smallest) return;
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
   if (test.n > 1 || *smallest < 1.0 - kRounding) {
     test.smallest_p = smallest;
@@ -250,6 +277,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
   }
   test.effect = effect_in(found, by.effect, key);
+  judge_effect(found, key, test);
 }
 
 void StudyTests::add_untested(const std::string& name, const std::string& about,
@@ -272,12 +300,12 @@ Phrase StudyTests::note_on_family(std::size_t tests) const {
       tests == 1
           ? (is_declared_
                  ? phrase("Analysis",
-                          "The only confirmatory test is the family that the protocol declares "
-                          "(%1); its p needs no correction.")
+                          "The family that the protocol declares has one test (%1), the only "
+                          "confirmatory one; there is nothing to correct for.")
                  : phrase("Analysis",
-                          "The protocol declares no family of tests. The only confirmatory test is "
-                          "the usual family of this kind of protocol (%1); its p needs no "
-                          "correction."))
+                          "The protocol declares no family of tests. The usual family of this kind "
+                          "of protocol has one test (%1), the only confirmatory one; there is "
+                          "nothing to correct for."))
                 .with(family)
           : (is_declared_
                  ? phrase("Analysis",
@@ -289,16 +317,51 @@ Phrase StudyTests::note_on_family(std::size_t tests) const {
                           "(%2); a test that cannot be made counts as p = 1."))
                 .with(std::to_string(tests), family);
   note = phrase("Analysis",
-                "%1 All other tests are exploratory and uncorrected. n counts the units next to "
-                "it; responses and trials are pooled as if they were independent. Effect sizes "
-                "have 95 % CIs.")
-             .with(note);
+                "%1 All other tests are exploratory and uncorrected. Where n counts responses or "
+                "trials, they are pooled as if they were independent. %2")
+             .with(note, note_on_columns());
   for (const Test& test : tests_) {
     if (test.left_out == 0) continue;
     note = phrase("Analysis",
                   "%1 Participants who never chose the target cannot contribute to the test of "
                   "textures and are not counted in its n: %2 of %3.")
                .with(note, std::to_string(test.left_out), std::to_string(test.n + test.left_out));
+  }
+  return note;
+}
+
+Phrase StudyTests::note_on_columns() const {
+  std::vector<std::pair<std::string_view, Phrase>> symbols{};
+  std::string pooled{};
+  bool has_interval = false;
+  const auto add_symbol = [&symbols](std::string_view symbol, const Phrase& name) {
+    const bool is_known = std::any_of(symbols.begin(), symbols.end(),
+                                      [symbol](const auto& one) { return one.first == symbol; });
+    if (!name.empty() && !is_known) symbols.emplace_back(symbol, name);
+  };
+  for (const Test& test : tests_) {
+    if (!test.p || test.made_by == nullptr) continue;
+    if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
+    if (!test.effect) continue;
+    const std::string_view symbol = test.made_by->effect_symbol;
+    add_symbol(symbol, test.made_by->effect_name);
+    has_interval = has_interval || test.effect->low;
+    const bool is_named = pooled.find(symbol) != std::string::npos;
+    if (!test.effect->takes_trials_as_independent || is_named) continue;
+    pooled += (pooled.empty() ? "" : ", ") + std::string(symbol);
+  }
+  Phrase note{};
+  for (const auto& [symbol, name] : symbols) {
+    const Phrase one = phrase("Analysis", "%1: %2").with(std::string(symbol), name);
+    note = note.empty() ? one : phrase("Analysis", "%1; %2").with(note, one);
+  }
+  if (!note.empty()) note = phrase("Analysis", "%1.").with(note);
+  const auto add = [&note](const Phrase& sentence) {
+    note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
+  if (!pooled.empty()) {
+    add(phrase("Analysis", "Estimated from trials as if they were independent: %1.").with(pooled));
   }
   return note;
 }
@@ -323,6 +386,23 @@ void StudyTests::adjust() {
     if (!test.p) continue;
     test.adjusted = own;
     test.is_only_confirmatory = raw.size() == 1;
+  }
+  adjust_smallest();
+}
+
+// Holm's adjusted p do not fall when any raw p rises: what all tests give at their smallest p is the
+// least that each can give.
+void StudyTests::adjust_smallest() {
+  std::vector<double> smallest{};
+  for (const Test& test : tests_) {
+    if (is_in_family(test.name)) smallest.push_back(test.p ? test.smallest_p.value_or(0.0) : 1.0);
+  }
+  const std::vector<double> adjusted = holm_adjusted(smallest);
+  std::size_t next = 0;
+  for (Test& test : tests_) {
+    if (!is_in_family(test.name)) continue;
+    const double own = adjusted[next++];
+    if (test.smallest_p) test.smallest_p = own;
   }
 }
 
@@ -371,9 +451,9 @@ Phrase p_text(const StudyTests::Test& test) {
                      : test.adjusted ? phrase("Analysis", "%1, Holm-corrected")
                                      : phrase("Analysis", "%1, uncorrected");
   const Phrase text = how.with(reading_p(p));
-  if (!test.smallest_p) return text;
-  return phrase("Analysis", "%1; the smallest attainable is %2")
-      .with(text, reading_p(*test.smallest_p));
+  const std::optional<double> smallest = too_large(test.smallest_p);
+  if (!smallest) return text;
+  return phrase("Analysis", "%1; the smallest attainable is %2").with(text, reading_p(*smallest));
 }
 
 Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {

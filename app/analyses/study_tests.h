@@ -37,7 +37,8 @@ class StudyTests final {
     std::size_t left_out = 0;
     std::optional<double> p{};
     FindingName source{};                ///< whose p it is
-    std::optional<double> smallest_p{};  ///< that could be attained, where that exceeds 5 %
+    /// That these data could give, of the family Holm-corrected: where it exceeds 5 %, nothing could show.
+    std::optional<double> smallest_p{};
     std::optional<double> statistic{};
     std::vector<double> degrees{};  ///< of freedom: none, one, or two of an F
     std::optional<std::size_t>
@@ -46,6 +47,7 @@ class StudyTests final {
       double value = 0.0;
       std::optional<double> low{};
       std::optional<double> high{};
+      bool takes_trials_as_independent = false;  ///< in a test of participants
     };
     std::optional<Effect> effect{};
     std::optional<double> adjusted{};   ///< within the family,
@@ -76,8 +78,11 @@ class StudyTests final {
  private:
   void adjust();
   std::size_t tests_in_family() const;
-  /// What stands below the table: of how many tests the family is.
+  /// The smallest p that are attainable with Holm's correction.
+  void adjust_smallest();
+  /// What stands below the table: of how many tests the family is, and what the columns hold.
   Phrase note_on_family(std::size_t tests) const;
+  Phrase note_on_columns() const;
 
   std::vector<std::string> family_{};
   std::string name_{};

@@ -58,7 +58,7 @@ struct ShareTable {
 /// two-sided binomial test), by the family `proportion`, and the same as findings.
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
 
-/// `at_chance` with the number of outcomes in its place: "By chance: 1/%1 of the answers right." — or
+/// `at_chance` with the number of outcomes in its place: "Chance level: 1/%1 of the responses correct." — or
 /// that it differs between the trials.
 Phrase chance_note(const Tally& tally, const Phrase& at_chance);
 

@@ -18,6 +18,7 @@ struct TestMethod {
   Phrase name{};              ///< as textbooks name it: "one-sample t test"
   std::string_view unit{};    ///< what its n counts: "participants", "answers"
   std::string_view symbol{};  ///< of the statistic: "t"
+  Phrase symbol_name{};       ///< what it stands for; empty of those that everybody knows
   std::string_view statistic{};
   std::array<std::string_view, 2> degrees{};  ///< of freedom; empty where it has none
   /// How many random permutations stand for all of them, 0 or absent where all were counted; empty
@@ -25,7 +26,8 @@ struct TestMethod {
   std::string_view draws{};
   /// The smallest p that these data could give; empty where every p is possible.
   std::string_view smallest{};
-  std::string_view effect_symbol{};  ///< "d"; "IT", transmitted information, is in bits
+  std::string_view effect_symbol{};  ///< "d"
+  Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval
 };
 

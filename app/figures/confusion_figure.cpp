@@ -56,7 +56,7 @@ Figure figure_of(const Confusions& confusions) {
     }
   }
   if (!(all > 0.0)) {
-    figure.instead = phrase("Figures", "Nothing was answered: there are no confusions to show.");
+    figure.instead = phrase("Figures", "There are no responses: there are no confusions to show.");
   }
   return figure;
 }

@@ -66,8 +66,8 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   if (!has_both) {
     for (Figure* figure : {&both, &less}) {
       figure->series.clear();
-      figure->instead =
-          phrase("Figures", "There are not two groups with answers: there is nothing to compare.");
+      figure->instead = phrase(
+          "Figures", "There are not two groups with responses: there is nothing to compare.");
     }
     return {both, less};
   }
@@ -92,7 +92,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   }
   if (const auto of_all = found.all(choice.pooled_difference); !of_all.empty()) {
     if (of_all.front()->value) {
-      add_row_of(*of_all.front(), phrase("Figures", "all answers together"), less);
+      add_row_of(*of_all.front(), phrase("Figures", "all responses together"), less);
     }
   }
   if (less.y.places.empty()) {

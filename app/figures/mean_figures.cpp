@@ -74,7 +74,8 @@ Figure rating_figure(const FoundNumbers& found) {
     hold(interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.x);
   }
   if (points.points.empty()) {
-    figure.instead = phrase("Figures", "Nobody scored every item: there are no means to show.");
+    figure.instead =
+        phrase("Figures", "No participant rated every item: there are no means to show.");
     return figure;
   }
   widen(figure.x);

@@ -129,12 +129,13 @@ void add_rows_of_plans(const std::vector<PlannedPoint>& plans, Figure& figure) {
 }  // namespace
 
 Figure power_figure(const TidyInput& input, const FoundNumbers& found) {
-  Figure figure{.name = "power",
-                .title = phrase("Figures", "Power of the planned tests"),
-                .note = phrase("Figures",
-                               "Points are planned sizes, each computed by itself: the exact tests "
-                               "of counts go up and down between them. The dashed line is what "
-                               "plans usually aim at.")};
+  Figure figure{
+      .name = "power",
+      .title = phrase("Figures", "Power of the planned tests"),
+      .note =
+          phrase("Figures",
+                 "Points are planned sizes, each computed by itself: the power of exact tests of "
+                 "counts is not monotone between them. The dashed line is the usual target.")};
   const std::vector<PlannedPoint> plans = planned_in(input, found);
   if (plans.empty()) {
     figure.instead = phrase("Figures", "No plan has a power to show.");

@@ -118,13 +118,19 @@ Figure dendrogram(const FoundNumbers& found) {
 }
 
 Figure similarity_map(const FoundNumbers& found) {
-  Figure figure{.name = "similarity_map",
-                .title = phrase("Figures", "Map of the dissimilarities (classical scaling)"),
-                .shape = FigureShape::square};
+  Figure figure{
+      .name = "similarity_map",
+      .title = phrase("Figures", "MDS configuration of the dissimilarities (classical scaling)"),
+      .shape = FigureShape::square};
   const std::optional<Distances> read = distances_of(found, "mds.shepard.dist2d");
-  if (!read || !(read->matrix.maxCoeff() > 0.0)) {
+  if (read && !(read->matrix.maxCoeff() > 0.0)) {
     figure.instead =
-        phrase("Figures", "There is no one map of these confusions: the distances fit many.");
+        phrase("Figures", "All dissimilarities are 0: there are no distances to show.");
+    return figure;
+  }
+  if (!read) {
+    figure.instead =
+        phrase("Figures", "These dissimilarities have no unique configuration in a plane.");
     return figure;
   }
   figure.note =

@@ -224,7 +224,7 @@ std::string guidance_text(const Exploration& exploration, const ReportFacts& fac
     const bool is_virtual = facts.group == AnswerGroup::virtual_participants;
     const char* const reason = is_virtual ? " (participants are virtual)"
                                : exploration.guidance == Exploration::Guidance::tones
-                                   ? " (at a terminal, or without sound output)"
+                                   ? " (run at a terminal, or no sound output was available)"
                                    : " (at a terminal)";
     text += " There was no such guidance " +
             SessionShare{.whole = unguided, .all = all}.text_after_not() + reason + '.';

@@ -100,6 +100,19 @@ void count_use(const AttemptRow& attempt, const PlannedTrialRow& planned, Analys
   ++facts.attempts;
 }
 
+/// A presentation names the texture that varies; the other body may have one of its own, always the same.
+void add_textures_of_bodies(const std::string& stimulus, ReportFacts& facts) {
+  if (!facts.file.protocol) return;
+  const Protocol& protocol = *facts.file.protocol;
+  const auto known = protocol.stimuli.find(stimulus);
+  if (known == protocol.stimuli.end()) return;
+  for (const Binding<std::string>* bound : {&known->second.surface, &known->second.tool}) {
+    const auto body = protocol.bodies.find(bound->value.value_or(""));
+    if (body == protocol.bodies.end() || !body->second.texture) continue;
+    facts.body_textures.insert(*body->second.texture);
+  }
+}
+
 void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, ReportFacts& facts) {
   const AnalysisUse use = use_in_analyses(planned, attempt);
   count_use(attempt, planned, use, facts);
@@ -111,6 +124,7 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
     facts.models.insert(surface.model + ' ' + surface.model_version);
     if (surface.surface_sha256) {
       facts.body_textures.insert(surface.texture);
+      add_textures_of_bodies(surface.stimulus, facts);
     } else if (surface.height_field_sha256) {
       facts.height_fields.insert(surface.texture);
     }

@@ -1,5 +1,6 @@
 // What somebody needs to do it again: program, device, files, seeds, session by session.
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -65,19 +66,22 @@ std::string began_text(const SessionRow& session) {
   return session.started_utc.substr(0, 16);
 }
 
+std::string with_blanks(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::string observer_text(const std::string& observer_json) {
   const nlohmann::json observer = nlohmann::json::parse(observer_json, nullptr, false);
   if (!observer.is_object()) return {};
   std::string text{};
   for (const auto& [name, value] : observer.items()) {
     const bool is_length = name.ends_with("_m");
-    std::string words = name == "deaf" ? "ignores what was felt:"
-                                       : name.substr(0, name.size() - (is_length ? 2 : 0));
-    for (char& letter : words) {
-      if (letter == '_') letter = ' ';
-    }
+    const std::string words = name == "deaf"
+                                  ? "ignores the surface:"
+                                  : with_blanks(name.substr(0, name.size() - (is_length ? 2 : 0)));
     text += (text.empty() ? "" : ", ") + words + ' ' +
-            (value.is_string()                ? value.get<std::string>()
+            (value.is_string()                ? with_blanks(value.get<std::string>())
              : value.is_boolean()             ? (value.get<bool>() ? "yes" : "no")
              : is_length && value.is_number() ? reading_quantity(value.get<double>(), "m")
                                               : value.dump());
@@ -166,6 +170,16 @@ ReportSection sessions_section(const ReportFacts& facts) {
         {row.participant, std::to_string(row.session), began_text(row), state,
          std::to_string(session.done_trials) + " of " + std::to_string(session.planned_trials),
          std::to_string(row.counterbalance_row), seed_text(row)});
+  }
+  const bool ended_early =
+      std::any_of(facts.sessions.begin(), facts.sessions.end(), [](const ReportedSession& session) {
+        return session.row.state == SessionState::completed &&
+               session.done_trials < session.planned_trials;
+      });
+  if (ended_early) {
+    table.note =
+        "A completed session has fewer trials than planned where a block reached its criterion "
+        "before its last trial.";
   }
   section.parts.emplace_back(std::move(table));
   return section;

@@ -137,6 +137,22 @@ void drop_lone_part(ReportTable& table) {
 
 }  // namespace
 
+void drop_empty_columns(ReportTable& table) {
+  for (std::size_t i = table.columns.size(); i-- > 1;) {
+    const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(),
+                                      [i](const auto& row) { return row[i] == "–"; });
+    if (!is_empty) continue;
+    const auto offset = static_cast<std::ptrdiff_t>(i);
+    table.columns.erase(table.columns.begin() + offset);
+    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + offset);
+  }
+}
+
+std::string words_of_number(const std::string& quantity) {
+  const auto known = known_numbers().find(quantity);
+  return known == known_numbers().end() ? std::string() : known->second.words;
+}
+
 ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   ReportTable table{};
   table.is_reference = true;
@@ -144,8 +160,8 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
                    {"p", true},      {"Holm", true},  {"n", true}};
   table.note =
-      "Holm: Holm-corrected over the tests of the same name. n: the units of the method; "
-      "participants unless stated otherwise.";
+      "Holm: Holm-corrected over the tests of the same name. n counts what the method takes as "
+      "independent: participants where it tests over participants, otherwise responses or trials.";
   for (const ReportedTest& test : tests) {
     const Finding& p = *test.p;
     if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
@@ -156,6 +172,7 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
          test.holm == nullptr ? "–" : reading_p_cell(*test.holm->value), reading_count(p.n)});
   }
   drop_lone_part(table);
+  drop_empty_columns(table);
   return table;
 }
 
@@ -163,6 +180,8 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "Further numbers";
+  table.note =
+      "n counts the units of which the number was computed: participants, responses or trials.";
   table.columns = {{"about", false}, {"what", false},   {"of", false},
                    {"value", true},  {"95 % CI", true}, {"n", true}};
   for (const Finding& finding : findings) {
@@ -176,9 +195,10 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
          finding.low && finding.high
              ? number_in_form(*finding.low, form) + " to " + number_in_form(*finding.high, form)
              : "–",
-         reading_count(finding.n)});
+         finding.n == 0 ? "–" : reading_count(finding.n)});
   }
   drop_lone_part(table);
+  drop_empty_columns(table);
   return table;
 }
 

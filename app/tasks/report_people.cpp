@@ -88,8 +88,8 @@ std::string state_text(const ReportedSession& session) {
 std::string hands_text(const ReportFacts& facts) {
   const SessionShare held = share_of_sessions(facts, is_moved_by_program);
   if (!held.is_any()) return {};
-  return " " + capitalised(held.text()) + " the program moved the device, and the " +
-         (facts.participants.size() == 1 ? "participant" : "participants") + " only answered.";
+  return " " + capitalised(held.text()) + " the program moved the device, not the " +
+         (facts.participants.size() == 1 ? "participant." : "participants.");
 }
 
 /// What became of attempts that do not count, in words of their own.

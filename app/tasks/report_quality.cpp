@@ -228,8 +228,8 @@ std::string explored_by_text(const ReportFacts& facts) {
     return gives_no_force(stretch) && stretch.judges_rendered_force;
   });
   if (computed.is_any()) {
-    text += " The normal force is the computed one, which no participant felt, " + computed.text() +
-            '.';
+    text += " The normal force is the computed one " + computed.text() +
+            ": the device exerted none there.";
   }
   const SessionShare zero = share_of_sessions(facts, [](const RecordedStretch& stretch) {
     return gives_no_force(stretch) && !stretch.judges_rendered_force;

@@ -11,6 +11,7 @@
 #include "app/analyses/reading_table.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/study_tests.h"
+#include "app/analyses/test_methods.h"
 #include "app/analyses/tidy/finding_list.h"
 #include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
@@ -130,12 +131,14 @@ std::string heading_of(const std::string& column) {
       {"column", "repetition"},
       {"effect_size", "effect size [95 % CI]"},
       {"felt_as_other", "confused with the other"},
+      {"fieller_m 95 %", "Fieller 95 % CI (m)"},
       {"goes", "trials"},
       {"matched_mean_N", "aimed at, mean (N)"},
       {"other_as_felt", "the other confused with it"},
       {"p_holm", "p, Holm"},
       {"p_interior", "p, interior maximum"},
       {"p_smallest", "smallest attainable p"},
+      {"peak_m 95 %", "95 % CI (m)"},
       {"person", "participant"},
       {"persons", "participants"},
       {"r_squared", "R²"},
@@ -150,16 +153,11 @@ std::string heading_of(const std::string& column) {
   return words_of_quantity(column);
 }
 
-/// A cell as a person reads it: the program's names in words, two things of a pair with a stroke.
+/// A cell as a person reads it: the program's names in words.
 std::string words_in(const std::string& column, const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return printed_cell(cell);
-  std::string words = words_of_cell(column, *text).english();
-  for (std::size_t bar = words.find('|'); column == "about" && bar != std::string::npos;
-       bar = words.find('|', bar + 1)) {
-    words.replace(bar, 1, " / ");
-  }
-  return words;
+  return words_of_cell(column, *text).english();
 }
 
 ReportTable report_table(const NamedTable& named) {
@@ -176,7 +174,8 @@ ReportTable report_table(const NamedTable& named) {
                             return std::holds_alternative<std::string>(row[*at]);
                           });
     const bool is_name = named.name == kConfusion && column != reading.columns.front();
-    table.columns.push_back({is_name ? column : heading_of(column), !holds_words});
+    table.columns.push_back(
+        {is_name ? words_of_cell("item", column).english() : heading_of(column), !holds_words});
   }
   for (const std::vector<Cell>& row : reading.rows) {
     std::vector<std::string>& cells = table.rows.emplace_back();
@@ -185,6 +184,7 @@ ReportTable report_table(const NamedTable& named) {
       cells.push_back(words_in(column, row[i]));
     }
   }
+  drop_empty_columns(table);
   return table;
 }
 
@@ -202,43 +202,63 @@ std::string refused_quantity(std::string quantity) {
 /// What a finding is about that can have no answer; the words of its name where it has no others.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
-      {"bt.cluster.status", "the intervals of the scale of preference"},
+      {"bt.cluster.status", "the CIs of the scale of preference"},
       {"bt.firth.status", "the scale of preference with Firth’s correction"},
       {"bt.order.status", "whether the first of two is preferred, on the scale of preference"},
+      {"bt.se.cluster", "the cluster-robust standard errors of the scale of preference"},
+      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the scale of preference"},
       {"bt.status", "the scale of preference (Bradley–Terry)"},
       {"cochran.Q", "Cochran’s Q"},
       {"dprime", "d′"},
       {"dprime.se", "the standard error of d′"},
       {"exponent.t", "the test of the exponent"},
       {"friedman.chisq", "Friedman’s test"},
+      {"glm.se.cluster", "the cluster-robust standard errors of the logistic regression"},
       {"glm.status", "the logistic regression"},
       {"mallows.theta", "Mallows’ θ"},
+      {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},
+      {"p", "the test"},
+      {"pc.se.cluster", "the cluster-robust standard error of the proportion correct"},
       {"peak.status", "the peak of the curve"},
-      {"pl.cluster.status", "the intervals of the scale of preference"},
+      {"pl.cluster.status", "the CIs of the scale of preference"},
       {"pl.status", "the scale of preference (Plackett–Luce)"},
       {"pooled.deff", "the design effect of pooling"},
       {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
       {"precision", "the precision (positive predictive value)"},
       {"quad.c.t", "the test of the curvature"},
       {"recall", "the recall"},
+      {"relabel.W", "Kendall’s W"},
+      {"scm.G2", "the goodness of fit of the similarity choice model"},
+      {"scm.X2", "the goodness of fit of the similarity choice model"},
+      {"scm.p", "the goodness of fit of the similarity choice model"},
       {"scm.status", "the similarity choice model"},
-      {"status", "a part of the analysis"},
+      {"signflip.d", "Cohen’s d of paired differences"},
       {"subj.ci.lower", "the CI of the mean proportion"},
       {"subj.ci.upper", "the CI of the mean proportion"},
       {"subj.mean", "the mean proportion"},
       {"subj.sd", "the SD of the participants’ proportions"},
       {"subj.t", "the test of the mean proportion"},
       {"subj.t.p.two", "the test of the mean proportion"},
+      {"tost.p", "the test of equivalence"},
       {"trend.t", "the test of the trend"},
       {"welch.t", "Welch’s test"}};
-  const auto known = kWords.find(quantity);
-  return known == kWords.end() ? "" : known->second;
+  if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
+  if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();
+  return words_of_number(quantity);
+}
+
+/// A whole analysis that could not be made.
+std::string words_of_analysis_without_numbers(const std::string& analysis) {
+  if (analysis == "anova") return "the analysis of variance";
+  return analysis == "roughness" ? "the curves of roughness" : "a part of the analysis";
 }
 
 /// "the test of the mean proportion of height_map", or nothing for what is only a step of a computation.
 std::string subject_of(const Finding& finding) {
-  std::string words = words_of_unanswered(finding.quantity);
+  std::string words = finding.quantity == "status"
+                          ? words_of_analysis_without_numbers(finding.analysis)
+                          : words_of_unanswered(finding.quantity);
   if (words.empty()) return {};
   const bool is_place = finding.analysis == "position" && number_in(finding.key);
   const std::string about = is_place ? "position " + finding.key : words_of_key(finding.key);
@@ -259,6 +279,7 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
   std::size_t further = 0;
   for (const Finding& finding : outcome.findings) {
     if (finding.status == "ok" || is_said_in_remarks(finding)) continue;
+    if (finding.analysis == StudyTests::kTable) continue;  // the table of tests has its reason
     std::string subject = subject_of(finding);
     if (subject.empty() && finding.status == kNotDefined) {
       ++further;

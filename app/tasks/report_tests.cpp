@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 #include "analysis/number_text.h"
 #include "app/analyses/found_numbers.h"
 #include "app/analyses/reading_number.h"
+#include "app/analyses/test_methods.h"
 
 namespace asperity {
 
@@ -89,6 +91,15 @@ std::string symbol_of(const std::string& quantity) {
       {"G", "G"}, {"chisq", "χ²"}, {"lr", "LR"}, {"X2", "X²"}, {"G2", "G²"}};
   const auto found = kSymbols.find(parts_of(quantity, '.').back());
   return found == kSymbols.end() ? std::string() : found->second;
+}
+
+/// A permutation test of one participant, whose p says nothing.
+bool can_only_be_one(const Finding& p, const FindingPlaces& places) {
+  const TestMethod* method = test_method(p.quantity);
+  if (method == nullptr || method->smallest.empty() || p.n > 1) return false;
+  const Finding* smallest = places.beside(p, std::string(method->smallest));
+  constexpr double kRounding = 1e-9;  // of a sum over all permutations
+  return smallest != nullptr && *smallest->value >= 1.0 - kRounding;
 }
 
 const Finding* statistic_for(const std::string& prefix, const Finding& p,
@@ -189,6 +200,29 @@ std::string said_number(double value) {
   return size >= 0.0095 && size < 0.095 ? fixed(value, 3) : reading_number(value);
 }
 
+/// "0.0005" of the level "5e-04"; a number that could not be read stays.
+std::string without_power(const std::string& level) {
+  if (level.find('e') == std::string::npos) return level;
+  double value = 0.0;
+  const char* const end = level.data() + level.size();
+  const auto read = std::from_chars(level.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? reading_number(value) : level;
+}
+
+/// What the program calls an effect or a coefficient, in words.
+std::string words_of_value(const std::string& value) {
+  static const std::map<std::string, std::string> kWords{
+      {"condition:spacing", "spacing by condition"},
+      {"ICC1", "ICC(1,1)"},
+      {"ICC1k", "ICC(1,k)"},
+      {"ICC2", "ICC(2,1)"},
+      {"ICC2k", "ICC(2,k)"},
+      {"ICC3", "ICC(3,1)"},
+      {"ICC3k", "ICC(3,k)"}};
+  const auto known = kWords.find(value);
+  return known == kWords.end() ? value : known->second;
+}
+
 std::string printed_interval(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
   return reading_percent(confidence) + " CI [" + said_number(*finding.low) + ", " +
@@ -211,6 +245,7 @@ std::vector<ReportedTest> tests_among(std::span<const Finding> findings) {
     const Finding& finding = findings[i];
     const std::optional<std::string> prefix = before_p(finding.quantity);
     if (!prefix || !finding.value || finding.quantity.ends_with(kHolm)) continue;
+    if (can_only_be_one(finding, places)) continue;
     ReportedTest& test = tests.emplace_back();
     test.p = &finding;
     test.statistic = statistic_for(*prefix, finding, places);
@@ -269,16 +304,17 @@ std::string words_of_key(const std::string& key) {
       to += (to.empty() ? "" : ", ") + word;
     };
     const bool is_number =
-        !part.value.empty() && part.value.find_first_not_of("0123456789.-") == std::string::npos;
+        !part.value.empty() && part.value.find_first_not_of("0123456789.e-") == std::string::npos;
     const std::string name = word_of_factor(part.name);
+    const std::string value = is_number ? without_power(part.value) : words_of_value(part.value);
     if (!name.empty() && is_whole(part.value)) {
       add(wholes, "all " + name + (name.ends_with('s') ? "" : "s"));
     } else if (is_whole(part.value)) {
       add(wholes, part.value == "POOLED" ? "pooled" : part.value);
     } else if (!name.empty() && (is_number || name == "against")) {
-      add(names, name + ' ' + part.value);
+      add(names, name + ' ' + value);
     } else {
-      add(names, part.value == "condition:spacing" ? "spacing by condition" : part.value);
+      add(names, value);
     }
   }
   if (names.empty()) return wholes;

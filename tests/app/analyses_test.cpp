@@ -319,7 +319,7 @@ TEST(Matching, LeavesOutWhatIsNoPermutationAndSaysSo) {
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   EXPECT_EQ(number(table_of(outcome, "whole_permutations").table, {"all", "Total"}, "of"), 1);
   EXPECT_THAT(outcome.remarks,
-              testing::Contains(says("left out because they do not give every picture")));
+              testing::Contains(says("left out because they do not assign every picture")));
 }
 
 // Table 3 by sex: 7, 8 and 7 women, 9, 8 and 8 men recognise the texture among six pictures.
@@ -376,7 +376,7 @@ TEST(AnalyzeStudy, SaysWhenTheAnswersAreGuessesByDeclaration) {
   made.add_session("virtual0001", made.add_protocol("recognition", "recognition"),
                    {recognition("stone", "stone")}, SessionMode::simulate);
   EXPECT_THAT(analyze_study(made.study()).front().remarks,
-              testing::Contains(says("answers are guesses: 1")));
+              testing::Contains(says("responses are guesses: 1")));
 }
 
 TEST(AnalyzeStudy, NeverMixesPeoplePilotsAndVirtualParticipants) {
@@ -518,7 +518,7 @@ TEST(Selection, AnswersItsQuestionWithThePersonAsTheUnit) {
   EXPECT_THAT(preference.answer.english(),
               testing::StartsWith("height_map was chosen most often: in 60 % of a participant's "
                                   "choices on average (95 % CI "));
-  EXPECT_THAT(preference.answer.english(), HasSubstr("where chance is 33 %"));
+  EXPECT_THAT(preference.answer.english(), HasSubstr("where the chance level is 33 %"));
   EXPECT_EQ(preference.finding.n, 20U);
   EXPECT_EQ(preference.finding.quantity, "subj.mean");
   EXPECT_TRUE(preference.finding.low.has_value());
@@ -556,7 +556,7 @@ TEST(Selection, SaysTheIntervalOfAShareInSentenceAndTableAsFarAsSharesGo) {
   const AnsweredQuestion& position = question_of(outcome, "position");
   EXPECT_THAT(position.answer.english(),
               AllOf(testing::StartsWith("Test against equal proportions: p "),
-                    HasSubstr("what was felt at position 2 was chosen in 92 % of a participant's "
+                    HasSubstr("position 2 was chosen in 92 % of a participant's "
                               "choices on average (95 % CI ")));
   EXPECT_EQ(position.finding.key, "2");
 }
@@ -641,9 +641,7 @@ TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
   const AnalysisOutcome outcome =
       analyze_pairs(R"({"analysis": {"target": "new", "family": ["preference"]}})");
   const NamedTable& tests = table_of(outcome, "tests");
-  EXPECT_THAT(
-      tests.note,
-      says("The only confirmatory test is the family that the protocol declares (preference)"));
+  EXPECT_THAT(tests.note, says("The family that the protocol declares has one test (preference)"));
   EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
                    number(tests.table, {"preference"}, "p"));
   EXPECT_THAT(finding_of(outcome, "tests", "p.holm", "test=preference").method,
@@ -711,14 +709,15 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   EXPECT_EQ(finding_of(outcome, "similarity", "scm.p").word, "too_few_confusions");
   EXPECT_FALSE(finding_of(outcome, "similarity", "scm.G2").value.has_value());
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Most alike are metal / stone: one was taken for the other in 3 of 8 answers.");
-  EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("too few"));
+            "Most often confused are metal / stone: one with the other in 3 of 8 responses.");
+  EXPECT_THAT(question_of(outcome, "information").answer.english(),
+              HasSubstr("with so few responses"));
   EXPECT_NO_THROW(question_of(outcome, "right"));
   EXPECT_EQ(finding_of(outcome, "sexes", "pooled.k", "M").value, 5.0);
   // 4 of 6 and 5 of 6, by participant: what is tested is what is told.
   EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
               HasSubstr("difference (women − men) −16.7 percentage points"));
-  EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("n = 12 answers)"));
+  EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("n = 12 responses)"));
   EXPECT_EQ(question_of(outcome, "information").counted.english(), "12 responses");
 }
 
@@ -736,7 +735,7 @@ TEST(Recognition, SaysThatNothingWasTakenForAnotherWhereAllIsRight) {
   const AnalysisOutcome outcome = analyze_answers(
       {{"stone", "stone"}, {"metal", "metal"}, {"wood", "wood"}, {"brick", "brick"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "No felt texture was ever taken for another felt one.");
+            "No texture was ever confused with another one that was presented.");
 }
 
 TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
@@ -745,9 +744,10 @@ TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
                                                    {"wood", "brick"},
                                                    {"brick", "brick"},
                                                    {"gravel", "gravel"}});
-  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Equally alike are brick / wood and metal / stone: one was taken for the other in 50 % of "
-            "the answers to the two textures of each pair.");
+  EXPECT_EQ(
+      question_of(outcome, "confusions").answer.english(),
+      "Equally often confused are brick / wood and metal / stone: one with the other in 50 % of "
+      "the responses to the two textures of each pair.");
 }
 
 // The sentence about positions has the mean of the persons, and so has a table for its figure.
@@ -769,19 +769,20 @@ TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) 
                                                    {"brick", "gravel"},
                                                    {"brick", "brick"}});
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Most alike are metal / stone: one was taken for the other in 1 of 4 answers. "
+            "Most often confused are metal / stone: one with the other in 1 of 4 responses. "
             "Counted in one direction only, the most frequent confusion is brick called gravel: in "
-            "2 of 3 answers.");
+            "2 of 3 responses.");
 }
 
 // Brick was called wood as often as gravel: the pair that is named already hides neither.
 TEST(Recognition, NamesEveryMostFrequentConfusionInOneDirection) {
   const AnalysisOutcome outcome =
       analyze_answers({{"brick", "wood"}, {"brick", "gravel"}, {"wood", "wood"}, {"wood", "wood"}});
-  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
-            "Only brick / wood were felt: one was taken for the other in 1 of 4 answers. "
-            "Counted in one direction only, these confusions are the most frequent: brick called "
-            "gravel, brick called wood, each in 50 % of the answers to the texture felt.");
+  EXPECT_EQ(
+      question_of(outcome, "confusions").answer.english(),
+      "Only brick / wood were presented: one was confused with the other in 1 of 4 responses. "
+      "Counted in one direction only, these confusions are the most frequent: brick called "
+      "gravel, brick called wood, each in 50 % of the responses to the texture presented.");
 }
 
 TEST(Recognition, NamesConfusionsInOneDirectionThatAreEquallyFrequent) {
@@ -798,7 +799,7 @@ TEST(Recognition, NamesConfusionsInOneDirectionThatAreEquallyFrequent) {
   EXPECT_THAT(question_of(outcome, "confusions").answer.english(),
               testing::EndsWith("Counted in one direction only, these confusions are the most "
                                 "frequent: brick called gravel, stone called metal, wood called "
-                                "grass, each in 50 % of the answers to the texture felt."));
+                                "grass, each in 50 % of the responses to the texture presented."));
 }
 
 // Of every texture everything is taken for something else: no pair is told by its letters.
@@ -809,9 +810,10 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
       if (felt != answer) answers.emplace_back(felt, answer);
     }
   }
-  EXPECT_EQ(question_of(analyze_answers(answers), "confusions").answer.english(),
-            "6 pairs of textures are equally alike, and none more: one was taken for the other in "
-            "33 % of the answers to the two textures of each pair.");
+  EXPECT_EQ(
+      question_of(analyze_answers(answers), "confusions").answer.english(),
+      "6 pairs of textures are equally often confused, and none more often: one with the other in "
+      "33 % of the responses to the two textures of each pair.");
 }
 
 TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
@@ -1020,10 +1022,11 @@ TEST(StudyTests, StateTheSmallestPThatCouldBeAttained) {
   const AnalysisOutcome two = outcome_of(2);
   EXPECT_DOUBLE_EQ(number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p"),
                    0.5);
+  // .5 of each, times three of the family.
   EXPECT_DOUBLE_EQ(
-      number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p_smallest"), 0.5);
+      number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p_smallest"), 1.0);
   EXPECT_THAT(question_of(two, "pairs").answer.english(),
-              HasSubstr("; the smallest attainable is p = .500"));
+              HasSubstr("; the smallest attainable is p > .999"));
 }
 
 // What no analysis can be made of is said, and nothing falls over.
@@ -1079,7 +1082,7 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
               testing::Contains(says("Not every trial presents every model")));
   EXPECT_THAT(question_of(outcomes["s_sets"], "preference").finding.status, HasSubstr("scale"));
   EXPECT_THAT(question_of(outcomes["r_wrong"], "right").answer.english(),
-              testing::StartsWith("Nothing shows that they are: 0 %"));
+              testing::StartsWith("Not significantly: on average 0 %"));
   EXPECT_EQ(finding_of(outcomes["r_right"], "recognition", "dprime").word, "Inf");
   EXPECT_THAT(question_of(outcomes["r_right"], "right").answer.english(),
               HasSubstr("so there is no test"));
@@ -1199,7 +1202,7 @@ TEST(Magnitudes, OfTwoPeopleAreTooFewToSayWhereItPeaks) {
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
                                   [](const AnsweredQuestion& one) { return one.name == "peaks"; });
   ASSERT_NE(asked, outcome.questions.end());
-  EXPECT_THAT(asked->answer, says("large cannot be told, because with 2 participants"));
+  EXPECT_THAT(asked->answer, says("large cannot be determined, because with 2 participants"));
 }
 
 // Neither by name nor as anybody met them.
@@ -1233,7 +1236,7 @@ TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
   // Degrees of freedom, size and direction beside F: a reader of the sentence needs no table.
   EXPECT_THAT(
       outcome.questions[0].answer.english(),
-      testing::ContainsRegex("It does: F\\(4, [0-9]+\\) = [0-9.]+, ε = [01]\\.[0-9]+, partial η² = "
+      testing::ContainsRegex("Yes: F\\(4, [0-9]+\\) = [0-9.]+, ε = [01]\\.[0-9]+, partial η² = "
                              "[01]\\.[0-9]+, p .*; "
                              "roughest was .* mm, and .* mm the least rough, by a factor "
                              "of [0-9.]+\\."));
@@ -1252,7 +1255,7 @@ TEST(Magnitudes, HaveNoRoughestSpacingWhereTheTestShowsNone) {
         return 0.1 * (place % 5) + 0.01 * static_cast<double>(level) + (is_small ? 0.02 : 0.0);
       });
   const std::string said = question_of(outcome, "spacing").answer.english();
-  EXPECT_THAT(said, testing::StartsWith("Nothing shows that it does: F(4, 16) = "));
+  EXPECT_THAT(said, testing::StartsWith("Not significantly: F(4, 16) = "));
   EXPECT_THAT(said, HasSubstr(", ε = "));
   EXPECT_THAT(said, testing::Not(HasSubstr("rough")));
 }

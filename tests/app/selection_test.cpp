@@ -240,7 +240,7 @@ TEST(SelectionTies, AnswerOfTwoModelsAndOfTheirOnlyPairInTheSingular) {
   });
   EXPECT_THAT(answer_of(outcome, "preference"),
               AllOf(StartsWith("Both were chosen equally often: each in 50 %"),
-                    HasSubstr("where chance is 50 %")));
+                    HasSubstr("where the chance level is 50 %")));
   EXPECT_THAT(answer_of(outcome, "pairs"), StartsWith("a / b do not differ significantly (p "));
 }
 

@@ -58,7 +58,7 @@ std::string meaning_of(std::string_view form) {
                         : form.starts_with("ICC2") ? "two-way, agreement"
                                                    : "two-way, consistency";
   return "intraclass correlation, " + meaning +
-         (form.ends_with('k') ? ", of the mean of all raters" : ", of one rating");
+         (form.ends_with('k') ? ", of the mean of all ratings" : ", of one rating");
 }
 
 }  // namespace

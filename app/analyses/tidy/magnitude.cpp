@@ -391,7 +391,8 @@ class MagnitudeList final {
       number("invU.slope." + name, probe, end.slope, "slope of the mean curve at this end");
       number("invU.t." + name, probe, end.t, "t of that slope");
       number("invU.p." + name, probe, end.p,
-             "one-sided: rising at the low end, falling at the high end");
+             name == "low" ? "slope of the mean curve at the low end, one-sided t: rising"
+                           : "slope of the mean curve at the high end, one-sided t: falling");
     }
     number("invU.p", probe, fit.interior_maximum_p(),
            "interior maximum: the larger of both one-sided p (Lind and Mehlum)");

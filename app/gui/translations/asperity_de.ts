@@ -8,8 +8,8 @@
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>Only %1 were felt: one was taken for the other in %2 of %3 answers.</source>
-        <translation>Nur %1 wurden gefühlt: In %2 von %3 Antworten wurde das eine für das andere gehalten.</translation>
+        <source>Only %1 were presented: one was confused with the other in %2 of %3 responses.</source>
+        <translation>Nur %1 wurden dargeboten: In %2 von %3 Antworten wurde das eine mit dem anderen verwechselt.</translation>
     </message>
     <message>
         <source>%1 interrupted</source>
@@ -32,7 +32,7 @@
         <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen der Art „run“ ausgewertet.</translation>
     </message>
     <message>
-        <source>%1 different files carry this protocol name and version; their answers are counted together.</source>
+        <source>%1 different files carry this protocol name and version; their responses are counted together.</source>
         <translation>%1 verschiedene Dateien tragen diesen Protokollnamen und diese Version; ihre Antworten sind zusammen gezählt.</translation>
     </message>
     <message>
@@ -52,75 +52,71 @@
         <translation>Versuche, die nicht zählen: %1.</translation>
     </message>
     <message>
-        <source>There is no answer to count yet.</source>
-        <translation>Noch gibt es keine Antwort zu zählen.</translation>
-    </message>
-    <message>
         <source>This program has no analysis for protocols of the kind &quot;%1&quot;.</source>
         <translation>Dieses Programm hat keine Auswertung für Protokolle der Art „%1“.</translation>
     </message>
     <message>
-        <source>Answers left out because they do not give every picture to one surface, so that chance is not that of a permutation: %1.</source>
-        <translation>Antworten, die weggelassen sind, weil sie nicht jedes Bild einer Oberfläche geben und der Zufall daher nicht der einer Permutation ist: %1.</translation>
+        <source>Responses left out because they do not assign every picture to one surface, so that the chance level is not that of a permutation: %1.</source>
+        <translation>Antworten, die weggelassen sind, weil sie nicht jedes Bild einer Oberfläche zuordnen und das Zufallsniveau daher nicht das einer Permutation ist: %1.</translation>
     </message>
     <message>
-        <source>Matched: whole permutations right (counts)</source>
-        <translation>Zugeordnet: ganze Permutationen richtig (Anzahlen)</translation>
+        <source>Trials with all items correct (counts)</source>
+        <translation>Durchgänge, in denen alles richtig ist (Anzahlen)</translation>
     </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>By chance: 1/%1 of the goes wholly right.</source>
-        <translation>Durch Zufall: 1/%1 der Runden ganz richtig.</translation>
+        <source>Chance level: all items correct in 1/%1 of the trials.</source>
+        <translation>Zufallsniveau: alles richtig in 1/%1 der Durchgänge.</translation>
     </message>
     <message>
-        <source>By chance: 1/%1 of the single items right.</source>
-        <translation>Durch Zufall: 1/%1 der einzelnen Zuordnungen richtig.</translation>
+        <source>Chance level: 1/%1 of the items correct.</source>
+        <translation>Zufallsniveau: 1/%1 der Zuordnungen richtig.</translation>
     </message>
     <message>
-        <source>Whole permutations: share of goes with every item right</source>
-        <translation>Ganze Permutationen: Anteil der Runden, in denen alles richtig ist</translation>
+        <source>Proportion of trials with all items correct</source>
+        <translation>Anteil der Durchgänge, in denen alles richtig ist</translation>
     </message>
     <message>
         <source>Chance is 1/m! for m items. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
         <translation>Der Zufall trifft mit 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
     </message>
     <message>
-        <source>Items: share of right items</source>
-        <translation>Einzelne Zuordnungen: Anteil der richtigen</translation>
+        <source>Proportion of correctly matched items</source>
+        <translation>Anteil der richtigen Zuordnungen</translation>
     </message>
     <message>
-        <source>Share of right items, by felt texture</source>
-        <translation>Anteil richtiger Zuordnungen nach gefühlter Textur</translation>
+        <source>Proportion of correctly matched items, by texture</source>
+        <translation>Anteil der richtigen Zuordnungen nach Textur</translation>
     </message>
     <message>
-        <source>One texture alone is right with chance 1/m; the rows depend on each other.</source>
-        <translation>Eine einzelne Textur ist durch Zufall mit 1/m richtig; die Zeilen hängen voneinander ab.</translation>
+        <source>The chance level of each texture is 1/m. The rows are not independent of each other.</source>
+        <translation>Das Zufallsniveau jeder Textur ist 1/m. Die Zeilen hängen voneinander ab.</translation>
     </message>
     <message>
-        <source>Answers to trials without a declared right answer, which are left out: %1.</source>
-        <translation>Antworten in Durchgängen ohne erklärte richtige Antwort, die weggelassen sind: %1.</translation>
+        <source>Responses in trials without a declared correct response, left out: %1.</source>
+        <translation>Antworten in Durchgängen ohne erklärte richtige Antwort, weggelassen: %1.</translation>
     </message>
     <message>
-        <source>Recognised: right answers (counts)</source>
-        <translation>Wiedererkannt: richtige Antworten (Anzahlen)</translation>
+        <source>Correct responses (counts)</source>
+        <translation>Richtige Antworten (Anzahlen)</translation>
     </message>
     <message>
-        <source>By chance: 1/%1 of the answers right.</source>
-        <translation>Durch Zufall: 1/%1 der Antworten richtig.</translation>
+        <source>Chance level: 1/%1 of the responses correct.</source>
+        <translation>Zufallsniveau: 1/%1 der Antworten richtig.</translation>
     </message>
     <message>
-        <source>Share of right answers</source>
+        <source>Proportion correct</source>
         <translation>Anteil richtiger Antworten</translation>
     </message>
     <message>
-        <source>Share of right answers, by felt texture</source>
-        <translation>Anteil richtiger Antworten nach gefühlter Textur</translation>
+        <source>Proportion correct, by texture</source>
+        <translation>Anteil richtiger Antworten nach Textur</translation>
     </message>
     <message>
-        <source>Share of each model among the choices, by texture</source>
+        <source>Proportion of choices of each model, by texture</source>
         <translation>Anteil jedes Modells an den Wahlen nach Textur</translation>
     </message>
     <message>
@@ -128,16 +124,16 @@
         <translation>Als die echteste gewählt (Anzahlen)</translation>
     </message>
     <message>
-        <source>By chance: 1/%1 of the choices for each model.</source>
-        <translation>Durch Zufall: 1/%1 der Wahlen für jedes Modell.</translation>
+        <source>Chance level: 1/%1 of the choices for each model.</source>
+        <translation>Zufallsniveau: 1/%1 der Wahlen für jedes Modell.</translation>
     </message>
     <message>
-        <source>Share of each model among the choices</source>
+        <source>Proportion of choices of each model</source>
         <translation>Anteil jedes Modells an den Wahlen</translation>
     </message>
     <message>
-        <source>Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not corrected for the number of rows; the shares of one column depend on each other.</source>
-        <translation>Der Zufall trifft mit 1 durch die Zahl der gefühlten Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
+        <source>The chance level is 1 divided by the number of surfaces presented. p: exact binomial test, two-sided, uncorrected for the number of rows; the proportions of one column are not independent of each other.</source>
+        <translation>Das Zufallsniveau ist 1 durch die Zahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
     </message>
     <message>
         <source>One model against another, among the choices of either</source>
@@ -188,16 +184,16 @@
         <translation>Wie oft die eine das Bild der anderen bekam, und umgekehrt.</translation>
     </message>
     <message>
-        <source>Goes with so many right items</source>
-        <translation>Durchgänge mit so vielen richtigen Zuordnungen</translation>
+        <source>Trials by their number of correctly matched items</source>
+        <translation>Durchgänge nach der Zahl ihrer richtigen Zuordnungen</translation>
     </message>
     <message>
-        <source>Do felt textures find their pictures more often than by chance?</source>
-        <translation>Finden gefühlte Texturen häufiger als durch Zufall zu ihren Bildern?</translation>
+        <source>Are textures matched to their pictures above chance?</source>
+        <translation>Werden Texturen ihren Bildern häufiger zugeordnet als durch Zufall?</translation>
     </message>
     <message>
-        <source>How often is a whole go right?</source>
-        <translation>Wie oft ist ein ganzer Durchgang richtig?</translation>
+        <source>How often are all items of a trial correct?</source>
+        <translation>Wie oft ist in einem Durchgang alles richtig?</translation>
     </message>
     <message>
         <source>Which textures are confused?</source>
@@ -208,84 +204,84 @@
         <translation>Keine wurde je für eine andere gehalten.</translation>
     </message>
     <message>
-        <source>Counts of all answers; an interval needs a model of confusions.</source>
-        <translation>Anzahlen aus allen Antworten; ein Intervall braucht ein Modell der Verwechslungen.</translation>
+        <source>Counts of all responses; a CI would need a model of the confusions.</source>
+        <translation>Anzahlen aus allen Antworten; ein Konfidenzintervall bräuchte ein Modell der Verwechslungen.</translation>
     </message>
     <message>
-        <source>No answer gives every picture to one surface: nothing is analysed.</source>
-        <translation>Keine Antwort gibt jedes Bild genau einer Oberfläche: nichts wird ausgewertet.</translation>
+        <source>No response assigns every picture to one surface: nothing is analysed.</source>
+        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: nichts wird ausgewertet.</translation>
     </message>
     <message>
-        <source>How alike the textures feel</source>
-        <translation>Wie ähnlich sich die Texturen anfühlen</translation>
+        <source>Similarity of the textures</source>
+        <translation>Ähnlichkeit der Texturen</translation>
     </message>
     <message>
-        <source>The textures on a map: what is alike lies together</source>
-        <translation>Die Texturen auf einer Karte: Ähnliches liegt beieinander</translation>
+        <source>MDS configuration of the textures</source>
+        <translation>MDS-Konfiguration der Texturen</translation>
     </message>
     <message>
-        <source>Classical scaling of the dissimilarities. Only the distances mean something: the map may be turned and mirrored.</source>
-        <translation>Klassische Skalierung der Unähnlichkeiten. Nur die Abstände bedeuten etwas: die Karte darf gedreht und gespiegelt werden.</translation>
+        <source>Classical scaling of the dissimilarities. Only distances can be interpreted: the configuration may be rotated and mirrored.</source>
+        <translation>Klassische Skalierung der Unähnlichkeiten. Nur Abstände lassen sich deuten: die Konfiguration darf gedreht und gespiegelt werden.</translation>
     </message>
     <message>
-        <source>The textures as a tree: what is alike joins first</source>
-        <translation>Die Texturen als Baum: Ähnliches vereint sich zuerst</translation>
+        <source>Dendrogram of the textures</source>
+        <translation>Dendrogramm der Texturen</translation>
     </message>
     <message>
         <source>Average linkage of the dissimilarities. Each row joins the cluster of the one with that of the other.</source>
         <translation>Mittlere Verknüpfung der Unähnlichkeiten. Jede Zeile vereint die Gruppe der einen mit der der anderen.</translation>
     </message>
     <message>
-        <source>Are felt textures recognised?</source>
-        <translation>Werden gefühlte Texturen wiedererkannt?</translation>
+        <source>Are textures recognised above chance?</source>
+        <translation>Werden Texturen häufiger erkannt als durch Zufall?</translation>
     </message>
     <message>
-        <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; the participants do not differ, so there is no test.</source>
-        <translation>Im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; die Personen unterscheiden sich nicht, also gibt es keinen Test.</translation>
+        <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; the participants do not differ, so there is no test.</source>
+        <translation>Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; die Personen unterscheiden sich nicht, also gibt es keinen Test.</translation>
     </message>
     <message>
-        <source>They are: %1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
-        <translation>Ja: im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; %4.</translation>
+        <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <translation>Ja: Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
-        <source>Nothing shows that they are: %1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
-        <translation>Nichts zeigt das: im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; %4.</translation>
+        <source>Not significantly: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <translation>Nicht signifikant: Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>d′ has no finite value</source>
         <translation>d′ hat keinen endlichen Wert</translation>
     </message>
     <message>
-        <source>The answers carry %1 of %2 bits about what was felt, corrected for the number of answers; %3.</source>
-        <translation>Die Antworten enthalten %1 von %2 Bit darüber, was gefühlt wurde, berichtigt um die Zahl der Antworten; %3.</translation>
+        <source>The responses transmit %1 of %2 bits about the texture presented, bias-corrected; %3.</source>
+        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, um die Verzerrung berichtigt; %3.</translation>
     </message>
     <message>
-        <source>The answers carry about %1 of %2 bits about what was felt, corrected for the number of answers, of which there are too few to trust it; %3.</source>
-        <translation>Die Antworten enthalten etwa %1 von %2 Bit darüber, was gefühlt wurde, berichtigt um die Zahl der Antworten, die zu klein ist, um sich darauf zu verlassen; %3.</translation>
+        <source>The responses transmit about %1 of %2 bits about the texture presented; with so few responses the bias correction is not reliable; %3.</source>
+        <translation>Die Antworten übertragen etwa %1 von %2 Bit über die dargebotene Textur; bei so wenigen Antworten ist die Korrektur der Verzerrung nicht verlässlich; %3.</translation>
     </message>
     <message>
-        <source>How much do the answers tell?</source>
-        <translation>Wie viel sagen die Antworten aus?</translation>
+        <source>How much information do the responses transmit?</source>
+        <translation>Wie viel Information übertragen die Antworten?</translation>
     </message>
     <message>
-        <source>Transmitted information less Miller&apos;s bias; at least 5·m² answers are needed for m pictures. d′ of m alternatives without bias, all answers pooled, its interval at the Wilson limits of the share of right answers.</source>
-        <translation>Übertragene Information, vermindert um die Verzerrung nach Miller; für m Bilder braucht es mindestens 5·m² Antworten. d′ von m Alternativen ohne Vorliebe, alle Antworten zusammen, sein Intervall an den Wilson-Grenzen des Anteils richtiger Antworten.</translation>
+        <source>Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are needed for m pictures. d′ of m alternatives without response bias, all responses pooled, its CI at the Wilson limits of the proportion correct.</source>
+        <translation>Übertragene Information, um die Verzerrung berichtigt (Miller 1955); für m Bilder braucht es mindestens 5·m² Antworten. d′ von m Alternativen ohne Antwortneigung, alle Antworten zusammen, sein Konfidenzintervall an den Wilson-Grenzen des Anteils richtiger Antworten.</translation>
     </message>
     <message>
-        <source>Which textures feel alike?</source>
-        <translation>Welche Texturen fühlen sich ähnlich an?</translation>
+        <source>Which textures are confused with each other?</source>
+        <translation>Welche Texturen werden miteinander verwechselt?</translation>
     </message>
     <message>
-        <source>The pictures differ between the trials, and chance with them: sensitivity, information and similarities of all answers together would compare nothing and are left out.</source>
-        <translation>Die Bilder unterscheiden sich zwischen den Durchgängen, und der Zufall mit ihnen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen würden nichts vergleichen und entfallen.</translation>
+        <source>The pictures and with them the chance level differ between trials: sensitivity, information and similarities of all responses together are not meaningful and left out.</source>
+        <translation>Die Bilder und mit ihnen das Zufallsniveau unterscheiden sich zwischen den Durchgängen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen haben keine Bedeutung und entfallen.</translation>
     </message>
     <message>
-        <source>Share of each position among the choices</source>
+        <source>Proportion of choices of each position</source>
         <translation>Anteil jedes Platzes an den Wahlen</translation>
     </message>
     <message>
-        <source>The first, second, … surface that was felt, whatever it was. Where surfaces are felt in random order, more than chance is a habit, not a preference.</source>
-        <translation>Die erste, zweite, … gefühlte Oberfläche, welche es auch war. Wo Oberflächen in zufälliger Reihenfolge gefühlt werden, ist mehr als Zufall eine Gewohnheit, keine Vorliebe.</translation>
+        <source>The first, second, … surface presented, whichever it was. Where the order of surfaces is random, a proportion above chance is a position bias, not a preference.</source>
+        <translation>Die erste, zweite, … dargebotene Oberfläche, welche es auch war. Wo die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau eine Neigung zu einem Platz, keine Vorliebe.</translation>
     </message>
     <message>
         <source>There is no scale of the models: one of them was always chosen, or never, wherever it was offered, or was never offered with the others. No finite distance fits that best.</source>
@@ -300,8 +296,8 @@
         <translation>Welche Darstellung ist die wirklichkeitsnächste?</translation>
     </message>
     <message>
-        <source>Nobody has chosen one yet.</source>
-        <translation>Noch hat niemand eine gewählt.</translation>
+        <source>There are no choices yet.</source>
+        <translation>Noch gibt es keine Wahlen.</translation>
     </message>
     <message>
         <source>%1 over %2 (%3)</source>
@@ -320,8 +316,8 @@
         <translation>Häufiger gewählt: %1.</translation>
     </message>
     <message>
-        <source>Does it matter what is felt first?</source>
-        <translation>Spielt es eine Rolle, was zuerst gefühlt wird?</translation>
+        <source>Does the position in the trial matter?</source>
+        <translation>Spielt der Platz im Durchgang eine Rolle?</translation>
     </message>
     <message>
         <source>As the preference, with the positions in the place of the models.</source>
@@ -344,12 +340,12 @@
         <translation>Ja: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
     </message>
     <message>
-        <source>Nothing shows that it does: that %1 is chosen equally often with every texture has %2.</source>
-        <translation>Nichts zeigt das: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
+        <source>Not significantly: test of equal proportions of %1 with every texture, %2.</source>
+        <translation>Nicht signifikant: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
     </message>
     <message>
-        <source>No surface was felt before these answers: there is nothing to compare.</source>
-        <translation>Vor diesen Antworten wurde keine Oberfläche gefühlt: es gibt nichts zu vergleichen.</translation>
+        <source>No surface was presented before these responses: there is nothing to compare.</source>
+        <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten: Es gibt nichts zu vergleichen.</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -364,28 +360,24 @@
         <translation>Unterscheiden sich Frauen und Männer?</translation>
     </message>
     <message>
-        <source>Measures of all answers together</source>
+        <source>Measures of all responses together</source>
         <translation>Maße aus allen Antworten zusammen</translation>
     </message>
     <message>
-        <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
-        <translation>Im Mittel sind %1 der Antworten einer Versuchsperson richtig (%2), wo Zufall %3 ist; %4.</translation>
+        <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <translation>Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
-        <source>No felt texture was ever taken for another felt one.</source>
-        <translation>Keine gefühlte Textur wurde je für eine andere gefühlte gehalten.</translation>
+        <source>No texture was ever confused with another one that was presented.</source>
+        <translation>Keine Textur wurde je mit einer anderen dargebotenen verwechselt.</translation>
     </message>
     <message>
-        <source>Equally alike are %1: one was taken for the other in %2 of the answers to the two textures of each pair.</source>
-        <translation>Gleich ähnlich sind %1: In %2 der Antworten auf die beiden Texturen jedes Paars wurde die eine für die andere gehalten.</translation>
+        <source>Equally often confused are %1: one with the other in %2 of the responses to the two textures of each pair.</source>
+        <translation>Gleich oft verwechselt wurden %1: die eine mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
-        <source>%1 pairs of textures are equally alike, and none more: one was taken for the other in %2 of the answers to the two textures of each pair.</source>
-        <translation>%1 Paare von Texturen sind gleich ähnlich, und keines mehr: In %2 der Antworten auf die beiden Texturen jedes Paars wurde die eine für die andere gehalten.</translation>
-    </message>
-    <message>
-        <source>Of the answers to either of two textures, those that name the other one. There is no interval: it is the largest of several.</source>
-        <translation>Von den Antworten auf eine von zwei Texturen jene, die die andere nennen. Ein Intervall gibt es nicht: Es ist der größte von mehreren Werten.</translation>
+        <source>%1 pairs of textures are equally often confused, and none more often: one with the other in %2 of the responses to the two textures of each pair.</source>
+        <translation>%1 Paare von Texturen wurden gleich oft verwechselt, und keines öfter: die eine mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
         <source>That %1 is chosen equally often with every texture has %2.</source>
@@ -412,28 +404,28 @@
         <translation>%1 nicht rechtzeitig beantwortet</translation>
     </message>
     <message>
-        <source>Sessions of observers that are deaf or expect nothing, so that their answers are guesses: %1.</source>
-        <translation>Sitzungen von Beobachtern, die taub sind oder nichts erwarten, sodass ihre Antworten geraten sind: %1.</translation>
+        <source>Sessions of virtual observers that ignore the surface or expect nothing, so that their responses are guesses: %1.</source>
+        <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder nichts erwarten, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
-        <source>By chance: how many goes of random permutations.</source>
-        <translation>Durch Zufall: wie viele Runden bei zufälligen Permutationen.</translation>
+        <source>Expected under guessing: trials of random permutations.</source>
+        <translation>Unter Raten erwartet: Durchgänge mit zufälligen Permutationen.</translation>
     </message>
     <message>
-        <source>Chance is 1 in the number of pictures shown; “cannot tell” is not right. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
-        <translation>Der Zufall ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
+        <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” is not correct. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
+        <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>Similarity: Luce&apos;s choice model, 1 for what cannot be told apart, with the favourite answers taken out. Dissimilarity: Shepard&apos;s −ln of it from the counts plus ½, not below 0.</source>
-        <translation>Ähnlichkeit: Luces Wahlmodell, 1 für Ununterscheidbares, ohne den Einfluss bevorzugter Antworten. Unähnlichkeit: Shepards −ln davon aus den Anzahlen plus ½, nicht unter 0.</translation>
+        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated. Dissimilarity: Shepard&apos;s −ln η from the counts plus ½, not below 0.</source>
+        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen. Unähnlichkeit: Shepards −ln η aus den Anzahlen plus ½, nicht unter 0.</translation>
     </message>
     <message>
-        <source>d′ is %1 (95 % interval %2 to %3, n = %4 answers)</source>
-        <translation>d′ ist %1 (95-%-Intervall %2 bis %3, n = %4 Antworten)</translation>
+        <source>d′ is %1 (95 % CI %2 to %3, n = %4 responses)</source>
+        <translation>d′ ist %1 (95-%-Konfidenzintervall %2 bis %3, n = %4 Antworten)</translation>
     </message>
     <message>
-        <source>%1 Answers “cannot tell” are counted above and take no part here.</source>
-        <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und bleiben hier außer Betracht.</translation>
+        <source>%1 Responses “cannot tell” are counted above and excluded here.</source>
+        <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und hier ausgeschlossen.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -456,8 +448,8 @@
         <translation>%1 Zuordnungen (%2)</translation>
     </message>
     <message>
-        <source>Answers that are no number above 0, or whose spacing the protocol does not say, which are left out: %1.</source>
-        <translation>Antworten, die keine Zahl über 0 sind oder deren Abstand das Protokoll nicht nennt, ausgelassen: %1.</translation>
+        <source>Responses that are not a number above 0, or whose spacing the protocol does not state, left out: %1.</source>
+        <translation>Antworten, die keine Zahl über 0 sind oder deren Abstand das Protokoll nicht nennt, weggelassen: %1.</translation>
     </message>
     <message>
         <source>Numbers given to anchors, which are not analysed: %1.</source>
@@ -500,8 +492,8 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>At which spacing does it feel roughest?</source>
-        <translation>Bei welchem Abstand fühlt es sich am rauesten an?</translation>
+        <source>Which spacing is judged roughest?</source>
+        <translation>Welcher Abstand wird als der rauste beurteilt?</translation>
     </message>
     <message>
         <source>Which shapes do the participants&apos; own curves have?</source>
@@ -544,8 +536,8 @@
         <translation>Nach den Gipfeln der Kurven: %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be told, because with %2 participants its interval is wider than the tested spacings</source>
-        <translation>%1 ist nicht zu sagen: Bei %2 Versuchspersonen ist das Intervall weiter als die geprüften Abstände</translation>
+        <source>%1 cannot be determined, because with %2 participants its CI is wider than the tested spacings</source>
+        <translation>%1 lässt sich nicht bestimmen: Bei %2 Versuchspersonen ist das Konfidenzintervall weiter als die geprüften Abstände</translation>
     </message>
     <message>
         <source>roughest was %1, and %2 the least rough, by a factor of %3</source>
@@ -560,12 +552,12 @@
         <translation>F(%1, %2) = %3, partielles η² = %4, %5</translation>
     </message>
     <message>
-        <source>It does: %1.</source>
+        <source>Yes: %1.</source>
         <translation>Ja: %1.</translation>
     </message>
     <message>
-        <source>Nothing shows that it does: %1.</source>
-        <translation>Nichts zeigt das: %1.</translation>
+        <source>Not significantly: %1.</source>
+        <translation>Nicht signifikant: %1.</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -600,52 +592,52 @@
         <translation>Am häufigsten %1 und %2; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 answers.</source>
+        <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 responses.</source>
         <translation>%1 Nur in einer Richtung gezählt, ist die häufigste Verwechslung %2: in %3 von %4 Antworten.</translation>
     </message>
     <message>
-        <source>Most alike are %1: one was taken for the other in %2 of %3 answers.</source>
-        <translation>Am ähnlichsten sind %1: Die eine wurde in %2 von %3 Antworten für die andere gehalten.</translation>
+        <source>Most often confused are %1: one with the other in %2 of %3 responses.</source>
+        <translation>Am häufigsten verwechselt wurden %1: die eine mit der anderen in %2 von %3 Antworten.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the answers to the texture felt.</source>
-        <translation>%1 Nur in einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die gefühlte Textur.</translation>
+        <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the responses to the texture presented.</source>
+        <translation>%1 Nur in einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
-        <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the answers to the texture felt.</source>
-        <translation>%1 Nur in einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die gefühlte Textur.</translation>
+        <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the responses to the texture presented.</source>
+        <translation>%1 Nur in einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 called %2</source>
         <translation>%1, genannt %2</translation>
     </message>
     <message>
-        <source>By chance: each model in 1/%1 of the choices of the trials that presented it.</source>
-        <translation>Durch Zufall: jedes Modell in 1/%1 der Wahlen der Durchgänge, die es darboten.</translation>
+        <source>Chance level: each model in 1/%1 of the choices of the trials that presented it.</source>
+        <translation>Zufallsniveau: jedes Modell in 1/%1 der Wahlen der Durchgänge, die es darboten.</translation>
     </message>
     <message>
         <source>Not every trial presents every model: each pair is tested on the trials that presented both, and the scale joins all trials.</source>
         <translation>Nicht jeder Durchgang bietet jedes Modell dar: jedes Paar wird in den Durchgängen geprüft, die beide darboten, und die Skala verbindet alle Durchgänge.</translation>
     </message>
     <message>
-        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, where chance is %2</source>
-        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallswert von %2</translation>
+        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
+        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
-        <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, where chance is %2</source>
-        <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallswert von %2</translation>
+        <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
+        <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
         <source>%1 do not differ significantly (%2).</source>
         <translation>%1 unterscheiden sich nicht signifikant (%2).</translation>
     </message>
     <message>
-        <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where chance is %3</source>
-        <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Person, wo der Zufall %3 gäbe</translation>
+        <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
+        <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Person, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4</source>
-        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe</translation>
+        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where the chance level is %4</source>
+        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), bei einem Zufallsniveau von %4</translation>
     </message>
     <message>
         <source>%1, 95 % CI [%2, %3]</source>
@@ -676,20 +668,20 @@
         <translation>alle Plätze wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Person</translation>
     </message>
     <message>
-        <source>what was felt at the positions %1 was chosen equally often, each in %2 of a participant&apos;s choices on average, where chance is %3</source>
-        <translation>was an den Plätzen %1 gefühlt wurde, wurde gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, wo der Zufall %3 gäbe</translation>
+        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
+        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>what was felt at the positions %1 was chosen equally often, each in %2 of a participant&apos;s choices on average, and what was felt first in %3 (%4), where chance is %5</source>
-        <translation>was an den Plätzen %1 gefühlt wurde, wurde gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, und das zuerst Gefühlte in %3 (%4), wo der Zufall %5 gäbe</translation>
+        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, and the first position in %3 (%4), where the chance level is %5</source>
+        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, und der erste Platz in %3 (%4), bei einem Zufallsniveau von %5</translation>
     </message>
     <message>
-        <source>what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), where chance is %3</source>
-        <translation>das zuerst Gefühlte wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), wo der Zufall %3 gäbe</translation>
+        <source>the first position was chosen in %1 of a participant&apos;s choices on average (%2), where the chance level is %3</source>
+        <translation>der erste Platz wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>what was felt at position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6</source>
-        <translation>was an Platz %1 gefühlt wurde, wurde im Mittel in %2 der Wahlen einer Person gewählt (%3), und das zuerst Gefühlte in %4 (%5), wo der Zufall %6 gäbe</translation>
+        <source>position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and the first position in %4 (%5), where the chance level is %6</source>
+        <translation>Platz %1 wurde im Mittel in %2 der Wahlen einer Person gewählt (%3), und der erste Platz in %4 (%5), bei einem Zufallsniveau von %6</translation>
     </message>
     <message>
         <source>%1. Test against equal proportions, not of the study&apos;s family: %2.</source>
@@ -780,7 +772,7 @@
         <translation>Exakter Permutationstest: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich. Das Konfidenzintervall des mittleren Anteils der Versuchspersonen ist nach Students t auf der Logit-Skala.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s correct responses, averaged over the participants, with a CI by Student&apos;s t on the logit scale and Student&apos;s t test against chance; with a single participant the exact binomial test. Answers “cannot tell” name no picture and are left out here; the table of shares counts them as not right.</source>
+        <source>The proportion of each participant&apos;s correct responses, averaged over the participants, with a t-based CI on the logit scale and a one-sample t test against the chance level; with a single participant the exact binomial test. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
         <translation>Der Anteil der richtigen Antworten jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala und Students t-Test gegen den Zufall; bei einer einzigen Versuchsperson der exakte Binomialtest. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
     </message>
     <message>
@@ -800,15 +792,15 @@
         <translation>95-%-Konfidenzintervall des Mittels: Students t über die Versuchspersonen auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
     </message>
     <message>
-        <source>Similarities, map and tree rest on too few confusions (number of confusions: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
-        <translation>Ähnlichkeiten, Karte und Baum beruhen auf zu wenigen Verwechslungen (Zahl der Verwechslungen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+        <source>Similarities, MDS configuration and dendrogram rest on too few confusions (number of confusions: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
+        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (Zahl der Verwechslungen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
         <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
     <message>
-        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is within participants (Cousineau and Morey): it compares cells and does not contain the spread between participants. raw: participants as they count. left out: those of the persons who are in raw alone, because somewhere they have no estimate and so no scale that could be taken out.</source>
+        <source>Geometric means. normalised: each participant&apos;s own scale removed by the mean of the logarithms of all cells; its CI is within participants (Cousineau and Morey): it compares cells and does not contain the differences between participants. raw: not normalised. left out: participants who are only in raw, because they have no estimate in some cell.</source>
         <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab jeder Person, über das Mittel der Logarithmen aller Zellen; das Intervall gilt innerhalb der Versuchspersonen (Cousineau und Morey): es vergleicht Zellen und enthält die Streuung zwischen den Versuchspersonen nicht. roh: Versuchspersonen, wie sie zählen. weggelassen: davon die Personen, die nur in roh stehen, weil ihnen irgendwo eine Schätzung und damit ein Maßstab fehlt.</translation>
     </message>
     <message>
@@ -860,24 +852,12 @@
         <translation>%1; das kleinste erreichbare ist %2</translation>
     </message>
     <message>
-        <source>The only confirmatory test is the family that the protocol declares (%1); its p needs no correction.</source>
-        <translation>Der einzige konfirmatorische Test ist die Familie, die das Protokoll festlegt (%1); sein p braucht keine Korrektur.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests. The only confirmatory test is the usual family of this kind of protocol (%1); its p needs no correction.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest. Der einzige konfirmatorische Test ist die übliche Familie dieser Art von Protokoll (%1); sein p braucht keine Korrektur.</translation>
-    </message>
-    <message>
         <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be made counts as p = 1.</source>
         <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht möglicher Test zählt als p = 1.</translation>
     </message>
     <message>
         <source>The protocol declares no family of tests. p, Holm: Holm-corrected over the %1 confirmatory tests, the usual family of this kind of protocol (%2); a test that cannot be made counts as p = 1.</source>
         <translation>Das Protokoll legt keine Familie von Tests fest. p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die übliche Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
-    </message>
-    <message>
-        <source>%1 All other tests are exploratory and uncorrected. n counts the units next to it; responses and trials are pooled as if they were independent. Effect sizes have 95 % CIs.</source>
-        <translation>%1 Alle anderen Tests sind explorativ und unkorrigiert. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengefasst, als wären sie unabhängig. Effektstärken haben 95-%-KI.</translation>
     </message>
     <message>
         <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
@@ -1042,6 +1022,62 @@
     <message>
         <source>Intraclass correlations of the participants&apos; proportions correct in each repetition. They are low also where participants differ little from each other.</source>
         <translation>Intraklassenkorrelationen der Anteile richtiger Antworten der Versuchspersonen in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
+    </message>
+    <message>
+        <source>There are no responses yet.</source>
+        <translation>Noch gibt es keine Antworten.</translation>
+    </message>
+    <message>
+        <source>the peak of %1 is at %2 times the spacing of %3 (95 % CI %4 to %5)</source>
+        <translation>das Maximum von %1 liegt beim %2-Fachen des Abstands von %3 (95-%-Konfidenzintervall %4 bis %5)</translation>
+    </message>
+    <message>
+        <source>%1, t(%2) = %3, %4</source>
+        <translation>%1, t(%2) = %3, %4</translation>
+    </message>
+    <message>
+        <source>Do the conditions differ in the spacing judged roughest?</source>
+        <translation>Unterscheiden sich die Bedingungen im Abstand, der als der rauste beurteilt wird?</translation>
+    </message>
+    <message>
+        <source>By the ratios of the peaks: %1.</source>
+        <translation>Nach den Verhältnissen der Maxima: %1.</translation>
+    </message>
+    <message>
+        <source>The ratio of the peaks of two conditions that both have an interior maximum, with a CI by t on the logarithms over participants.</source>
+        <translation>Das Verhältnis der Maxima zweier Bedingungen, die beide ein inneres Maximum haben, mit einem Konfidenzintervall nach t auf den Logarithmen über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Of the responses to the two textures, those that name the other one, all participants pooled.</source>
+        <translation>Von den Antworten auf die beiden Texturen jene, die die andere nennen, alle Versuchspersonen zusammen.</translation>
+    </message>
+    <message>
+        <source>Of the responses to either of two textures, those that name the other one, all participants pooled. There is no CI, because the pair is selected as the most frequent of several.</source>
+        <translation>Von den Antworten auf eine von zwei Texturen jene, die die andere nennen, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das häufigste von mehreren ausgewählt ist.</translation>
+    </message>
+    <message>
+        <source>The family that the protocol declares has one test (%1), the only confirmatory one; there is nothing to correct for.</source>
+        <translation>Die Familie, die das Protokoll erklärt, hat einen Test (%1), den einzigen konfirmatorischen; es gibt nichts zu korrigieren.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. The usual family of this kind of protocol has one test (%1), the only confirmatory one; there is nothing to correct for.</source>
+        <translation>Das Protokoll erklärt keine Familie von Tests. Die übliche Familie dieser Art von Protokoll hat einen Test (%1), den einzigen konfirmatorischen; es gibt nichts zu korrigieren.</translation>
+    </message>
+    <message>
+        <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
+        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Brackets: 95 % CI.</source>
+        <translation>In Klammern: 95-%-Konfidenzintervall.</translation>
+    </message>
+    <message>
+        <source>Estimated from trials as if they were independent: %1.</source>
+        <translation>Aus Durchgängen geschätzt, als wären sie unabhängig: %1.</translation>
     </message>
 </context>
 <context>
@@ -1760,6 +1796,26 @@
         <source>trials</source>
         <translation>Durchgänge</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>−∞</source>
+        <translation>−∞</translation>
+    </message>
+    <message>
+        <source>∞</source>
+        <translation>∞</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>weiß nicht</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
@@ -2025,8 +2081,8 @@
         <translation>weiß nicht</translation>
     </message>
     <message>
-        <source>Nothing was answered: there are no confusions to show.</source>
-        <translation>Es wurde nichts beantwortet: Es gibt keine Verwechslungen zu zeigen.</translation>
+        <source>There are no responses: there are no confusions to show.</source>
+        <translation>Es gibt keine Antworten und daher keine Verwechslungen zu zeigen.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2161,8 +2217,8 @@
         <translation>Unähnlichkeit, −ln η (Shepard)</translation>
     </message>
     <message>
-        <source>There is no one map of these confusions: the distances fit many.</source>
-        <translation>Es gibt nicht die eine Karte dieser Verwechslungen: Die Abstände passen zu vielen.</translation>
+        <source>These dissimilarities have no unique configuration in a plane.</source>
+        <translation>Diese Unähnlichkeiten haben keine eindeutige Konfiguration in einer Ebene.</translation>
     </message>
     <message>
         <source>first dimension of dissimilarity</source>
@@ -2181,7 +2237,7 @@
         <translation>Der Unterschied zwischen den Gruppen</translation>
     </message>
     <message>
-        <source>There are not two groups with answers: there is nothing to compare.</source>
+        <source>There are not two groups with responses: there is nothing to compare.</source>
         <translation>Es gibt keine zwei Gruppen mit Antworten: Es ist nichts zu vergleichen.</translation>
     </message>
     <message>
@@ -2193,7 +2249,7 @@
         <translation>Mittelwerte der Versuchspersonen</translation>
     </message>
     <message>
-        <source>all answers together</source>
+        <source>all responses together</source>
         <translation>alle Antworten zusammen</translation>
     </message>
     <message>
@@ -2213,8 +2269,8 @@
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-t-Intervalle. Die Tests daneben verwenden nur die Reihenfolge der Bewertungen.</translation>
     </message>
     <message>
-        <source>Nobody scored every item: there are no means to show.</source>
-        <translation>Niemand hat alles bewertet: Es gibt keine Mittelwerte zu zeigen.</translation>
+        <source>No participant rated every item: there are no means to show.</source>
+        <translation>Keine Versuchsperson hat alles bewertet: Es gibt keine Mittelwerte zu zeigen.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -2293,7 +2349,7 @@
         <translation>Teststärke der geplanten Tests</translation>
     </message>
     <message>
-        <source>Points are planned sizes, each computed by itself: the exact tests of counts go up and down between them. The dashed line is what plans usually aim at.</source>
+        <source>Points are planned sizes, each computed by itself: the power of exact tests of counts is not monotone between them. The dashed line is the usual target.</source>
         <translation>Punkte sind geplante Größen, jede für sich berechnet: Die exakten Tests von Anzahlen gehen dazwischen auf und ab. Die gestrichelte Linie ist, was Pläne meist anstreben.</translation>
     </message>
     <message>
@@ -2437,8 +2493,8 @@
         <translation>Mittlere Verknüpfung (UPGMA): Je weiter links zwei sich vereinen, desto öfter werden sie verwechselt.</translation>
     </message>
     <message>
-        <source>Map of the dissimilarities (classical scaling)</source>
-        <translation>Karte der Unähnlichkeiten (klassische Skalierung)</translation>
+        <source>MDS configuration of the dissimilarities (classical scaling)</source>
+        <translation>MDS-Konfiguration der Unähnlichkeiten (klassische Skalierung)</translation>
     </message>
     <message>
         <source>Classical scaling: distances can be interpreted, directions cannot. Two dimensions account for %1 % of the sum of the absolute eigenvalues.</source>
@@ -2603,6 +2659,10 @@
     <message>
         <source>Points are log-worths, bars their t CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
         <translation>Punkte sind logarithmierte Werte, Balken ihre t-KI mit den Personen als Clustern. Dass KI sich überlappen, prüft keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>All dissimilarities are 0: there are no distances to show.</source>
+        <translation>Alle Unähnlichkeiten sind 0: Es gibt keine Abstände zu zeigen.</translation>
     </message>
 </context>
 <context>
@@ -4225,6 +4285,54 @@
     <message>
         <source>one-sample t test</source>
         <translation>Einstichproben-t-Test</translation>
+    </message>
+    <message>
+        <source>number correct</source>
+        <translation>Zahl der richtigen</translation>
+    </message>
+    <message>
+        <source>difference of the means</source>
+        <translation>Differenz der Mittelwerte</translation>
+    </message>
+    <message>
+        <source>Hedges’ g</source>
+        <translation>Hedges’ g</translation>
+    </message>
+    <message>
+        <source>Cohen’s h</source>
+        <translation>Cohens h</translation>
+    </message>
+    <message>
+        <source>generalised η²</source>
+        <translation>generalisiertes η²</translation>
+    </message>
+    <message>
+        <source>transmitted information in bits, bias-corrected</source>
+        <translation>übertragene Information in Bit, um die Verzerrung berichtigt</translation>
+    </message>
+    <message>
+        <source>Pearson’s X² of the pooled choices</source>
+        <translation>Pearsons X² der zusammengefassten Wahlen</translation>
+    </message>
+    <message>
+        <source>Kendall’s W</source>
+        <translation>Kendalls W</translation>
+    </message>
+    <message>
+        <source>Mallows’ θ</source>
+        <translation>Mallows’ θ</translation>
+    </message>
+    <message>
+        <source>difference of the numbers of choices</source>
+        <translation>Differenz der Anzahlen der Wahlen</translation>
+    </message>
+    <message>
+        <source>Cohen’s d of paired differences</source>
+        <translation>Cohens d gepaarter Differenzen</translation>
+    </message>
+    <message>
+        <source>Cohen’s d</source>
+        <translation>Cohens d</translation>
     </message>
 </context>
 <context>

@@ -70,7 +70,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   ASSERT_NE(answer, nullptr);
   EXPECT_TRUE(answer->text().startsWith("height_map was chosen most often: in 75 % of"))
       << answer->text().toStdString();
-  EXPECT_TRUE(answer->text().contains("chance is 50 %")) << answer->text().toStdString();
+  EXPECT_TRUE(answer->text().contains("chance level is 50 %")) << answer->text().toStdString();
   ASSERT_GE(page.findChildren<QTableView*>().size(), 2);
   // In the order of the analysis: whatever a header could sort by.
   const QAbstractItemModel* counts = page.findChild<QTableView*>("table_table_1")->model();
@@ -271,7 +271,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   QStringList words{};
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text();
   EXPECT_TRUE(words.contains("<Chosen as the most realistic (counts)>"));
-  EXPECT_TRUE(words.contains("<By chance: 1/2 of the choices for each model.>"));
+  EXPECT_TRUE(words.contains("<Chance level: 1/2 of the choices for each model.>"));
   for (const QTableView* table : page.findChildren<QTableView*>()) {
     for (int i = 0; i < table->model()->columnCount(); ++i) {
       const QString heading = table->model()->headerData(i, Qt::Horizontal).toString();
