@@ -35,6 +35,7 @@ struct SessionAnswers {
     std::uint32_t options_json = 0;
     std::optional<bool> correct{};
     std::optional<double> number{};  ///< as ResponseRow::answer_number
+    std::optional<double> from_cue_s{};
   };
   struct Attempt {
     int trial = 0;

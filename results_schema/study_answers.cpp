@@ -96,7 +96,7 @@ void read_replies(Database& database, std::int64_t session_id, SessionAnswers& a
                   const Places& attempts, WordPlaces& words) {
   Statement statement(database,
                       std::string("SELECT attempt_id, item, answer, correct, answer_number, "
-                                  "options_json FROM response") +
+                                  "options_json, from_cue_s FROM response") +
                           kOfSession + "ORDER BY attempt_id, item, id");
   statement.bind(session_id);
   std::string answer;
@@ -104,7 +104,8 @@ void read_replies(Database& database, std::int64_t session_id, SessionAnswers& a
   while (statement.step()) {
     std::int64_t id = 0;
     SessionAnswers::Reply reply{};
-    statement.read(id, reply.item, answer, reply.correct, reply.number, options_json);
+    statement.read(id, reply.item, answer, reply.correct, reply.number, options_json,
+                   reply.from_cue_s);
     reply.answer = words.place(answer);
     reply.options_json = words.place(options_json);
     SessionAnswers::Attempt& attempt = *attempts.at(id);

@@ -54,6 +54,15 @@ const CellWords& words_of_tests() {
   return kWords;
 }
 
+const CellWords& words_of_trial_factors() {
+  static const CellWords kWords{{"all", phrase("CellWords", "all trials")},
+                                {"column", phrase("CellWords", "repetition")},
+                                {"condition", phrase("CellWords", "condition")},
+                                {"spacing_m", phrase("CellWords", "spacing (m)")},
+                                {"texture", phrase("CellWords", "texture")}};
+  return kWords;
+}
+
 const CellWords& words_of_units() {
   static const CellWords kWords{{"1", phrase("CellWords", "–")},
                                 {"answers", phrase("CellWords", "responses")},
@@ -149,6 +158,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "measure") return cell_word_in(words_of_measures(), text);
   if (column == "test" || column == "effect") return words_of_test(text);
   if (column == "n") return words_of_count(text);
+  if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
   if (column == "method") return words_of_method(text);

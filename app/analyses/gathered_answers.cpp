@@ -183,10 +183,12 @@ class Gathering {
     const Levels level = levels(session, factors_json);
     const auto surfaces = session.answers.surfaces_of(attempt);
     const auto replies = session.answers.replies_of(attempt);
+    const std::optional<double>& time_s = replies.back().from_cue_s;
     gathered.answers.push_back({.person = person,
                                 .column = level.column,
                                 .spacing = level.spacing,
                                 .options = options(session, replies.back().options_json),
+                                .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
                                 .surface_count = static_cast<std::uint16_t>(surfaces.size()),
                                 .reply_count = static_cast<std::uint16_t>(replies.size()),
                                 .first_surface = gathered.surfaces.size(),
@@ -283,6 +285,12 @@ std::uint32_t Words::place(const std::string& word) {
 std::optional<std::uint32_t> Words::find(const std::string& word) const {
   const auto found = places_.find(word);
   return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> GatheredAnswers::spacing_m(const GatheredAnswer& answer) const {
+  const std::string& level = word(answer.spacing);
+  const auto known = estimation.spacing_m.find(level);
+  return known == estimation.spacing_m.end() ? number_in(level) : known->second;
 }
 
 std::vector<GatheredAnswers> gather_answers(const Study& study,

@@ -64,6 +64,9 @@ struct GatheredAnswer {
   std::uint32_t column = 0;
   std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacings
   std::uint32_t options = 0;  ///< which of the option lists
+  /// From the cue, when the question was put first, to the response; an assignment has one. Nothing where none is
+  /// stored, or of no length.
+  std::optional<double> response_time_s{};
   std::uint16_t surface_count = 0;
   std::uint16_t reply_count = 0;
   std::size_t first_surface = 0;
@@ -133,6 +136,8 @@ struct GatheredAnswers {
     return replies[answer.first_reply];
   }
   const std::string& word(std::uint32_t place) const { return words.at(place); }
+  /// The spacing of a magnitude in metres; nothing where its level is no length and the protocol declares none.
+  std::optional<double> spacing_m(const GatheredAnswer& answer) const;
 };
 
 /// By protocol, version and group; empty groups are absent. With a `protocol` only those of that

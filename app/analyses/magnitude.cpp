@@ -34,15 +34,10 @@ struct Estimated {
   double estimate = 0.0;
 };
 
-std::optional<double> spacing_in(const GatheredAnswers& gathered, const std::string& level) {
-  const auto texture = gathered.estimation.spacing_m.find(level);
-  return texture == gathered.estimation.spacing_m.end() ? number_in(level) : texture->second;
-}
-
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates{};
   for (const GatheredAnswer& answer : gathered.answers) {
-    const std::optional<double> spacing_m = spacing_in(gathered, gathered.word(answer.spacing));
+    const std::optional<double> spacing_m = gathered.spacing_m(answer);
     const std::optional<double> estimate =
         number_in(gathered.word(gathered.reply_of(answer).answer));
     if (!spacing_m || !estimate || *spacing_m <= 0.0 || *estimate <= 0.0) continue;

@@ -144,7 +144,9 @@ std::string heading_of(const std::string& column) {
       {"r_squared", "R²"},
       {"right", "correct"},
       {"sd", "SD"},
-      {"status", "reason"}};
+      {"status", "reason"},
+      {"time_s", "response time (s)"},
+      {"time_s 95 %", "95" + no_break + "% CI (s)"}};
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
   if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
@@ -214,6 +216,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"exponent.t", "the test of the exponent"},
       {"friedman.chisq", "Friedman’s test"},
       {"glm.se.cluster", "the cluster-robust standard errors of the logistic regression"},
+      {"geomean.status", "the CI of the geometric mean response time"},
       {"glm.status", "the logistic regression"},
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},

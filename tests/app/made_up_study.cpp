@@ -37,7 +37,7 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
     if (i < made.right.size()) response.correct = made.answers[i] == made.right[i];
     response.options_json = nlohmann::json(made.options).dump();
     response.time_ns = attempt.offset_ns;
-    response.from_cue_s = 1.5;
+    response.from_cue_s = made.from_cue_s;
     response.source = "keyboard";
     attempt.responses.push_back(response);
   }

@@ -22,6 +22,7 @@ struct MadeUpTrial {
   std::optional<double> number{};    ///< that the answer is, of a magnitude
   std::vector<std::string> right{};  ///< as many as answers, or none
   std::vector<std::string> options{};
+  std::optional<double> from_cue_s = 1.5;
   std::string phase = "main";
   int repetition = 1;  ///< 0 of an anchor
   AttemptOutcome outcome = AttemptOutcome::answered;

@@ -143,6 +143,22 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
       "undefined_zero_variance");
 }
 
+TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
+  const std::string columns = "subject,time_s,tip\n";
+  EXPECT_EQ(
+      family_refusal("response_times", columns + "A,1.5,a\nA,0,b\n", "{}"),
+      "t.csv:3:2: a response time must be above 0 s; leave the cell empty where there is none");
+  EXPECT_THAT(
+      family_refusal("response_times", columns + "A,1.5,c\n", R"({"factors": {"tip": ["a"]}})"),
+      HasSubstr("tip is \"c\", which is none of a"));
+  EXPECT_EQ(word_of(findings_of("response_times", columns + "A,,a\n", "{}"), "status"), "no_data");
+  EXPECT_EQ(word_of(findings_of("response_times", columns + "A,2,a\n", "{}"), "geomean.status"),
+            "too_few");
+  EXPECT_EQ(
+      word_of(findings_of("response_times", columns + "A,2,a\nB,2,a\n", "{}"), "geomean.status"),
+      "undefined_zero_variance");
+}
+
 TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
   const std::string columns = "subject,item,correct,trials\n";
   EXPECT_EQ(word_of(findings_of("glmm", columns + "A,x,3,3\nA,y,3,3\nB,x,0,3\nB,y,0,3\n", "{}"),

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/geometric_mean.h"
 #include "analysis/seed_of_tests.h"
 #include "analysis/summary.h"
 
@@ -81,6 +82,32 @@ void add_mean_share(const std::string& quantity, const std::string& key,
     if (basis.interval) basis.confidence = question.confidence;
   }
   findings.number(quantity, key, mean, basis);
+}
+
+bool add_geometric_mean(const std::string& quantity, const std::string& key,
+                        std::span<const double> of_participants, const GeometricScale& scale,
+                        FindingList& findings) {
+  const GeometricMean mean = geometric_mean(of_participants, scale.confidence);
+  Basis basis{.n = mean.n,
+              .method = scale.method + "; t interval of the mean logarithm",
+              .unit = scale.unit,
+              .interval = mean.interval};
+  if (mean.interval) basis.confidence = scale.confidence;
+  findings.number(quantity, key, mean.mean, basis);
+  if (!mean.interval) return false;
+  const Basis limit{.n = mean.n, .method = "limit of the interval", .unit = scale.unit};
+  findings.number(quantity + ".lower", key, mean.interval->low, limit);
+  findings.number(quantity + ".upper", key, mean.interval->high, limit);
+  return true;
+}
+
+void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
+                     FindingList& findings) {
+  const bool is_alone = n < 2;
+  findings.word(quantity + ".status", key, is_alone ? "too_few" : "undefined_zero_variance",
+                is_alone ? "an interval over participants needs at least 2 participants"
+                         : "all participants have the same value, which gives no interval",
+                {.n = n, .method = "interval of a mean over participants"});
 }
 
 void add_cohen_h(std::string quantity, std::string key, const HitCount& count,

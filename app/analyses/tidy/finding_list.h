@@ -70,6 +70,20 @@ void add_mean_share(const std::string& quantity, const std::string& key,
                     std::span<const HitCount> participants, const std::string& method,
                     const MeanShareQuestion& question, FindingList& findings);
 
+/// The geometric mean of single participants' numbers, at least one, with its interval, `QUANTITY.lower` and
+/// `QUANTITY.upper`. Returns whether there is an interval.
+struct GeometricScale {
+  double confidence = 0.95;
+  std::string unit = "1";
+  std::string method{};  ///< of what it is the mean
+};
+bool add_geometric_mean(const std::string& quantity, const std::string& key,
+                        std::span<const double> of_participants, const GeometricScale& scale,
+                        FindingList& findings);
+/// `QUANTITY.status`: why a mean over so many participants has no interval (too_few, undefined_zero_variance).
+void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
+                     FindingList& findings);
+
 /// Cohen's h of a proportion against chance, with Wilson's limits on the same scale, on which they cover
 /// as often.
 struct ChanceOfHit {

@@ -77,6 +77,12 @@ constexpr std::array kFamilies{
         "items (all that were scored), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
                "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
+    TidyFamily{"response_times",
+               "subject,time_s and one column per factor: one response per row, time_s empty where "
+               "it has no time",
+               "factors: columns with their levels, as {\"texture\": [\"wood\", \"metal\"]}; "
+               "conf",
+               response_times_findings, "factors,conf"},
     TidyFamily{
         "rmanova",
         "subject,y and one column per factor: one measurement per row; several of a participant in "

@@ -76,6 +76,7 @@ std::vector<Finding> psyfit_findings(const TidyInput& input);
 std::vector<Finding> ranking_findings(const TidyInput& input);
 std::vector<Finding> rating_findings(const TidyInput& input);
 std::vector<Finding> recognition_findings(const TidyInput& input);
+std::vector<Finding> response_times_findings(const TidyInput& input);
 std::vector<Finding> rmanova_findings(const TidyInput& input);
 std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);

@@ -1079,6 +1079,22 @@
         <source>Estimated from trials as if they were independent: %1.</source>
         <translation>Aus Durchgängen geschätzt, als wären sie unabhängig: %1.</translation>
     </message>
+    <message>
+        <source>From the cue, when the question was put first after the last surface was felt, to the response; feeling again is part of it. Geometric means over the participants, of each participant&apos;s geometric mean; 95 % CI: Student&apos;s t over the participants on the logarithmic scale.</source>
+        <translation>Vom Signal, dem Moment, in dem die Frage nach dem Fühlen der letzten Oberfläche zum ersten Mal gestellt wurde, bis zur Antwort; erneutes Fühlen zählt mit. Geometrische Mittel über die Versuchspersonen, des geometrischen Mittels jeder Versuchsperson; 95-%-Konfidenzintervall: Students t über die Versuchspersonen auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>%1 Trials without a time, which are left out: %2 of %3.</source>
+        <translation>%1 Durchgänge ohne Zeit, die weggelassen sind: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>No trial has a stored response time.</source>
+        <translation>Von keinem Durchgang ist eine Reaktionszeit gespeichert.</translation>
+    </message>
+    <message>
+        <source>Response times by condition</source>
+        <translation>Reaktionszeiten nach Bedingung</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1445,6 +1461,22 @@
     <message>
         <source>repetition %1</source>
         <translation>Wiederholung %1</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>response time, s</source>
+        <translation>Reaktionszeit, s</translation>
+    </message>
+    <message>
+        <source>response time, s, 95 %</source>
+        <translation>Reaktionszeit, s, 95 %</translation>
     </message>
 </context>
 <context>
@@ -1815,6 +1847,22 @@
     <message>
         <source>cannot tell</source>
         <translation>weiß nicht</translation>
+    </message>
+    <message>
+        <source>all trials</source>
+        <translation>alle Durchgänge</translation>
+    </message>
+    <message>
+        <source>repetition</source>
+        <translation>Wiederholung</translation>
+    </message>
+    <message>
+        <source>spacing (m)</source>
+        <translation>Abstand (m)</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
     </message>
 </context>
 <context>
