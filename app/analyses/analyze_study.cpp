@@ -9,6 +9,7 @@
 
 #include "app/analyses/families.h"
 #include "app/analyses/gathered_answers.h"
+#include "app/analyses/learning.h"
 #include "app/analyses/response_times.h"
 #include "app/study_condition.h"
 
@@ -134,7 +135,10 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     } else if (const Family analyze = family_of(gathered.kind)) {
       analyze(gathered, outcome);
       // Next to results; without any there is nothing that they could stand next to.
-      if (!outcome.tables.empty()) add_response_times(gathered, outcome);
+      if (!outcome.tables.empty()) {
+        add_response_times(gathered, outcome);
+        add_learning(gathered, outcome);
+      }
     } else {
       outcome.remarks.push_back(
           phrase("Analysis", "This program has no analysis for protocols of the kind \"%1\".")

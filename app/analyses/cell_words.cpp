@@ -16,6 +16,7 @@ const CellWords& words_of_measures() {
   static const CellWords kWords{
       {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
+      {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
       {"d_prime", phrase("CellWords", "d′")},
       {"information_at_most", phrase("CellWords", "stimulus entropy H(S)")},
       {"information_if_errors_equal",
@@ -32,6 +33,9 @@ const CellWords& words_of_measures() {
       {"right_items_per_go", phrase("CellWords", "correctly matched items per trial")},
       {"share_of_pictures_right",
        phrase("CellWords", "proportion correct, “cannot tell” excluded")},
+      {"time_of_halves",
+       phrase("CellWords", "response time, s; change: ratio of the second to the first half")},
+      {"time_per_10_trials", phrase("CellWords", "response time; change: ratio per 10 trials")},
       {"z", phrase("CellWords", "z of the correctly matched items")}};
   return kWords;
 }

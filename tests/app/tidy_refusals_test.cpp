@@ -159,6 +159,22 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
       "undefined_zero_variance");
 }
 
+TEST(TidyRefusals, NameATrialThatStandsTwice) {
+  const std::string columns = "subject,trial,time_s\n";
+  EXPECT_EQ(family_refusal("learning", columns + "A,2,1.5\nB,2,1\nA,2,3\n", "{}"),
+            "t.csv:4:2: A has a trial 2 already; number the trials of a participant through");
+  EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
+            "t.csv:2:2: trials are numbered from 1");
+  EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
+            "the option \"blocks\" must be a whole number above 0");
+  EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
+            "t.csv:2:3: 3 correct of 2 items is not a proportion; leave out rows without items");
+  EXPECT_EQ(
+      word_of(findings_of("learning", columns + "A,1,1.5\nA,2,1\n", "{}"), "half.ratio.status"),
+      "too_few");
+  EXPECT_TRUE(findings_of("learning", columns + "A,1,\n", "{}").size() == 1);  // n.untimed
+}
+
 TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
   const std::string columns = "subject,item,correct,trials\n";
   EXPECT_EQ(word_of(findings_of("glmm", columns + "A,x,3,3\nA,y,3,3\nB,x,0,3\nB,y,0,3\n", "{}"),

@@ -34,6 +34,12 @@ constexpr std::array kFamilies{
                "target,rater,score: one rating per target and rater (or repetition), empty where "
                "there is none",
                "conf", icc_findings, "conf"},
+    TidyFamily{"learning",
+               "subject,trial,time_s: one response per row, time_s empty where it has no time; or "
+               "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
+               "within each subject",
+               "blocks: into how many blocks the trials are divided at most, 12 where absent; conf",
+               learning_findings, "blocks,conf"},
     TidyFamily{"magnitude",
                "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
                "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "

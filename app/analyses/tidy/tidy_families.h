@@ -67,6 +67,7 @@ std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
 std::vector<Finding> icc_findings(const TidyInput& input);
+std::vector<Finding> learning_findings(const TidyInput& input);
 std::vector<Finding> magnitude_findings(const TidyInput& input);
 std::vector<Finding> matching_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);

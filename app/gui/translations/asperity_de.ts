@@ -1095,6 +1095,22 @@
         <source>Response times by condition</source>
         <translation>Reaktionszeiten nach Bedingung</translation>
     </message>
+    <message>
+        <source>Learning over the trials</source>
+        <translation>Lernen über die Durchgänge</translation>
+    </message>
+    <message>
+        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, without the middle one of an odd number. Times: geometric means, ratio of the second to the first half, and of the least-squares lines of the logarithm over the number of the trial; 95 % CI: Student&apos;s t over the participants on the logarithmic scale. Proportions: second minus first half; Student&apos;s t over the participants&apos; differences.</source>
+        <translation>Explorativ, ohne Test und nicht um die Bedingungen der Durchgänge bereinigt. Hälften der gezählten Durchgänge jeder Versuchsperson, bei ungerader Zahl ohne den mittleren. Zeiten: geometrische Mittel, Verhältnis der zweiten zur ersten Hälfte, und nach den Ausgleichsgeraden des Logarithmus über der Nummer des Durchgangs; 95-%-Konfidenzintervall: Students t über die Versuchspersonen auf der logarithmischen Skala. Anteile: zweite minus erste Hälfte; Students t über die Differenzen der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Course over the trials</source>
+        <translation>Verlauf über die Durchgänge</translation>
+    </message>
+    <message>
+        <source>Means over the participants in blocks of counted trials, numbered through each participant&apos;s sessions: geometric means of response times with 95 % CI as above, and mean proportions correct with 95 % CI by Student&apos;s t on the logit scale.</source>
+        <translation>Mittel über die Versuchspersonen in Blöcken gezählter Durchgänge, durch alle Sitzungen jeder Versuchsperson gezählt: geometrische Mittel der Reaktionszeiten mit 95-%-Konfidenzintervall wie oben und mittlere Anteile richtiger Antworten mit 95-%-Konfidenzintervall nach Students t auf der Logit-Skala.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1477,6 +1493,26 @@
     <message>
         <source>response time, s, 95 %</source>
         <translation>Reaktionszeit, s, 95 %</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>change, 95 %</source>
+        <translation>Änderung, 95 %</translation>
+    </message>
+    <message>
+        <source>first half</source>
+        <translation>erste Hälfte</translation>
+    </message>
+    <message>
+        <source>second half</source>
+        <translation>zweite Hälfte</translation>
+    </message>
+    <message>
+        <source>proportion, 95 %</source>
+        <translation>Anteil, 95 %</translation>
     </message>
 </context>
 <context>
@@ -1863,6 +1899,18 @@
     <message>
         <source>texture</source>
         <translation>Textur</translation>
+    </message>
+    <message>
+        <source>proportion correct; change: second − first half</source>
+        <translation>Anteil richtig; Änderung: zweite − erste Hälfte</translation>
+    </message>
+    <message>
+        <source>response time; change: ratio per 10 trials</source>
+        <translation>Reaktionszeit; Änderung: Verhältnis je 10 Durchgänge</translation>
+    </message>
+    <message>
+        <source>response time, s; change: ratio of the second to the first half</source>
+        <translation>Reaktionszeit, s; Änderung: Verhältnis der zweiten zur ersten Hälfte</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,165 @@
+#include "app/analyses/learning.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/analyses/answer_columns.h"
+#include "app/analyses/study_findings.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kFamily = "learning";
+
+/// Of each answer its number among those of the participant, from 1.
+std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
+  std::vector<std::size_t> last(gathered.people.size());
+  std::vector<std::size_t> numbers{};
+  for (const GatheredAnswer& answer : gathered.answers) numbers.push_back(++last[answer.person]);
+  return numbers;
+}
+
+/// Whole numbers as the labels of a table.
+LabelColumn column_of_counts(const std::vector<std::size_t>& counts) {
+  LabelColumn column{.codes = counts};
+  const std::size_t most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+  for (std::size_t count = 0; count <= most; ++count) {
+    column.names.push_back(std::to_string(count));
+  }
+  return column;
+}
+
+TidyInput input_of(std::vector<TidyTable::Column> columns) {
+  TidyInput input{};
+  input.tables.emplace_back(std::move(columns), "the trials");
+  return input;
+}
+
+TidyInput times_by_trial(const GatheredAnswers& gathered) {
+  return input_of({{"subject", column_of_people(gathered)},
+                   {"trial", column_of_counts(trial_numbers(gathered))},
+                   {"time_s", column_of_times(gathered)}});
+}
+
+/// Nothing where a response is neither correct nor incorrect.
+std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered) {
+  std::vector<std::size_t> correct{};
+  std::vector<std::size_t> items{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    const auto replies = gathered.replies_of(answer);
+    std::size_t hits = 0;
+    for (const GatheredReply& reply : replies) {
+      if (!reply.correct) return std::nullopt;
+      hits += *reply.correct ? 1 : 0;
+    }
+    correct.push_back(hits);
+    items.push_back(replies.size());
+  }
+  return input_of({{"subject", column_of_people(gathered)},
+                   {"trial", column_of_counts(trial_numbers(gathered))},
+                   {"correct", column_of_counts(correct)},
+                   {"items", column_of_counts(items)}});
+}
+
+struct Change {
+  const char* measure = "";  ///< words: cell_words.h
+  const char* quantity = "";
+  bool has_halves = true;
+};
+
+void add_change(const Change& change, const FoundNumbers& found, Table& table) {
+  const Finding* finding = found.find(change.quantity);
+  if (finding == nullptr) return;
+  const auto half = [&](const char* quantity) {
+    return change.has_halves ? found.cell(quantity) : Cell{};
+  };
+  const auto [low, high] = found.interval(change.quantity);
+  table.rows.push_back({std::string(change.measure), static_cast<std::int64_t>(finding->n),
+                        half("half.first"), half("half.second"), cell_of(finding->value), low,
+                        high});
+}
+
+/// "1–4" of the key "1-4".
+std::string range_text(std::string block) {
+  const std::size_t dash = block.find('-');
+  if (dash != std::string::npos) block.replace(dash, 1, "–");
+  return block;
+}
+
+/// Blocks in which nobody has a timed trial have no row.
+void add_blocks(const FoundNumbers& times, const FoundNumbers& correct, Table& table) {
+  std::vector<const Finding*> blocks = correct.all("block");
+  if (blocks.empty()) blocks = times.all("block");
+  for (const Finding* block : blocks) {
+    const auto [low_s, high_s] = times.interval("block", block->key);
+    const auto [low, high] = correct.interval("block", block->key);
+    table.rows.push_back({range_text(block->key), static_cast<std::int64_t>(block->n),
+                          times.cell("block", block->key), low_s, high_s,
+                          correct.cell("block", block->key), low, high});
+  }
+}
+
+/// Columns without any cell say nothing.
+void drop_empty_columns(Table& table) {
+  for (std::size_t column = table.columns.size(); column-- > 0;) {
+    const bool is_empty =
+        std::all_of(table.rows.begin(), table.rows.end(),
+                    [column](const std::vector<Cell>& row) { return row[column] == Cell{}; });
+    if (!is_empty || column < 2) continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.columns.erase(table.columns.begin() + at);
+    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
+  }
+}
+
+}  // namespace
+
+void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<Finding> of_times =
+      analysis_of(kLearningOfTimes, kFamily, times_by_trial(gathered));
+  std::vector<Finding> of_correct{};
+  if (std::optional<TidyInput> input = correct_by_trial(gathered)) {
+    of_correct = analysis_of(kLearningCorrect, kFamily, std::move(*input));
+  }
+  const FoundNumbers times(of_times);
+  const FoundNumbers correct(of_correct);
+  NamedTable changes{
+      kLearning,
+      phrase("Analysis", "Learning over the trials"),
+      {{"measure", "persons", "first_half", "second_half", "change", "change_low", "change_high"},
+       {}},
+      phrase("Analysis",
+             "Exploratory, without a test, and not adjusted for the conditions of the trials. "
+             "Halves of each participant's counted trials, without the middle one of an odd "
+             "number. Times: geometric means, ratio of the second to the first half, and of the "
+             "least-squares lines of the logarithm over the number of the trial; 95 % CI: "
+             "Student's t over the participants on the logarithmic scale. Proportions: second "
+             "minus first half; Student's t over the participants' differences.")};
+  add_change({"time_of_halves", "half.ratio"}, times, changes.table);
+  add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
+  add_change({"correct_of_halves", "half.difference"}, correct, changes.table);
+  if (changes.table.rows.empty()) return;
+  NamedTable course{
+      kTrialCourse,
+      phrase("Analysis", "Course over the trials"),
+      {{"trials", "persons", "time_s", "time_s_low", "time_s_high", "share", "share_low",
+        "share_high"},
+       {}},
+      phrase("Analysis",
+             "Means over the participants in blocks of counted trials, numbered through each "
+             "participant's sessions: geometric means of response times with 95 % CI as above, and "
+             "mean proportions correct with 95 % CI by Student's t on the logit scale.")};
+  add_blocks(times, correct, course.table);
+  drop_empty_columns(course.table);
+  keep_findings(of_times, outcome);
+  keep_findings(of_correct, outcome);
+  outcome.tables.push_back(std::move(changes));
+  outcome.tables.push_back(std::move(course));
+}
+
+}  // namespace asperity
