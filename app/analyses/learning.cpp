@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "app/analyses/answer_columns.h"
+#include "app/analyses/reading_table.h"
 #include "app/analyses/study_findings.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr const char* kFamily = "learning";
+constexpr const char* kLearningFamily = "learning";
 
 /// Of each answer its number among those of the participant, from 1.
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
@@ -91,8 +92,8 @@ std::string range_text(std::string block) {
   return block;
 }
 
-/// Blocks in which nobody has a timed trial have no row.
-void add_blocks(const FoundNumbers& times, const FoundNumbers& correct, Table& table) {
+/// Blocks without a timed trial have no row.
+void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Table& table) {
   std::vector<const Finding*> blocks = correct.all("block");
   if (blocks.empty()) blocks = times.all("block");
   for (const Finding* block : blocks) {
@@ -104,27 +105,14 @@ void add_blocks(const FoundNumbers& times, const FoundNumbers& correct, Table& t
   }
 }
 
-/// Columns without any cell say nothing.
-void drop_empty_columns(Table& table) {
-  for (std::size_t column = table.columns.size(); column-- > 0;) {
-    const bool is_empty =
-        std::all_of(table.rows.begin(), table.rows.end(),
-                    [column](const std::vector<Cell>& row) { return row[column] == Cell{}; });
-    if (!is_empty || column < 2) continue;
-    const auto at = static_cast<std::ptrdiff_t>(column);
-    table.columns.erase(table.columns.begin() + at);
-    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
-  }
-}
-
 }  // namespace
 
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<Finding> of_times =
-      analysis_of(kLearningOfTimes, kFamily, times_by_trial(gathered));
+      analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered));
   std::vector<Finding> of_correct{};
   if (std::optional<TidyInput> input = correct_by_trial(gathered)) {
-    of_correct = analysis_of(kLearningCorrect, kFamily, std::move(*input));
+    of_correct = analysis_of(kLearningCorrect, kLearningFamily, std::move(*input));
   }
   const FoundNumbers times(of_times);
   const FoundNumbers correct(of_correct);
@@ -154,8 +142,8 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
              "Means over the participants in blocks of counted trials, numbered through each "
              "participant's sessions: geometric means of response times with 95 % CI as above, and "
              "mean proportions correct with 95 % CI by Student's t on the logit scale.")};
-  add_blocks(times, correct, course.table);
-  drop_empty_columns(course.table);
+  add_trial_blocks(times, correct, course.table);
+  drop_empty_columns(course.table, 2);
   keep_findings(of_times, outcome);
   keep_findings(of_correct, outcome);
   outcome.tables.push_back(std::move(changes));

@@ -46,6 +46,20 @@ std::optional<double> number_of(const Cell& cell) {
   return {};
 }
 
+void drop_empty_columns(Table& table, std::size_t kept) {
+  if (table.rows.empty()) return;
+  for (std::size_t column = table.columns.size(); column-- > kept;) {
+    const bool is_empty =
+        std::all_of(table.rows.begin(), table.rows.end(), [column](const std::vector<Cell>& row) {
+          return std::holds_alternative<std::monostate>(row[column]);
+        });
+    if (!is_empty) continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.columns.erase(table.columns.begin() + at);
+    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
+  }
+}
+
 Table reading_table(const Table& table) {
   Table reading{};
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -27,7 +27,7 @@ struct TrialFactor {
 using LevelOf = std::function<std::string(const GatheredAnswer&)>;
 
 /// As the protocol lists them; then numbers in ascending order, then names.
-void sort_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
+void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
   std::sort(levels.begin(), levels.end(), [&declared](const std::string& a, const std::string& b) {
     const auto place = [&declared](const std::string& level) {
       return std::find(declared.begin(), declared.end(), level);
@@ -51,7 +51,7 @@ TrialFactor trial_factor(const std::string& name, const GatheredAnswers& gathere
     const std::string& level = by_answer.back();
     if (!level.empty() && code_of.emplace(level, 0).second) factor.levels.names.push_back(level);
   }
-  sort_levels(declared, factor.levels.names);
+  sort_trial_levels(declared, factor.levels.names);
   for (std::size_t code = 0; code < factor.levels.names.size(); ++code) {
     code_of[factor.levels.names[code]] = code;
   }
@@ -96,7 +96,7 @@ std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
 }
 
 /// For the family `response_times`.
-TidyInput times_table(const GatheredAnswers& gathered, std::vector<TrialFactor> factors) {
+TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<TrialFactor> factors) {
   std::vector<TidyTable::Column> columns{{"subject", column_of_people(gathered)},
                                          {"time_s", column_of_times(gathered)}};
   std::string levels{};
@@ -114,10 +114,9 @@ TidyInput times_table(const GatheredAnswers& gathered, std::vector<TrialFactor> 
 Phrase note_on_times(std::size_t untimed, std::size_t trials) {
   const Phrase note = phrase(
       "Analysis",
-      "From the cue, when the question was put first after the last surface was felt, to the "
-      "response; feeling again is part of it. Geometric means over the participants, of each "
-      "participant's geometric mean; 95 % CI: Student's t over the participants on the logarithmic "
-      "scale.");
+      "From the cue, the first question after the last surface, to the response; presenting a "
+      "surface again is part of it. Geometric means over participants of each participant's "
+      "geometric mean; 95 % CI: t-based over participants, on the logarithmic scale.");
   if (untimed == 0) return note;
   return phrase("Analysis", "%1 Trials without a time, which are left out: %2 of %3.")
       .with(note, std::to_string(untimed), std::to_string(trials));
@@ -131,8 +130,8 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
   for (const TrialFactor& factor : factors) {
     for (const std::string& level : factor.levels.names) rows.emplace_back(factor.name, level);
   }
-  const std::vector<Finding> findings =
-      analysis_of(kResponseTimes, kResponseTimes, times_table(gathered, std::move(factors)));
+  const std::vector<Finding> findings = analysis_of(
+      kResponseTimes, kResponseTimes, response_times_table(gathered, std::move(factors)));
   const FoundNumbers found(findings);
   if (found.find("geomean") == nullptr) {
     outcome.remarks.push_back(phrase("Analysis", "No trial has a stored response time."));

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <utility>
 
 #include "analysis/multiplicity.h"
@@ -193,21 +192,6 @@ Cell effect_cell(const TestRow& row) {
   return text;
 }
 
-/// Without the columns of these names that have nothing in any row.
-void drop_empty(Table& table, std::initializer_list<std::string> names) {
-  for (const std::string& name : names) {
-    const std::optional<std::size_t> at = column_of(table, name);
-    if (!at) continue;
-    const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(), [&at](const auto& row) {
-      return std::holds_alternative<std::monostate>(row[*at]);
-    });
-    if (!is_empty) continue;
-    const auto offset = static_cast<std::ptrdiff_t>(*at);
-    table.columns.erase(table.columns.begin() + offset);
-    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + offset);
-  }
-}
-
 /// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
 Table with_joined_cells(const Table& tests) {
   Table made{{"test", "method", "n", "statistic", "effect_size", "p", "p_holm", "p_smallest",
@@ -219,7 +203,7 @@ Table with_joined_cells(const Table& tests) {
                          effect_cell(row), row.cell("p"), row.cell("p_holm"),
                          row.cell("p_smallest"), row.cell("role"), row.cell("status")});
   }
-  drop_empty(made, {"p_holm", "p_smallest", "status"});
+  drop_empty_columns(made, 1);
   return made;
 }
 

@@ -135,9 +135,8 @@ void drop_lone_part(ReportTable& table) {
   for (std::vector<std::string>& row : table.rows) row.erase(row.begin());
 }
 
-}  // namespace
-
-void drop_empty_columns(ReportTable& table) {
+/// Without the columns, but for the first, that hold nothing in any row.
+void drop_columns_of_dashes(ReportTable& table) {
   for (std::size_t i = table.columns.size(); i-- > 1;) {
     const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(),
                                       [i](const auto& row) { return row[i] == "–"; });
@@ -147,6 +146,8 @@ void drop_empty_columns(ReportTable& table) {
     for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + offset);
   }
 }
+
+}  // namespace
 
 std::string words_of_number(const std::string& quantity) {
   const auto known = known_numbers().find(quantity);
@@ -172,7 +173,7 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
          test.holm == nullptr ? "–" : reading_p_cell(*test.holm->value), reading_count(p.n)});
   }
   drop_lone_part(table);
-  drop_empty_columns(table);
+  drop_columns_of_dashes(table);
   return table;
 }
 
@@ -198,7 +199,7 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
          finding.n == 0 ? "–" : reading_count(finding.n)});
   }
   drop_lone_part(table);
-  drop_empty_columns(table);
+  drop_columns_of_dashes(table);
   return table;
 }
 

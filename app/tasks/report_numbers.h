@@ -14,9 +14,6 @@ namespace asperity {
 /// only repeat another in a different form are left out. Without rows where there are none.
 ReportTable further_tests_table(std::span<const ReportedTest> tests);
 
-/// Without the columns, but for the first, that hold nothing in any row.
-void drop_empty_columns(ReportTable& table);
-
 /// What a number is called in `further_numbers_table`; empty for those that it leaves out.
 std::string words_of_number(const std::string& quantity);
 

@@ -165,7 +165,8 @@ std::string words_in(const std::string& column, const Cell& cell) {
 }
 
 ReportTable report_table(const NamedTable& named) {
-  const Table reading = reading_table(named);
+  Table reading = reading_table(named);
+  drop_empty_columns(reading, 1);
   ReportTable table{};
   table.title = named.title.english();
   table.note = named.note.english();
@@ -188,7 +189,6 @@ ReportTable report_table(const NamedTable& named) {
       cells.push_back(words_in(column, row[i]));
     }
   }
-  drop_empty_columns(table);
   return table;
 }
 
@@ -242,7 +242,6 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"scm.status", "the similarity choice model"},
       {"signflip.d", "Cohen’s d of paired differences"},
       {"slope.ratio.status", "the CI of the change of response times per 10 trials"},
-      {"status", "a part of the analysis"},
       {"subj.ci.lower", "the CI of the mean proportion"},
       {"subj.ci.upper", "the CI of the mean proportion"},
       {"subj.mean", "the mean proportion"},

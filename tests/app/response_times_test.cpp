@@ -54,8 +54,8 @@ const NamedTable& times_in(const AnalysisOutcome& outcome) {
   throw std::runtime_error("no table of response times");
 }
 
-const std::vector<Cell>& row_of(const AnalysisOutcome& outcome, const std::string& factor,
-                                const std::string& level) {
+const std::vector<Cell>& times_row(const AnalysisOutcome& outcome, const std::string& factor,
+                                   const std::string& level) {
   const Cell second = level.empty() ? Cell{} : Cell{level};
   for (const std::vector<Cell>& row : times_in(outcome).table.rows) {
     if (row[0] == Cell{factor} && row[1] == second) return row;
@@ -74,7 +74,7 @@ TEST(ResponseTimes, AreGeometricMeansOverParticipantsByCondition) {
                                timed_trial(2, "metal", 16.0), timed_trial(2, "stone", 16.0)}});
   EXPECT_THAT(times_in(outcome).table.columns, ElementsAre("factor", "level", "persons", "trials",
                                                            "time_s", "time_s_low", "time_s_high"));
-  const std::vector<Cell>& first = row_of(outcome, "column", "1");
+  const std::vector<Cell>& first = times_row(outcome, "column", "1");
   EXPECT_EQ(first[2], Cell{std::int64_t{2}});
   EXPECT_EQ(first[3], Cell{std::int64_t{4}});
   EXPECT_NEAR(number(first[4]), 4.0, 1e-12);
@@ -82,10 +82,10 @@ TEST(ResponseTimes, AreGeometricMeansOverParticipantsByCondition) {
   const double factor = std::exp(12.706204736174705 * std::log(2.0));
   EXPECT_NEAR(number(first[5]) * factor, 4.0, 1e-8);
   EXPECT_NEAR(number(first[6]) / factor, 4.0, 1e-8);
-  EXPECT_NEAR(number(row_of(outcome, "column", "2")[4]), 4.0, 1e-12);
-  EXPECT_NEAR(number(row_of(outcome, "texture", "metal")[4]), std::sqrt(8.0), 1e-12);
-  EXPECT_NEAR(number(row_of(outcome, "texture", "stone")[4]), std::sqrt(32.0), 1e-12);
-  EXPECT_EQ(row_of(outcome, "all", "")[3], Cell{std::int64_t{8}});
+  EXPECT_NEAR(number(times_row(outcome, "column", "2")[4]), 4.0, 1e-12);
+  EXPECT_NEAR(number(times_row(outcome, "texture", "metal")[4]), std::sqrt(8.0), 1e-12);
+  EXPECT_NEAR(number(times_row(outcome, "texture", "stone")[4]), std::sqrt(32.0), 1e-12);
+  EXPECT_EQ(times_row(outcome, "all", "")[3], Cell{std::int64_t{8}});
   EXPECT_EQ(times_in(outcome).table.rows.size(), 5U);
 }
 
@@ -95,14 +95,14 @@ TEST(ResponseTimes, StateHowManyTrialsHaveNone) {
                               {timed_trial(1, "metal", 4.0), timed_trial(1, "stone", 0.0)}});
   EXPECT_THAT(times_in(outcome).note.english(),
               EndsWith("Trials without a time, which are left out: 2 of 4."));
-  EXPECT_EQ(row_of(outcome, "texture", "stone")[3], Cell{std::int64_t{0}});
-  EXPECT_EQ(row_of(outcome, "texture", "stone")[4], Cell{});
+  EXPECT_EQ(times_row(outcome, "texture", "stone")[3], Cell{std::int64_t{0}});
+  EXPECT_EQ(times_row(outcome, "texture", "stone")[4], Cell{});
 }
 
 TEST(ResponseTimes, HaveAStatusInPlaceOfTheIntervalOfOneParticipant) {
   const AnalysisOutcome outcome =
       analyze_recognition_of({{timed_trial(1, "metal", 2.0), timed_trial(1, "metal", 8.0)}});
-  const std::vector<Cell>& all = row_of(outcome, "all", "");
+  const std::vector<Cell>& all = times_row(outcome, "all", "");
   EXPECT_NEAR(number(all[4]), 4.0, 1e-12);
   EXPECT_EQ(all[5], Cell{});
   const auto status =
@@ -134,8 +134,8 @@ TEST(ResponseTimes, CountAnAssignmentOnce) {
   trial.from_cue_s = 3.0;
   made.add_session("p0", protocol, {trial, trial});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
-  EXPECT_EQ(row_of(outcome, "all", "")[3], Cell{std::int64_t{2}});
-  EXPECT_NEAR(number(row_of(outcome, "all", "")[4]), 3.0, 1e-12);
+  EXPECT_EQ(times_row(outcome, "all", "")[3], Cell{std::int64_t{2}});
+  EXPECT_NEAR(number(times_row(outcome, "all", "")[4]), 3.0, 1e-12);
   EXPECT_EQ(times_in(outcome).table.rows.size(), 1U);  // trials differ in nothing
 }
 
@@ -160,9 +160,9 @@ TEST(ResponseTimes, OfMagnitudesAreByConditionAndSpacing) {
   }
   made.add_session("p0", protocol, trials);
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
-  EXPECT_NEAR(number(row_of(outcome, "condition", "big")[4]), 8.0, 1e-12);
-  EXPECT_NEAR(number(row_of(outcome, "condition", "small")[4]), 2.0, 1e-12);
-  EXPECT_NEAR(number(row_of(outcome, "spacing_m", "0.001")[4]), 4.0, 1e-12);
+  EXPECT_NEAR(number(times_row(outcome, "condition", "big")[4]), 8.0, 1e-12);
+  EXPECT_NEAR(number(times_row(outcome, "condition", "small")[4]), 2.0, 1e-12);
+  EXPECT_NEAR(number(times_row(outcome, "spacing_m", "0.001")[4]), 4.0, 1e-12);
   std::vector<std::string> levels{};
   for (const std::vector<Cell>& row : times_in(outcome).table.rows) {
     if (row[1] != Cell{}) levels.push_back(std::get<std::string>(row[1]));

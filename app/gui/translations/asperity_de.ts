@@ -1080,8 +1080,8 @@
         <translation>Aus Durchgängen geschätzt, als wären sie unabhängig: %1.</translation>
     </message>
     <message>
-        <source>From the cue, when the question was put first after the last surface was felt, to the response; feeling again is part of it. Geometric means over the participants, of each participant&apos;s geometric mean; 95 % CI: Student&apos;s t over the participants on the logarithmic scale.</source>
-        <translation>Vom Signal, dem Moment, in dem die Frage nach dem Fühlen der letzten Oberfläche zum ersten Mal gestellt wurde, bis zur Antwort; erneutes Fühlen zählt mit. Geometrische Mittel über die Versuchspersonen, des geometrischen Mittels jeder Versuchsperson; 95-%-Konfidenzintervall: Students t über die Versuchspersonen auf der logarithmischen Skala.</translation>
+        <source>From the cue, the first question after the last surface, to the response; presenting a surface again is part of it. Geometric means over participants of each participant&apos;s geometric mean; 95 % CI: t-based over participants, on the logarithmic scale.</source>
+        <translation>Vom Signal, der ersten Frage nach der letzten Oberfläche, bis zur Antwort; ein erneutes Darbieten zählt mit. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson; 95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>%1 Trials without a time, which are left out: %2 of %3.</source>
