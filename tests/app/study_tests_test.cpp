@@ -49,6 +49,10 @@ struct TestedRow {
 TestedRow row_of(const Table& table, const std::string& test, const std::string& about = {}) {
   for (const std::vector<Cell>& row : table.rows) {
     const TestedRow found{.table = table, .cells = row};
+    if (!column_of(table, "about")) {  // as it is read
+      if (found["test"] == Cell{about.empty() ? test : test + '|' + about}) return found;
+      continue;
+    }
     const Cell wanted = about.empty() ? Cell{} : Cell{about};
     if (found["test"] == Cell{test} && found["about"] == wanted) return found;
   }
@@ -271,13 +275,47 @@ TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
   EXPECT_EQ(right.text("statistic"), "t(2) = 7.00");
   EXPECT_THAT(right.text("effect_size"), HasSubstr("d = 4.04 ["));
   EXPECT_EQ(words_of_cell("method", right.text("method")).english(), "one-sample t test");
-  EXPECT_EQ(row_of(reading, "textures", "brick").text("statistic"), "k = 3");
+  EXPECT_EQ(words_of_cell("n", right.text("n")).english(), "3 participants");
+  const TestedRow brick = row_of(reading, "textures", "brick");
+  EXPECT_EQ(brick.text("statistic"), "k = 3");
+  EXPECT_EQ(words_of_cell("test", brick.text("test")).english(), "textures: brick");
   EXPECT_FALSE(column_of(reading, "status"));  // every test was made
   const AnalysisOutcome of_pairs = selection_of_six();
   const Table pairs = reading_table(tests_of(of_pairs));
   EXPECT_EQ(
       words_of_cell("method", row_of(pairs, "target_pairs", "new|old").text("method")).english(),
       "sign-flip (randomisation) test, exact");
+  EXPECT_THAT(tests_of(of_pairs).note.english(),
+              HasSubstr("D: difference of the numbers of choices; d_z: Cohen’s d of paired"));
+}
+
+// Two tests of .0625 at least are .125 in a family of two: neither can show anything.
+TEST(TestsOfAStudy, CorrectTheSmallestAttainablePAsP) {
+  const AnalysisOutcome outcome = analysed(
+      "selection", R"({"analysis": {"target": "a", "family": ["target_pairs"]}})", 5, [](int) {
+        return std::vector{choice({"a", "b", "c"}, "a", "wood"),
+                           choice({"a", "b", "c"}, "a", "wood")};
+      });
+  for (const char* const pair : {"a|b", "a|c"}) {
+    const TestedRow row = row_of(tests_of(outcome).table, "target_pairs", pair);
+    EXPECT_DOUBLE_EQ(row.number("p"), 0.0625) << pair;
+    EXPECT_DOUBLE_EQ(row.number("p_holm"), 0.125) << pair;
+    EXPECT_DOUBLE_EQ(row.number("p_smallest"), 0.125) << pair;
+  }
+}
+
+// An effect size of trials has no interval where there is one participant, and says so of several.
+TEST(TestsOfAStudy, StateWhichEffectSizesTakeTrialsAsIndependent) {
+  const AnalysisOutcome four = matching_of_four();
+  EXPECT_TRUE(std::holds_alternative<double>(row_of(tests_of(four).table, "items")["effect_low"]));
+  EXPECT_THAT(tests_of(four).note.english(),
+              HasSubstr("Estimated from trials as if they were independent: θ"));
+  const AnalysisOutcome one = analysed("matching", "{}", 1, [](int) {
+    return std::vector(3, matching_of({"brick", "metal", "wood", "stone"}));
+  });
+  const TestedRow items = row_of(tests_of(one).table, "items");
+  EXPECT_EQ(items.text("effect_size"), "θ");
+  EXPECT_EQ(items["effect_low"], Cell{});
 }
 
 // A report compares women and men only where the protocol declares it.
