@@ -772,14 +772,14 @@ TEST(StudyReport, RefusesAProtocolThatTheStudyHasNoSessionOf) {
 TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
   const std::vector<Finding> findings{
       found("chisq", "exp1", 9.1), found("chisq.df", "exp1", 2.0),
-      found("chisq.p", "exp1", 0.0105672, "Pearson's X² against equal shares"),
+      found("chisq.p", "exp1", 0.0105672, "Pearson's X² against equal proportions"),
       found("chisq.p.holm", "exp1", 0.0317016)};
   const std::vector<ReportedTest> tests = tests_among(findings);
   ASSERT_EQ(tests.size(), 1U);
-  EXPECT_EQ(
-      sentence_of(tests[0]),
-      "For exp1, Pearson's X² against equal shares: χ²(2) = 9.10, p = .011, Holm-corrected p = "
-      ".032 (n = 20).");
+  EXPECT_EQ(sentence_of(tests[0]),
+            "For exp1, Pearson's X² against equal proportions: χ²(2) = 9.10, p = .011, "
+            "Holm-corrected p = "
+            ".032 (n = 20).");
 }
 
 TEST(ReportTests, TakesNothingFromAnotherKeyOrAnalysis) {

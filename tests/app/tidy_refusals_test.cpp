@@ -259,10 +259,10 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
   const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
   EXPECT_EQ(
       why(findings_of("selection", "subject,sample,choice\nA,1,a\n", choices), "subj.t.p.two"),
-      "NA: one participant has no spread: run more");
+      "NA: one participant shows no differences between participants: run more");
   EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
                 "subj.t.p.two"),
-            "NA: all participants have the same share");
+            "NA: all participants have the same proportion");
   EXPECT_EQ(why(findings_of("rating", "subject,item,score\nA,a,2\nA,b,2\nB,a,3\nB,b,3\n",
                             R"({"items": ["a", "b"]})"),
                 "friedman.p"),

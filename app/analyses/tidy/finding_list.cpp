@@ -56,7 +56,7 @@ void FindingList::word(std::string quantity, std::string key, std::string word, 
 void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings) {
   const std::optional<Summary> summary = summary_of(shares);
   if (!summary) return;
-  const Basis basis{.n = summary->n, .method = "of the participants' own shares"};
+  const Basis basis{.n = summary->n, .method = "of the participants' proportions"};
   findings.number("subj.minimum", key, summary->minimum, basis);
   findings.number("subj.median", key, summary->p50, basis);
   findings.number("subj.maximum", key, summary->maximum, basis);
@@ -72,7 +72,7 @@ void add_mean_share(const std::string& quantity, const std::string& key,
                     const MeanShareQuestion& question, FindingList& findings) {
   Basis basis{.n = participants.size(),
               .method = method + "; t interval on the logit scale",
-              .undefined = "there is no participant with a share"};
+              .undefined = "there is no participant with a proportion"};
   double mean = kUndefined;
   if (!participants.empty()) {
     std::vector<double> shares{};

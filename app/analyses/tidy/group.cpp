@@ -47,7 +47,7 @@ Groups read_groups(const TidyInput& input) {
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
                    std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
-                       " trials is no share; leave out who has no trials");
+                       " trials is not a proportion; leave out participants without trials");
     }
     const HitCount count{.hits = hits[row], .trials = trials[row]};
     const bool is_second = group.codes[row] == 1;
@@ -131,17 +131,18 @@ class GroupComparison final {
     const std::string independent = ", trials taken as independent";
     for (const auto& [name, count] :
          {std::pair{groups_.names[0], table.first}, std::pair{groups_.names[1], table.second}}) {
-      list_.count("pooled.k", name, count.hits, basis("right answers"));
+      list_.count("pooled.k", name, count.hits, basis("correct responses"));
       list_.count("pooled.n", name, count.trials, basis("trials"));
     }
     const FisherTest fisher = fisher_test(table, confidence_);
     number("fisher.p.two", fisher.p_two_sided, "Fisher's exact test" + independent);
     number("fisher.p.greater", fisher.p_greater, "Fisher's exact test, one-sided" + independent);
     number("fisher.p.less", fisher.p_less, "Fisher's exact test, one-sided" + independent);
-    Basis ratio = basis("conditional maximum likelihood, exact limits" + independent +
-                        (fisher.margins_decide
-                             ? "; all answers are right, or all wrong: these say nothing about it"
-                             : ""));
+    Basis ratio = basis(
+        "conditional maximum likelihood, exact limits" + independent +
+        (fisher.margins_decide
+             ? "; all responses are correct, or all incorrect: these carry no information on it"
+             : ""));
     ratio.interval = fisher.interval;
     ratio.confidence = confidence_;
     list_.number("fisher.or.cond", "", fisher.odds_ratio, ratio);
@@ -195,7 +196,8 @@ class GroupComparison final {
              "d without its bias, exact J; interval by the noncentral t");
     } else {
       list_.word("welch.t", "", "undefined_zero_variance",
-                 "a group has a single participant, or nobody differs: there is no t",
+                 "a group has a single participant, or the participants of a group do not differ: "
+                 "there is no t",
                  basis("Welch's t over participants"));
     }
     const SplitTest splits = permutation_test(samples);
@@ -216,9 +218,10 @@ class GroupComparison final {
   void regression() {
     const std::optional<FixedLogit> fixed = fixed_logit(groups_.participants);
     if (!fixed) {
-      list_.word("glm.status", "", "separated",
-                 "a group has only right or only wrong answers: its odds have no finite estimate",
-                 basis("logistic regression"));
+      list_.word(
+          "glm.status", "", "separated",
+          "a group has only correct or only incorrect responses: its odds have no finite estimate",
+          basis("logistic regression"));
       return;
     }
     coefficients("glm.beta", fixed->beta, "logistic regression, trials taken as independent");
@@ -269,7 +272,7 @@ std::vector<Finding> group_findings(const TidyInput& input) {
     if ((i == 0 ? groups.first : groups.second).empty()) {
       FindingList list{};
       list.word("status", groups.names[i], "no_data",
-                "nobody is in this group: there is nothing to compare with");
+                "this group has no participants: there is nothing to compare with");
       return list.take();
     }
   }

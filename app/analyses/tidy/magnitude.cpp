@@ -157,7 +157,8 @@ class MagnitudeList final {
     means(normalised);
     if (n_ < 2) {
       list_.word("status", "", "one_participant",
-                 "one participant has no spread: run more for intervals and tests",
+                 "one participant shows no differences between participants: run more for "
+                 "intervals and tests",
                  basis("complete participants"));
       return list_.take();
     }
@@ -287,8 +288,9 @@ class MagnitudeList final {
         const auto limit = [&](const char* quantity, double value, std::string method) {
           Basis of_limit = basis(std::move(method));
           of_limit.undefined =
-              cell.half_width ? "with a single cell all normalised estimates are the grand mean"
-                              : "one participant has no spread: run more";
+              cell.half_width
+                  ? "with a single cell all normalised estimates are the grand mean"
+                  : "one participant shows no differences between participants: run more";
           list_.number(quantity, key, value, of_limit);
         };
         limit("geomean.ci.lower", ends.low, "t interval of logarithms");
@@ -359,8 +361,9 @@ class MagnitudeList final {
     number("intercept.mean", probe, law.intercept, "log₁₀R at x = 0, mean over participants");
     number("pooled.linear.slope", probe, law.pooled_slope, "line through the means");
     number("pooled.linear.r2", probe, law.pooled_r2, "line through the means");
-    number("pooled.linear.se", probe, law.pooled_slope_se,
-           "from the residuals of the means; says nothing about participants");
+    number(
+        "pooled.linear.se", probe, law.pooled_slope_se,
+        "from the residuals of the means; does not contain the differences between participants");
   }
 
   void curve(const std::string& probe, const QuadraticFit& fit) {

@@ -183,7 +183,7 @@ void add_fixed_points(const Matching& read, FindingList& findings) {
   for (const TidyTrial& trial : read.trials) {
     findings.count("fixed.points",
                    read.participants[trial.participant] + ':' + read.trial_names[trial.name],
-                   trial.right, {.n = 1, .method = "right items"});
+                   trial.right, {.n = 1, .method = "correctly matched items"});
   }
 }
 
@@ -204,7 +204,8 @@ void add_totals(const Matching& read, FindingList& findings) {
     findings.number(quantity, "", value, {.n = n, .method = method});
   };
   const std::string method =
-      "right items of all trials against random orders of each trial's own answers";
+      "correctly matched items of all trials, permutation null distribution of each trial's own "
+      "responses";
   const auto total = static_cast<std::int64_t>(right);
   const double sd = std::sqrt(chance.variance());
   number("n.trials", static_cast<double>(n), "");
@@ -213,10 +214,10 @@ void add_totals(const Matching& read, FindingList& findings) {
   number("total.correct", static_cast<double>(right), "");
   number("total.items", static_cast<double>(items), "");
   number("mean.correct", static_cast<double>(right) / static_cast<double>(n), "per trial");
-  number("null.mean", chance.mean(), "of the total, by chance");
-  number("null.sd", sd, "of the total, by chance");
+  number("null.mean", chance.mean(), "of the total, expected under guessing");
+  number("null.sd", sd, "of the total, expected under guessing");
   const CountInterval usual = central_interval(chance, read.confidence);
-  const std::string holds = "the narrowest totals that hold the confidence of chance";
+  const std::string holds = "the narrowest range of totals with this probability under guessing";
   number("null.lower", static_cast<double>(usual.low), holds);
   number("null.upper", static_cast<double>(usual.high), holds);
   number("exact.p.greater", chance.upper_tail(total), "exact, one-sided: " + method);
@@ -243,7 +244,7 @@ void add_whole(const Matching& read, FindingList& findings) {
     whole.trials += trial.permutation ? trial.times : 0;
     whole.hits += trial.whole() ? trial.times : 0;
   }
-  Basis basis{.n = whole.trials, .method = "permutation trials that are wholly right"};
+  Basis basis{.n = whole.trials, .method = "permutation trials with all items correct"};
   if (whole.trials > 0) {
     basis.interval = wilson_interval(whole, read.confidence);
     basis.confidence = read.confidence;
@@ -423,7 +424,7 @@ void add_textures(const Matching& read, FindingList& findings) {
     for (const std::size_t chosen : read.felt) {
       findings.count("confusion", both(read.labels[felt], read.labels[chosen]),
                      counts.chosen[felt * read.labels.size() + chosen],
-                     {.n = read.trials_in_all(), .method = "felt | chosen, all trials"});
+                     {.n = read.trials_in_all(), .method = "stimulus | response, all trials"});
     }
   }
 }
@@ -527,10 +528,11 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
   add_mean_share("subj.mean", "", own,
                  "mean of the participants' own proportions of correctly matched items",
                  {.confidence = confidence, .least_design_effect = kLeastDesignEffect}, findings);
-  findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
-                  {.n = t.n,
-                   .method = "of the participants' shares",
-                   .undefined = "one participant has no spread: run more"});
+  findings.number(
+      "subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
+      {.n = t.n,
+       .method = "of the participants' proportions",
+       .undefined = "one participant shows no differences between participants: run more"});
   add_spread("", shares, findings);
 }
 
@@ -548,16 +550,16 @@ void add_participants(const Matching& read, FindingList& findings) {
   for (std::size_t person = 0; person < own.size(); ++person) {
     means.push_back(static_cast<double>(own[person].hits) / static_cast<double>(trials[person]));
     findings.number("subject.mean", read.participants[person], means.back(),
-                    {.n = 1, .method = "right items per trial"});
+                    {.n = 1, .method = "correctly matched items per trial"});
   }
   std::map<Times, IntegerDistribution> chances{};  // most participants have the same trials
   for (std::size_t person = 0; person < own.size(); ++person) {
     const auto [chance, is_new] = chances.try_emplace(times[person]);
     if (is_new) chance->second = chance_of(read, times[person]);
-    findings.number(
-        "subject.p.greater", read.participants[person],
-        chance->second.upper_tail(static_cast<std::int64_t>(own[person].hits)),
-        {.n = trials[person], .method = "exact, one-sided, against random orders of the answers"});
+    findings.number("subject.p.greater", read.participants[person],
+                    chance->second.upper_tail(static_cast<std::int64_t>(own[person].hits)),
+                    {.n = trials[person],
+                     .method = "exact, one-sided, permutation null distribution of the responses"});
   }
   add_shares_of_participants(own, read.confidence, findings);
   add_groups(read, means, own, findings);

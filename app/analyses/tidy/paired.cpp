@@ -144,7 +144,7 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
            "likelihood ratio against none");
   } else {
     findings.word("bt.order.status", "first", "not_estimable",
-                  "the order of presentation cannot be told from the items, or decides completely",
+                  "the order of presentation is confounded with the items, or decides completely",
                   {.n = n, .method = order});
   }
 }

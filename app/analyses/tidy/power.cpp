@@ -85,7 +85,8 @@ class PowerList final {
     }
   }
   void exact(const ExactPower& power, const std::string& method) {
-    number("alpha.actual", power.actual_error, "how often the test rejects by chance");
+    number("alpha.actual", power.actual_error,
+           "size: how often the test rejects where the null hypothesis is true");
     number("power", power.power, method);
   }
   std::vector<Finding> take() { return list_.take(); }
@@ -99,8 +100,9 @@ class PowerList final {
 void uniform(const Scenario& plan, double error, PowerList& list) {
   const UniformPower power =
       uniform_power({.choices = plan.whole("n"), .truth = plan.numbers("probs"), .error = error});
-  list.number("alpha.actual", power.actual_error, "how often the χ² test rejects by chance");
-  list.number("power", power.power, "exact power of Pearson's X² against equal shares");
+  list.number("alpha.actual", power.actual_error,
+              "size: how often the χ² test rejects where the null hypothesis is true");
+  list.number("power", power.power, "exact power of Pearson's X² against equal proportions");
   list.number("power.noncentral", power.noncentral_power, "by the noncentral χ²");
 }
 
@@ -118,7 +120,7 @@ void within(const Scenario& plan, double error, PowerList& list) {
 void forced_choice(const Scenario& plan, double error, PowerList& list) {
   const ForcedChoice choice{.alternatives = plan.whole("k")};
   const double share = choice.share(plan.number("d"));
-  list.number("pc", share, "share of right answers at this d′");
+  list.number("pc", share, "proportion correct at this d′");
   const double chance = 1.0 / static_cast<double>(choice.alternatives);
   list.number(
       "power",
@@ -135,7 +137,7 @@ void pooled(const Scenario& plan, double error, PowerList& list) {
                                                       .correlation = plan.number("rho"),
                                                       .error = error});
   list.number("reject.rate", rejection.rate,
-              "pooled binomial test of participants whose shares are beta-distributed");
+              "pooled binomial test of participants whose proportions are beta-distributed");
   list.number("deff", rejection.design_effect, "1 + (m − 1)·ρ");
 }
 
@@ -162,7 +164,7 @@ void plan_findings(const Scenario& plan, const std::string& kind, PowerList& lis
     const MatchingPower power = mallows_power(matching(), plan.number("theta"));
     list.critical(power.exact);
     list.exact(power.exact, "exact, permutations by Mallows' model");
-    list.number("mean.correct", power.mean_right, "items right of one assignment");
+    list.number("mean.correct", power.mean_right, "correctly matched items of one assignment");
   } else if (kind == "matching_known") {
     list.number(
         "power",

@@ -102,16 +102,16 @@ Word word_of(PsychometricStatus status) {
     case PsychometricStatus::no_data:
       return {"no_data", "no level has trials: nothing can be said"};
     case PsychometricStatus::all_correct:
-      return {"all_correct", "every answer is right: present weaker stimuli"};
+      return {"all_correct", "every response is correct: present weaker stimuli"};
     case PsychometricStatus::all_wrong:
-      return {"all_wrong", "every answer is wrong: present stronger stimuli"};
+      return {"all_wrong", "every response is incorrect: present stronger stimuli"};
     case PsychometricStatus::one_level:
       return {"one_level", "one level has no slope: present more"};
     case PsychometricStatus::separated:
       return {"separated", "a step fits perfectly: present levels within the bracket"};
     case PsychometricStatus::quasi_separated:
       return {"quasi_separated",
-              "all but one level are all right or all wrong: present levels "
+              "all levels but one have only correct or only incorrect responses: present levels "
               "nearer to it"};
     case PsychometricStatus::not_increasing:
       return {"not_increasing",
@@ -221,9 +221,9 @@ class PsychometricList final {
     number("fit.lambda", fit.function.lambda, question_.model.lambda ? "fixed" : method);
     list_.truth("bound.lambda", key_, fit.lambda_at_bound, basis("whether λ is at its bound"));
     list_.truth("bound.beta", key_, fit.beta_at_bound,
-                basis("whether the slope is at its bound: steeper than the levels can tell"));
+                basis("whether the slope is at its bound: steeper than the levels can resolve"));
     number("loglik", fit.log_likelihood, "binomial coefficients included");
-    number("deviance", fit.deviance, "against one share per block");
+    number("deviance", fit.deviance, "against one proportion per block");
     number("deviance.df", fit.deviance_df, "blocks less parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
     number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),

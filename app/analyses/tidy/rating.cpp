@@ -86,7 +86,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
                       {.n = test.n,
                        .method = "rank-biserial correlation",
-                       .undefined = "nobody scored the two items differently"});
+                       .undefined = "no participant rated the two items differently"});
     }
   }
   const std::vector<double> adjusted = holm_adjusted(p);
@@ -112,8 +112,8 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   const FriedmanTest test = friedman_test(scores);
   add_friedman(test,
                {.n = n,
-                .none = "nobody scored every item",
-                .one = "one participant agrees or disagrees with nobody: run more",
+                .none = "no participant rated every item",
+                .one = "agreement needs two participants: run more",
                 .concordance = concordance_interval(scores, input.options.confidence()),
                 .confidence = input.options.confidence()},
                findings);
@@ -127,7 +127,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n,
                      .method = "within participants, 1 for the lowest score",
-                     .undefined = "nobody scored every item"});
+                     .undefined = "no participant rated every item"});
   }
   add_pairs(items, scores, findings);
   return findings.take();

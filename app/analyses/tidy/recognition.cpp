@@ -107,20 +107,20 @@ class Recognition final {
   }
 
   void counts() {
-    list_.count("n.missing", "", trials_.missing, basis("trials without an answer, left out"));
+    list_.count("n.missing", "", trials_.missing, basis("trials without a response, left out"));
     for (Eigen::Index i = 0; i < trials_.counts.rows(); ++i) {
       for (Eigen::Index j = 0; j < trials_.counts.cols(); ++j) {
-        number("confusion", pair(i, j), trials_.counts(i, j), "trials: stimulus|answer");
+        number("confusion", pair(i, j), trials_.counts(i, j), "trials: stimulus|response");
       }
     }
-    list_.count("n", "", right_.trials, basis("answered trials"));
-    list_.count("correct", "", right_.hits, basis("right answers"));
+    list_.count("n", "", right_.trials, basis("trials with a response"));
+    list_.count("correct", "", right_.hits, basis("correct responses"));
   }
 
   void shares() {
     const ConfidenceInterval wilson = wilson_interval(right_, confidence_);
     const ConfidenceInterval exact = clopper_pearson_interval(right_, confidence_);
-    Basis pooled = basis("right of all trials; interval of Wilson, trials taken as independent");
+    Basis pooled = basis("correct of all trials; Wilson interval, trials taken as independent");
     pooled.interval = wilson;
     pooled.confidence = confidence_;
     list_.number("pc", "", proportion(right_), pooled);
@@ -143,11 +143,11 @@ class Recognition final {
                    "mean of the participants' own proportions", {.confidence = confidence_}, list_);
     const auto of_spread = [this](const char* method) {
       Basis made = basis(method);
-      made.undefined = "one participant has no spread: run more";
+      made.undefined = "one participant shows no differences between participants: run more";
       return made;
     };
     list_.number("subj.sd", "", t.sd.value_or(kUndefined),
-                 of_spread("spread of the participants' shares"));
+                 of_spread("SD of the participants' proportions"));
     add_spread("", shares, list_);
     if (t.test) {
       number("subj.t", "", t.test->t, "t over participants against chance 1/m");
@@ -164,15 +164,16 @@ class Recognition final {
       number("subj.ci.upper", "", t.test->interval.high, "t interval over participants, uncut");
     } else if (t.n < 2) {
       list_.word("subj.t", "", "undefined_one_participant",
-                 "one participant has no spread: run more", basis("t over participants"));
+                 "one participant shows no differences between participants: run more",
+                 basis("t over participants"));
     } else {
       list_.word("subj.t", "", "undefined_zero_variance",
-                 "all participants have the same share, so there is no t",
+                 "all participants have the same proportion, so there is no t",
                  basis("t over participants"));
     }
     list_.number(
         "pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
-        of_spread("standard error of the share of right answers with the participant as the unit"));
+        of_spread("standard error of the proportion correct with the participant as the unit"));
   }
 
   void labels() {
@@ -180,13 +181,13 @@ class Recognition final {
       const std::string& key = trials_.labels[i];
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
-        Basis never = basis("right of the trials with this stimulus");
+        Basis never = basis("correct of the trials with this stimulus");
         never.undefined = "it was never presented";
         list_.number("recall", key, kUndefined, never);
         continue;
       }
       const ConfidenceInterval wilson = wilson_interval(*hits, confidence_);
-      Basis shown = basis("right of the trials with this stimulus; interval of Wilson");
+      Basis shown = basis("correct of the trials with this stimulus; Wilson interval");
       shown.interval = wilson;
       shown.confidence = confidence_;
       list_.number("recall", key, proportion(*hits), shown);
@@ -194,7 +195,7 @@ class Recognition final {
       number("recall.wilson.upper", key, wilson.high, "interval of Wilson");
       const std::optional<HitCount> precise = precision(trials_.counts, i);
       number("precision", key, precise ? proportion(*precise) : kUndefined,
-             "right of the trials with this answer");
+             "correct of the trials with this response");
     }
     number("kappa", "", kappa(trials_.counts).value_or(kUndefined), "Cohen's κ");
     number("balanced.pc", "", balanced_share(trials_.counts).value_or(kUndefined),
@@ -208,7 +209,8 @@ class Recognition final {
                                     .high = choice.dprime(wilson.high)};
     const double dprime = choice.dprime(proportion(right_));
     Basis estimate = of_trials(
-        "d′ of m alternatives without bias; at the Wilson limits of pc; n counts answers");
+        "d′ of m alternatives without response bias; at the Wilson limits of pc; n counts "
+        "responses");
     estimate.interval = limits;
     estimate.confidence = confidence_;
     list_.number("dprime", "", dprime, estimate);
@@ -220,7 +222,7 @@ class Recognition final {
     } else {
       const double end = 1.0 / (2.0 * n);
       number("dprime.corrected", "", choice.dprime(right_.hits == 0 ? end : 1.0 - end),
-             "half a trial moved from the end: a share of 1/(2N) or 1 − 1/(2N)");
+             "half a trial moved from the end: a proportion of 1/(2N) or 1 − 1/(2N)");
     }
     number("dprime.lower", "", limits.low, "d′ at the Wilson limit");
     number("dprime.upper", "", limits.high, "d′ at the Wilson limit");
@@ -235,11 +237,11 @@ class Recognition final {
   void information() {
     const InformationTransfer it = information_transfer(trials_.counts);
     bits("H.stimulus", it.stimulus_bits, "entropy of the stimuli");
-    bits("H.response", it.answer_bits, "entropy of the answers");
+    bits("H.response", it.answer_bits, "entropy of the responses");
     bits("IT.plugin", it.plug_in_bits, "transmitted information, too large in small samples");
     number("IT.relative", "", it.relative.value_or(kUndefined), "of the stimuli's entropy");
     number("IT.items", "", std::exp2(it.plug_in_bits),
-           "items told apart: two to the transmitted bits");
+           "discriminable items: 2 to the power of the transmitted bits");
     bits("IT.millermadow", it.miller_madow_bits, "Miller and Madow, occupied cells");
     bits("IT.miller1955", it.miller_bits, "less (r−1)(c−1)/(2N ln 2)");
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "leaving out each trial");
@@ -269,13 +271,13 @@ class Recognition final {
                 of_trials("whether half of the pairs or more were never confused"));
     if (!model.parameters) {
       list_.word("scm.status", "", "boundary",
-                 "the likeliest similarities are 0 or infinite: collect more answers",
+                 "the maximum-likelihood similarities are 0 or infinite: collect more responses",
                  basis("Luce's similarity choice model"));
       return;
     }
     of_pairs("scm.eta", model.parameters->similarity, "similarity, maximum likelihood");
     for (Eigen::Index i = 0; i < model.parameters->bias.size(); ++i) {
-      number("scm.bias", label(i), model.parameters->bias(i), "bias of the answers, sum 1");
+      number("scm.bias", label(i), model.parameters->bias(i), "response bias, sum 1");
     }
   }
 
@@ -345,7 +347,7 @@ std::vector<Finding> recognition_findings(const TidyInput& input) {
   if (trials.counts.sum() == 0.0) {
     FindingList list{};
     list.count("n.missing", "", trials.missing);
-    list.word("status", "", "no_data", "no trial was answered: nothing can be said");
+    list.word("status", "", "no_data", "no trial has a response: nothing can be estimated");
     return list.take();
   }
   return Recognition(trials, input.options.confidence()).findings();

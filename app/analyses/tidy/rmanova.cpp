@@ -191,7 +191,7 @@ class AnovaList final {
       const auto& of = design_.data.group;
       if (std::count(of.begin(), of.end(), group) == 0) {
         list_.word("status", design_.between.front().second[group], "empty_group",
-                   "nobody in this group has all cells: run more, or leave the group out",
+                   "no participant of this group has all cells: run more, or leave the group out",
                    basis("participants with all cells"));
         return list_.take();
       }

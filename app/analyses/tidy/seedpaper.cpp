@@ -92,7 +92,7 @@ void add_choices(const ChoiceTable& table, const std::string& block,
     if (n > 0) add_share("t1", key, {.hits = counts[j], .trials = n}, findings);
   }
   const UniformTest uniform = uniform_test(counts);
-  const Basis pearson{.n = n, .method = "Pearson's X² against equal shares"};
+  const Basis pearson{.n = n, .method = "Pearson's X² against equal proportions"};
   findings.number("t1.chisq", block, uniform.pearson, pearson);
   findings.number("t1.chisq.p", block, uniform.pearson_p, pearson);
   if (block != kPooled) {
@@ -218,7 +218,7 @@ RightAnswers read_right_answers(const TidyTable& table) {
   RightAnswers read{.experiments = experiments.names};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (correct[row] > n[row]) {
-      table.refuse(row, "correct", "more answers are correct than were given");
+      table.refuse(row, "correct", "more responses are correct than were given");
     }
     HitCount& own =
         read.of[{experiments.names[experiments.codes[row]], sexes.names[sexes.codes[row]]}];

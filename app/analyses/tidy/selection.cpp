@@ -98,20 +98,21 @@ double add_block(const Choices& read, const std::string& block,
            "simultaneous intervals of Goodman" + independent);
   }
   const UniformTest test = uniform_test(counts);
-  number("chisq", block, test.pearson, "Pearson's X² against equal shares" + independent);
+  number("chisq", block, test.pearson, "Pearson's X² against equal proportions" + independent);
   number("chisq.df", block, test.df, "");
-  number("chisq.p", block, test.pearson_p, "Pearson's X² against equal shares" + independent);
-  number("G", block, test.likelihood_ratio, "likelihood ratio against equal shares" + independent);
+  number("chisq.p", block, test.pearson_p, "Pearson's X² against equal proportions" + independent);
+  number("G", block, test.likelihood_ratio,
+         "likelihood ratio against equal proportions" + independent);
   number("G.p", block, test.likelihood_ratio_p,
-         "likelihood ratio against equal shares" + independent);
+         "likelihood ratio against equal proportions" + independent);
   number("cramer.w", block, test.cohen_w, "Cohen's w");
   if (!pooled) {
     const MultinomialTest exact = uniform_multinomial_test(counts);
     const bool is_known = exact.counted && n > 0;
     number("multinom.exact.p", block, is_known ? exact.by_probability : kNoNumber,
-           "exact multinomial test against equal shares, in the order of probability");
+           "exact multinomial test against equal proportions, in the order of probability");
     number("multinom.chisqorder.p", block, is_known ? exact.by_chi_squared : kNoNumber,
-           "exact multinomial test against equal shares, in the order of Pearson's X²");
+           "exact multinomial test against equal proportions, in the order of Pearson's X²");
   }
   const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
                                                1.0 / static_cast<double>(counts.size()))
@@ -186,9 +187,10 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
                        FindingList& findings) {
   const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
-  const std::string undefined = n == 0   ? "nobody has chosen"
-                                : n == 1 ? "one participant has no spread: run more"
-                                         : "all participants have the same share";
+  const std::string undefined =
+      n == 0   ? "there are no choices"
+      : n == 1 ? "one participant shows no differences between participants: run more"
+               : "all participants have the same proportion";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
@@ -207,7 +209,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
             : OneSampleT{.mean = kNoNumber};
   add_mean_share("subj.mean", target, own, "mean of the participants' own proportions",
                  {.confidence = read.confidence}, findings);
-  number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' shares");
+  number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' proportions");
   const std::string method =
       "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());
   number("subj.t", target, t.test ? t.test->t : kNoNumber, method);
@@ -219,9 +221,9 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const PooledShare pooled =
       n > 0 ? pooled_share(own) : PooledShare{kNoNumber, kNoNumber, kNoNumber, kNoNumber};
   number("pooled.se.cluster", target, pooled.clustered_standard_error,
-         "standard error of the pooled share, participants as clusters");
+         "standard error of the pooled proportion, participants as clusters");
   number("pooled.se.binom", target, pooled.binomial_standard_error,
-         "standard error of the pooled share as if all choices were independent");
+         "standard error of the pooled proportion as if all choices were independent");
   number("pooled.deff", target, pooled.design_effect, "design effect");
 }
 
@@ -230,12 +232,14 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
                         double confidence, FindingList& findings) {
   const std::vector<double> numbers(differences.begin(), differences.end());
   const OneSampleT t = one_sample_t(numbers);
-  Basis basis{.n = numbers.size(),
-              .method =
-                  "Cohen's d_z of the participants' differences of counts; interval by the "
-                  "noncentral t distribution",
-              .undefined = numbers.size() < 2 ? "one participant has no spread: run more"
-                                              : "all participants have the same difference"};
+  Basis basis{
+      .n = numbers.size(),
+      .method =
+          "Cohen's d_z of the participants' differences of counts; interval by the "
+          "noncentral t distribution",
+      .undefined = numbers.size() < 2
+                       ? "one participant shows no differences between participants: run more"
+                       : "all participants have the same difference"};
   if (!t.test) {
     findings.number("signflip.d", key, kNoNumber, basis);
     return;
@@ -253,7 +257,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   const Eigen::MatrixXd judgements = counts.cast<double>();
   Basis basis{.n = static_cast<std::size_t>(counts.rows()),
               .method = "Kendall's W of the participants' counts, ties corrected",
-              .undefined = counts.rows() < 2 ? "one participant can agree with nobody: run more"
+              .undefined = counts.rows() < 2 ? "agreement needs two participants: run more"
                                              : "no participant prefers one to another"};
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
