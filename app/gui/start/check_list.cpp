@@ -1,6 +1,7 @@
 #include "app/gui/start/check_list.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
@@ -71,7 +72,16 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   layout->addWidget(area, 1);
 }
 
-void CheckList::set_checks(const std::vector<SessionCheck>& checks) {
+void CheckList::set_checks(std::vector<SessionCheck> checks) {
+  // What keeps the session from starting comes first, then what should be looked at.
+  const auto is_fine = [](const SessionCheck& check) {
+    return check.state == SessionCheck::State::fine;
+  };
+  const auto stops = [](const SessionCheck& check) {
+    return check.state == SessionCheck::State::stop;
+  };
+  std::stable_partition(checks.begin(), checks.end(), std::not_fn(is_fine));
+  std::stable_partition(checks.begin(), checks.end(), stops);
   const int rows = grid_->rowCount();
   while (QLayoutItem* item = grid_->takeAt(0)) {
     delete item->widget();
@@ -99,12 +109,12 @@ void CheckList::set_checks(const std::vector<SessionCheck>& checks) {
     return static_cast<int>(std::count_if(
         checks.begin(), checks.end(), [state](const auto& check) { return check.state == state; }));
   };
-  const int stops = count(SessionCheck::State::stop);
+  const int stopping = count(SessionCheck::State::stop);
   const int looks = count(SessionCheck::State::look);
-  if (stops == 1) {
+  if (stopping == 1) {
     summary_->setText(tr("One of these keeps the session from starting."));
-  } else if (stops > 0) {
-    summary_->setText(tr("%n of these keep the session from starting.", nullptr, stops));
+  } else if (stopping > 0) {
+    summary_->setText(tr("%n of these keep the session from starting.", nullptr, stopping));
   } else if (looks > 0) {
     summary_->setText(tr("Ready, with %n to look at.", nullptr, looks));
   } else {

@@ -21,7 +21,8 @@ class CheckList final : public QWidget {
  public:
   explicit CheckList(QWidget* parent = nullptr);
 
-  void set_checks(const std::vector<SessionCheck>& checks);
+  /// Shown are first those that keep the session from starting, then those to look at.
+  void set_checks(std::vector<SessionCheck> checks);
   void set_running(bool running);
   /// Of the comparison with the device, 0 to 1, while everything is gone through.
   void set_progress(double fraction);

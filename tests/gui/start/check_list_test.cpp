@@ -92,6 +92,24 @@ TEST_F(TheCheckList, SaysInGermanWhatIsFineAndWhatIsNot) {
   expect_german("a session elsewhere", [](CheckInputs&) {});
 }
 
+TEST_F(TheCheckList, ShowsFirstWhatKeepsTheSessionFromStarting) {
+  const auto check = [](const char* id, SessionCheck::State state) {
+    SessionCheck made{};
+    made.id = id;
+    made.state = state;
+    return made;
+  };
+  using State = SessionCheck::State;
+  list.set_checks({check("study", State::fine), check("screens", State::look),
+                   check("rate", State::fine), check("device", State::stop),
+                   check("memory", State::look), check("consent", State::stop)});
+  QStringList shown{};
+  for (const QLabel* line : list.findChildren<QLabel*>()) {
+    if (line->objectName().startsWith("check_")) shown << line->objectName().mid(6);
+  }
+  EXPECT_EQ(shown.join(' ').toStdString(), "summary device consent screens memory study rate");
+}
+
 TEST_F(TheCheckList, SaysInGermanWhatTheProtocolAsksForInVain) {
   put_into_protocol(R"("device": {"force_limit_N": 12}, )");
   expect_german("a strong device", [](CheckInputs&) {});
