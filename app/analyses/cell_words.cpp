@@ -76,10 +76,18 @@ const CellWords& words_of_units() {
   return kWords;
 }
 
+const CellWords& words_of_single_units() {
+  static const CellWords kWords{{"answers", phrase("CellWords", "response")},
+                                {"goes", phrase("CellWords", "trial")},
+                                {"participants", phrase("CellWords", "participant")}};
+  return kWords;
+}
+
 const CellWords& words_of_reasons() {
   static const CellWords kWords{
       {"cannot be tested with one participant",
        phrase("CellWords", "cannot be tested with one participant")},
+      {"nothing_varies", phrase("CellWords", "all stimuli or all responses are the same")},
       {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},
       {"not both conditions have an interior maximum",
        phrase("CellWords", "not both conditions have an interior maximum")},
@@ -141,8 +149,9 @@ Phrase words_of_test(const std::string& text) {
 Phrase words_of_count(const std::string& text) {
   const std::size_t bar = text.find('|');
   if (bar == std::string::npos) return text;
-  return phrase("CellWords", "%1 %2")
-      .with(text.substr(0, bar), cell_word_in(words_of_units(), text.substr(bar + 1)));
+  const std::string count = text.substr(0, bar);
+  const CellWords& units = count == "1" ? words_of_single_units() : words_of_units();
+  return phrase("CellWords", "%1 %2").with(count, cell_word_in(units, text.substr(bar + 1)));
 }
 
 /// What R and programs call such values.

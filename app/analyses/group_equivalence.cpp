@@ -35,12 +35,35 @@ std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
   return input;
 }
 
+/// The smallest margin that the data support is never below itself: 44.02 is 44.1.
+std::string points_rounded_up(double difference) {
+  return reading_points(std::ceil(1000.0 * difference - 1e-9) / 1000.0);
+}
+
+/// Of what was computed, and no more.
+Phrase equivalence_method(const FoundNumbers& found) {
+  if (!found.value("equivalence.margin")) return {};
+  const Phrase bayes =
+      phrase("Analysis",
+             "Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised "
+             "difference; below 1 it favours no difference.");
+  if (!found.value("tost.p")) {
+    return phrase("Analysis",
+                  "Welch's 90 % CI of the difference of the participants' proportions. %1")
+        .with(bayes);
+  }
+  return phrase("Analysis",
+                "Two one-sided Welch t tests of the participants' proportions, each at 5 %: they "
+                "show equivalence where the 90 % CI lies within the margin. %1")
+      .with(bayes);
+}
+
 Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>& margin) {
   const std::optional<double> supported = found.value("equivalence.margin");
   if (!supported) {
     return phrase("Analysis",
-                  "This cannot be assessed: a group has one participant, or all participants have "
-                  "the same result.");
+                  "This cannot be assessed: a group has one participant, or the participants of "
+                  "each group do not differ.");
   }
   const Finding& difference = *found.find("diff");
   const Phrase numbers =
@@ -55,16 +78,17 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
                "Analysis",
                "The protocol declares no margin of equivalence, so that there is no verdict: %1. "
                "The data would support equivalence within ±%2 percentage points.")
-        .with(numbers, reading_points(*supported));
+        .with(numbers, points_rounded_up(*supported));
   }
   const bool equivalent = found.find("equivalent")->word == "TRUE";
   return (equivalent
-              ? phrase("Analysis",
-                       "Yes, within ±%1 percentage points: %2; two one-sided tests, %3, "
-                       "uncorrected.")
+              ? phrase(
+                    "Analysis",
+                    "The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, "
+                    "uncorrected. This test is exploratory.")
               : phrase("Analysis",
-                       "Equivalence within ±%1 percentage points is not shown: %2; two one-sided "
-                       "tests, %3, uncorrected."))
+                       "The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided "
+                       "tests, %3, uncorrected. This test is exploratory."))
       .with(reading_points(*margin), numbers, reading_p(*found.value("tost.p")));
 }
 
@@ -81,12 +105,7 @@ void ask_equivalence_of_sexes(const GatheredAnswers& gathered,
   const FoundNumbers found(findings);
   add_question(outcome, kSexesEquivalence, phrase("Analysis", "Are women and men equivalent?"),
                equivalence_answer(found, gathered.declared.equivalence_margin),
-               phrase("Analysis",
-                      "Two one-sided Welch t tests of the participants' proportions, each at 5 %: "
-                      "equivalence is shown where the 90 % CI lies within the margin. Bayes factor "
-                      "of the pooled t with a Cauchy prior of scale √2/2 on the standardised "
-                      "difference; below 1 it favours no difference."),
-               "", found.find("diff"));
+               equivalence_method(found), "", found.find("diff"));
 }
 
 }  // namespace asperity

@@ -381,6 +381,20 @@ Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
             p_text(test));
 }
 
+Phrase method_of_effect(bool is_corrected, bool states_factor) {
+  const Phrase anova =
+      is_corrected
+          ? phrase("Analysis",
+                   "Repeated-measures ANOVA of the logarithms, p corrected by ε of Greenhouse and "
+                   "Geisser.")
+          : phrase("Analysis", "Repeated-measures ANOVA of the logarithms.");
+  if (!states_factor) return anova;
+  return phrase("Analysis",
+                "%1 Factors of roughness by the participants' mean logarithms; that between two "
+                "levels has a t-based CI, that between the ends of several has none.")
+      .with(anova);
+}
+
 /// `levels`: of the factor, whose order of roughness is told; none where there is none.
 void ask_effect(const char* name, const Phrase& question, const char* table,
                 const std::vector<std::string>& levels, const FoundNumbers& found,
@@ -396,14 +410,9 @@ void ask_effect(const char* name, const Phrase& question, const char* table,
   const Sayings sayings{phrase("Analysis", "Yes: %1.").with(numbers),
                         phrase("Analysis", "Not significantly: %1.").with(numbers),
                         phrase("Analysis", "%1.").with(numbers)};
-  add_question(
-      outcome, name, question, said_of(*test, sayings),
-      phrase("Analysis",
-             "Analysis of variance of the logarithms with repeated measures, corrected by "
-             "epsilon of Greenhouse and Geisser. Factors of roughness by the participants' "
-             "mean logarithms; the interval of one between two is Student's, and between "
-             "the ends of several there is none."),
-      table, found.find("F", effect));
+  add_question(outcome, name, question, said_of(*test, sayings),
+               method_of_effect(found.find("p.GG", effect) != nullptr, !roughest.empty()), table,
+               found.find("F", effect));
 }
 
 void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,

@@ -495,14 +495,15 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   if (equal_size) add_right_items(items, found, outcome);
   const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
   add_persons(found, persons, "answers", "share_of_items_correct", outcome);
-  constexpr std::array kMeasures{
+  const std::size_t people = gathered.people.size();
+  const std::array measures{
       Measure{"right_items_per_go", "mean.correct"}, Measure{"by_chance_in_all", "null.mean"},
       Measure{"right_items_in_all", "total.correct", Measure::Form::count},
-      Measure{"z", "relabel.z"}, Measure{"mallows_theta", "mallows.theta"}};
-  add_measures(found, kMeasures, outcome);
+      Measure{"z", "relabel.z"},
+      Measure{"mallows_theta", "mallows.theta", Measure::Form::number, people > 1}};
+  add_measures(found, measures, outcome);
 
   StudyTests tests(gathered);
-  const std::size_t people = gathered.people.size();
   tests.add("items", "", found, "relabel.p.greater");
   tests.add("whole", "", found, "perfect.relabel.p.greater");
   for (const std::string& texture : felt) {

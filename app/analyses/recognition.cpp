@@ -227,8 +227,9 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
     };
     outcome.remarks.push_back(
         phrase("Analysis",
-               "Similarities, MDS configuration and dendrogram rest on too few confusions (number "
-               "of confusions: %1): %2 of %3 pairs of textures were never confused, and their "
+               "Similarities, MDS configuration and dendrogram rest on too few confusions (between "
+               "textures that were presented: %1): %2 of %3 pairs of textures were never confused, "
+               "and their "
                "dissimilarities are set by the ½ that is added to every count.")
             .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
   }
@@ -240,7 +241,10 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
       phrase(
           "Analysis",
           "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
-          "biases separated. Dissimilarity: Shepard's −ln η from the counts plus ½, not below 0.")};
+          "biases separated; above 1: confused more often than recognised. Dissimilarity: "
+          "Shepard's "
+          "−ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of "
+          "this similarity.")};
   NamedTable map{"map",
                  phrase("Analysis", "MDS configuration of the textures"),
                  {{"item", "x", "y"}, {}},

@@ -192,6 +192,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
              "95 % CI of the mean: Student's t over the participants on the logit scale. In "
              "simulations with 2 to 20 participants it contained the true mean in 91 % or more of "
              "the studies.")};
+  bool has_interval = false;
   for (const PersonsRow& row : rows) {
     const Finding* mean = found.find("subj.mean", row.key);
     if (mean == nullptr || !mean->value) continue;
@@ -200,12 +201,14 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
         {row.name, static_cast<std::int64_t>(mean->n), *mean->value, low, high,
          found.cell("subj.sd", row.key), found.cell("subj.minimum", row.key),
          found.cell("subj.median", row.key), found.cell("subj.maximum", row.key)});
+    has_interval = has_interval || mean->low;
     Finding finding = *mean;
     finding.quantity = "mean_of_persons_" + quantity;
     finding.key = key_column + '=' + row.name;
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }
+  if (!has_interval) made.note = phrase("Analysis", "There is no CI of one participant.");
   outcome.tables.push_back(std::move(made));
 }
 
@@ -218,7 +221,8 @@ void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
   for (const Measure& measure : measures) {
     const Finding* finding = found.find(measure.quantity);
     if (finding == nullptr) continue;
-    const auto [low, high] = found.interval(measure.quantity);
+    auto [low, high] = found.interval(measure.quantity);
+    if (!measure.has_interval) low = high = Cell{};
     Cell value = finding->value ? Cell{*finding->value} : Cell{finding->word};
     if (finding->value && measure.form == Measure::Form::count) {
       value = static_cast<std::int64_t>(std::llround(*finding->value));

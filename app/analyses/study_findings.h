@@ -74,6 +74,7 @@ struct Measure {
   const char* name = nullptr;  ///< fixed, for programs; words: cell_words.h
   const char* quantity = nullptr;
   Form form = Form::number;
+  bool has_interval = true;  ///< false: one over trials, which says nothing about participants
 };
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
                   AnalysisOutcome& outcome);

@@ -257,6 +257,13 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
   }
+  if (!test.degrees.empty() && test.degrees.front() == 0.0) {  // no hypothesis was tested
+    test.p.reset();
+    test.statistic.reset();
+    test.degrees.clear();
+    test.status = "nothing_varies";
+    return;
+  }
   if (!by.draws.empty()) {
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
   }

@@ -321,13 +321,13 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
   const Phrase pooled =
       persons == 1
           ? phrase("Analysis",
-                   "Proportions of all responses pool several responses of one participant (%1 in "
-                   "total). They are not independent: the CIs of these proportions are too narrow "
-                   "and their p too small.")
+                   "Proportions of all responses pool several trials of one participant (%1 in "
+                   "total). They need not be independent: the CIs of these proportions may be too "
+                   "narrow, and their p too small.")
           : phrase("Analysis",
-                   "Proportions of all responses pool several responses of the same participants "
-                   "(%1 responses of %2 participants in total). They are not independent: the CIs "
-                   "of these proportions are too narrow and their p too small. Means over the "
+                   "Proportions of all responses pool several trials of the same participants "
+                   "(%1 trials of %2 participants in total). They need not be independent: the CIs "
+                   "of these proportions may be too narrow, and their p too small. Means over the "
                    "participants have the participant as the unit.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }

@@ -127,7 +127,7 @@ bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t 
 const std::vector<ForestKind>& pooled_and_people() {
   static const std::vector<ForestKind> kKinds{
       {.name = phrase("Figures", "proportion of responses (Wilson 95 % CI)")},
-      {.name = phrase("Figures", "mean over participants (t)")}};
+      {.name = phrase("Figures", "mean over participants")}};
   return kKinds;
 }
 

@@ -27,7 +27,9 @@ void add_row_of(const Finding& finding, const Phrase& label, Figure& figure) {
 }
 
 void add_room(Figure& figure) {
-  const double room = figure.x.high > figure.x.low ? 0.06 * (figure.x.high - figure.x.low) : 0.5;
+  constexpr double kRounding = 1e-12;  // of means that are equal but for it
+  const double span = figure.x.high - figure.x.low;
+  const double room = span > kRounding ? 0.06 * span : 0.5;
   figure.x.low -= room;
   figure.x.high += room;
 }
@@ -99,6 +101,20 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     less.series.clear();
     less.instead = phrase("Figures", "There is no difference of means.");
     return {both, less};
+  }
+  const auto has_interval = [](const Figure& figure) {
+    const auto& points = figure.series.front().points;
+    return std::any_of(points.begin(), points.end(),
+                       [](const auto& point) { return point.x_interval.has_value(); });
+  };
+  if (!has_interval(both)) {
+    both.note =
+        phrase("Figures", "Points are means of the participants' own results; there are no CIs.");
+  }
+  if (!has_interval(less)) {
+    less.note = phrase("Figures", "The difference of the participants' means; it has no CI.");
+    less.x.name = phrase("Figures", "%1 − %2")
+                      .with(word_of_group(means[0]->key), word_of_group(means[1]->key));
   }
   // No difference stands in the middle: which way it goes is seen at once.
   less.x.high = std::max(less.x.high, -less.x.low);

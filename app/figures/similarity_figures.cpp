@@ -72,7 +72,7 @@ Figure dendrogram(const FoundNumbers& found) {
                 .title = phrase("Figures", "Dendrogram of the confusions"),
                 .note = with_warning(phrase("Figures",
                                             "Average linkage (UPGMA): the further left two join, "
-                                            "the more often they are confused."),
+                                            "the smaller their dissimilarity."),
                                      found),
                 .shape = FigureShape::rows};
   const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
@@ -109,7 +109,7 @@ Figure dendrogram(const FoundNumbers& found) {
   }
   if (!(highest > 0.0)) {
     figure.instead =
-        phrase("Figures", "All were confused equally: a dendrogram would have no heights.");
+        phrase("Figures", "All dissimilarities are 0: there are no distances to show.");
     return figure;
   }
   figure.x = {.name = dissimilarity_axis(), .low = 0.0, .high = 1.05 * highest};
@@ -130,7 +130,7 @@ Figure similarity_map(const FoundNumbers& found) {
   }
   if (!read) {
     figure.instead =
-        phrase("Figures", "These dissimilarities have no unique configuration in a plane.");
+        phrase("Figures", "The dissimilarities span fewer than two dimensions: there is no plane.");
     return figure;
   }
   figure.note =

@@ -81,8 +81,9 @@ std::string noise_text(const ReportFacts& facts) {
                         unknown.text_after_not() + '.');
   }
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
-                        "; asperity 0.1.0 stored nothing of it at a terminal, which plays none.");
+    sentences.push_back(
+        "No masking noise is recorded " + unstored.text_after_not() +
+        "; the program that ran them stored nothing of it at a terminal, which plays none.");
   }
   std::string text = facts.file.protocol ? requested_noise_text(*facts.file.protocol) : "";
   for (const std::string& sentence : sentences) text += (text.ends_with('.') ? " " : "") + sentence;
@@ -98,7 +99,7 @@ std::string vision_text(const ReportFacts& facts) {
   if (!facts.file.protocol) return masked.is_any() ? "An eye mask was used." + confirmed : "";
   switch (facts.file.protocol->vision) {
     case Vision::free:
-      return "The protocol leaves the device and the hand in view.";
+      return "The protocol requests neither an eye mask nor that the hand be out of view.";
     case Vision::hand_occluded:
       return "The protocol requests that the hand be out of view; whether it was is not recorded.";
     case Vision::blindfold:
@@ -134,7 +135,7 @@ std::string devices_text(const ReportFacts& facts) {
   if (unknown.is_any()) {
     text += (text.empty() ? "" : " ") + std::string("The device is not recorded ") +
             unknown.text_after_not() +
-            ", after resuming: asperity 0.1.0 stored the first device alone.";
+            ", after resuming: the program that ran them stored the first device alone.";
   }
   return text;
 }

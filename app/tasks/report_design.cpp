@@ -189,6 +189,17 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   bands.push_back(text);
 }
 
+/// "force or speed are outside their bands", of what has a band.
+std::string guided_by_tones(const Exploration& exploration) {
+  const auto has_band = [](const Band& band) { return band.minimum || band.maximum; };
+  const bool force = has_band(exploration.normal_force_N);
+  const bool speed = has_band(exploration.speed_m_per_s);
+  if (force && speed) return "force or speed are outside their bands";
+  return force   ? "the force is outside its band"
+         : speed ? "the speed is outside its band"
+                 : "force or speed are outside their bands, of which none is set";
+}
+
 std::string guidance_text(const Exploration& exploration, const ReportFacts& facts) {
   std::string requested{};
   std::string given{};
@@ -208,7 +219,7 @@ std::string guidance_text(const Exploration& exploration, const ReportFacts& fac
       given = "Participants were shown the mark";
       break;
     case Exploration::Guidance::tones:
-      requested = "tones while force or speed are outside their bands";
+      requested = "tones while " + guided_by_tones(exploration);
       given = "The tones were played";
       break;
   }
@@ -310,9 +321,9 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   } else {
     text = "No surface was presented. ";
   }
-  text += "The protocol sets a stiffness of " +
-          reading_quantity(protocol.material.stiffness_N_per_m, "N/m") + " and limits forces to " +
-          reading_quantity(protocol.force_limit_N, "N") + '.';
+  text += "By the protocol, or by default where it states neither, the stiffness was " +
+          reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
+          " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
     text += " The models were matched in the RMS of their texture force along a prescribed path.";
   }

@@ -51,8 +51,12 @@ std::optional<double> required_fraction(const ReportFacts& facts, const PlannedT
   return exploration->second.required_fraction_in_band;
 }
 
-/// Without contact there is no force, and without a stroke no speed: their mean is stored as zero, and no fraction is.
-bool is_of_nothing(const ComplianceRow& row) { return row.mean == 0.0 && !row.fraction_in_band; }
+/// Without contact there is no force, and without a stroke neither speed nor length: their mean is stored as zero,
+/// and no fraction is. A time in contact and a number of strokes of zero are measurements.
+bool is_of_nothing(const ComplianceRow& row) {
+  const bool is_counted = row.quantity == "contact_s" || row.quantity == "strokes";
+  return !is_counted && row.mean == 0.0 && !row.fraction_in_band;
+}
 
 /// Every surface passes where no part of the contact or of the strokes has to lie in the band.
 bool always_passes(const ComplianceRow& row, std::optional<double> required_fraction) {

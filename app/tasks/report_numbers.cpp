@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "app/analyses/group_equivalence.h"
 #include "app/analyses/reading_number.h"
 
 namespace asperity {
@@ -86,6 +87,8 @@ bool is_another_form(const std::string& quantity) {
                                                    "mauchly.p.car",
                                                    "mauchly.p.firstorder",
                                                    "multinom.exact.p",
+                                                   "tost.p.lower",
+                                                   "tost.p.upper",
                                                    "p.lower",
                                                    "pairwise.binom.p.two",
                                                    "perfect.p.greater",
@@ -95,9 +98,14 @@ bool is_another_form(const std::string& quantity) {
 
 /// What a part of the analysis is about; its own name where the program has no words.
 std::string words_of_analysis(const std::string& analysis) {
-  static const std::map<std::string, std::string> kWords{
-      {"choice", "models"},         {"position", "positions"}, {"sexes", "women, men"},
-      {"similarity", "similarity"}, {"texture", "textures"},   {"textures", "textures"}};
+  static const std::map<std::string, std::string> kWords{{"anova", "analysis of variance"},
+                                                         {"choice", "models"},
+                                                         {"position", "positions"},
+                                                         {"sexes", "women, men"},
+                                                         {"sexes_equivalence", "women, men"},
+                                                         {"similarity", "similarity"},
+                                                         {"texture", "textures"},
+                                                         {"textures", "textures"}};
   const auto found = kWords.find(analysis);
   return found == kWords.end() ? analysis : found->second;
 }
@@ -124,6 +132,12 @@ std::string number_in_form(double value, NumberForm form) {
   if (size < kRounding) return fixed(0.0, 2);
   if (size >= 0.095) return fixed(value, 2);
   return size >= 0.0095 ? fixed(value, 3) : reading_number(value);
+}
+
+/// " (90 %)"; nothing of the usual 95 %.
+std::string other_confidence(const Finding& finding) {
+  const double confidence = finding.confidence.value_or(0.95);
+  return confidence == 0.95 ? "" : " (" + reading_percent(confidence) + ')';
 }
 
 /// Without the first column, where all rows have the same in it.
@@ -161,8 +175,8 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
                    {"p", true},      {"Holm", true},  {"n", true}};
   table.note =
-      "Holm: Holm-corrected over the tests of the same name. n counts what the method takes as "
-      "independent: participants where it tests over participants, otherwise responses or trials.";
+      "Holm: Holm-corrected over the tests of the same name. n: the participants, responses or "
+      "trials that the analysis counted, as analyze STUDY --json has it.";
   for (const ReportedTest& test : tests) {
     const Finding& p = *test.p;
     if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
@@ -182,21 +196,24 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   table.is_reference = true;
   table.title = "Further numbers";
   table.note =
-      "n counts the units of which the number was computed: participants, responses or trials.";
+      "n: the participants, responses or trials that the analysis counted, as analyze STUDY --json "
+      "has it.";
   table.columns = {{"about", false}, {"what", false},   {"of", false},
                    {"value", true},  {"95 % CI", true}, {"n", true}};
   for (const Finding& finding : findings) {
     const auto known = known_numbers().find(finding.quantity);
     if (known == known_numbers().end() || !finding.value) continue;
+    if (finding.analysis == kSexesEquivalence) continue;  // its answer has them
     const auto& [words, form] = known->second;
     std::string value = number_in_form(*finding.value, form);
     if (!finding.unit.empty() && finding.unit != "1") value += ' ' + finding.unit;
-    table.rows.push_back(
-        {words_of_analysis(finding.analysis), words, subject_of_row(finding.key), value,
-         finding.low && finding.high
-             ? number_in_form(*finding.low, form) + " to " + number_in_form(*finding.high, form)
-             : "–",
-         finding.n == 0 ? "–" : reading_count(finding.n)});
+    table.rows.push_back({words_of_analysis(finding.analysis), words, subject_of_row(finding.key),
+                          value,
+                          finding.low && finding.high
+                              ? number_in_form(*finding.low, form) + " to " +
+                                    number_in_form(*finding.high, form) + other_confidence(finding)
+                              : "–",
+                          finding.n == 0 ? "–" : reading_count(finding.n)});
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);

@@ -298,7 +298,7 @@ ReportSection exploration_section(const ReportFacts& facts) {
       "Over the surfaces presented, in every attempt: the mean of their means, the range of the "
       "middle 90 % of these means, the mean fraction inside the band (of the contact time for the "
       "force, of the strokes for their speed and length), and how many were explored as required. "
-      "Speed and length: over surfaces with a stroke.";
+      "Force: over surfaces that were touched; speed and length: over surfaces with a stroke.";
   section.parts.emplace_back(std::move(table));
   return section;
 }

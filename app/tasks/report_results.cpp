@@ -420,13 +420,10 @@ ReportSection numbers_section(const AnalysisOutcome& outcome) {
   if (!tests.rows.empty()) section.parts.emplace_back(std::move(tests));
   ReportTable numbers = further_numbers_table(outcome.findings);
   if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
-  section.parts.emplace_back(
-      ReportText{"The analysis has come to " + reading_count(outcome.findings.size()) +
-                 " numbers. Not all are printed: asperity analyze STUDY "
-                 "--protocol " +
-                 outcome.protocol +
-                 " --json gives all of them with every digit, their n, their interval and their "
-                 "method."});
+  section.parts.emplace_back(ReportText{
+      "Not all numbers are printed: asperity analyze STUDY --protocol " + outcome.protocol +
+      " --json gives each with every digit and its n, and its interval and method where "
+      "it has them."});
   return section;
 }
 

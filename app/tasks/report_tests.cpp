@@ -250,6 +250,10 @@ std::vector<ReportedTest> tests_among(std::span<const Finding> findings) {
     test.p = &finding;
     test.statistic = statistic_for(*prefix, finding, places);
     test.degrees = degrees_for(*prefix, test.statistic, places);
+    if (!test.degrees.empty() && *test.degrees.front()->value == 0.0) {  // tests no hypothesis
+      tests.pop_back();
+      continue;
+    }
     test.estimates = estimates_for(*prefix, i, findings, places);
     test.holm = places.beside(finding, finding.quantity + std::string(kHolm));
   }

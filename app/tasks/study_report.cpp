@@ -96,12 +96,12 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all) {
   table.note = "Attempts and answers: of the main phase.";
   std::string text =
       all.size() == 1
-          ? "The study has one set of sessions; the heading of every page states whose data it "
-            "shows."
+          ? "The study has one set of sessions; its heading states where data are simulated or of "
+            "pilot sessions."
           : "The study has " + count_in_words(all.size()) +
                 " sets of sessions, one for each version of a protocol and each group of "
-                "participants. They never mix: each has a separate chapter, and the heading of "
-                "every page states whose data it shows.";
+                "participants. They never mix: each has a separate chapter, whose heading states "
+                "where data are simulated or of pilot sessions.";
   text += " What is to be looked up, not read, is in appendices at the end.";
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));

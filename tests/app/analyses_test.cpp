@@ -200,7 +200,7 @@ TEST(Selection, LeavesOutWhatSomebodyExcludedAndSaysSo) {
 
 TEST(Selection, WarnsWherePersonsArePooledAndGivesThePersonsAsUnit) {
   const AnalysisOutcome& outcome = selections_of_the_chapter();
-  EXPECT_THAT(outcome.remarks, testing::Contains(says("60 responses of 20 participants")));
+  EXPECT_THAT(outcome.remarks, testing::Contains(says("60 trials of 20 participants")));
   const Table& persons = table_of(outcome, "persons").table;
   EXPECT_EQ(number(persons, {"height_map"}, "persons"), 20);
   EXPECT_NEAR(number(persons, {"height_map"}, "mean"), 0.60, 1e-12);
@@ -705,7 +705,8 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   EXPECT_EQ(std::get<std::string>(tree.rows[0][1]), "metal");
   EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
   EXPECT_THAT(outcome.remarks,
-              testing::Contains(says("(number of confusions: 3): 5 of 6 pairs of textures")));
+              testing::Contains(
+                  says("(between textures that were presented: 3): 5 of 6 pairs of textures")));
   EXPECT_EQ(finding_of(outcome, "similarity", "scm.p").word, "too_few_confusions");
   EXPECT_FALSE(finding_of(outcome, "similarity", "scm.G2").value.has_value());
   EXPECT_EQ(question_of(outcome, "confusions").answer.english(),

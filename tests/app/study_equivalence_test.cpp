@@ -75,13 +75,14 @@ TEST(Equivalence, IsTestedWithTheMarginThatTheProtocolDeclares) {
   // Women 7/8, 4/8, 6/8, 3/8 and men 7/8, 4/8, 6/8, 3/8: means 0.625 each, no difference at all.
   const AnalysisOutcome wide =
       analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.5}})");
-  EXPECT_THAT(answer_of(wide, kSexesEquivalence),
-              StartsWith("Yes, within ±50.0 percentage points: difference (women − men) = 0.0 "
-                         "percentage points, 90 % CI [−"));
+  EXPECT_THAT(
+      answer_of(wide, kSexesEquivalence),
+      StartsWith("The 90 % CI lies within ±50.0 percentage points: difference (women − men) = 0.0 "
+                 "percentage points, 90 % CI [−"));
   const AnalysisOutcome narrow =
       analyze_repetitions(kSimilarGroups, R"({"analysis": {"equivalence_margin": 0.05}})");
   EXPECT_THAT(answer_of(narrow, kSexesEquivalence),
-              StartsWith("Equivalence within ±5.0 percentage points is not shown: "));
+              StartsWith("The 90 % CI does not lie within ±5.0 percentage points: "));
   // SE² = 2·s²/4 with s² = (0.25² + 0.125² + 0.125² + 0.25²)/3: t₆(.95)·SE.
   const double se = std::sqrt(2.0 * (2.0 * 0.0625 + 2.0 * 0.015625) / 3.0 / 4.0);
   EXPECT_NEAR(value_in(narrow, kSexesEquivalence, "equivalence.margin"), 1.943180280515304 * se,

@@ -492,8 +492,8 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                                "A. Keller measured 66 dBA at the ear. No masking noise was played "
                                "in 1 of 6 sessions. Whether masking noise was played is not "
                                "recorded in 1 of 6 sessions. No masking noise is recorded in 1 of "
-                               "6 sessions; asperity 0.1.0 stored nothing of it at a terminal, "
-                               "which plays none."));
+                               "6 sessions; the program that ran them stored nothing of it at a "
+                               "terminal, which plays none."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -559,7 +559,7 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
   add_session(kFalcon, {began(), resumed()});
   EXPECT_THAT(conditions(),
               HasSubstr("The device is not recorded in part of 1 of 2 sessions, after "
-                        "resuming: asperity 0.1.0 stored the first device alone."));
+                        "resuming: the program that ran them stored the first device alone."));
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
@@ -590,7 +590,8 @@ TEST_F(Conditions, LeaveOutSurfacesThatWereNeverPresented) {
 TEST_F(Conditions, SayThatNoSurfaceWasPresented) {
   presented_[0].onset_ns.reset();
   add_session(kFalcon, {began()});
-  EXPECT_THAT(words_of(section(chapter(), "Design")), HasSubstr("No surface was presented. The "));
+  EXPECT_THAT(words_of(section(chapter(), "Design")),
+              HasSubstr("No surface was presented. By the "));
 }
 
 TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {

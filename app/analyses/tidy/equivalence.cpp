@@ -219,8 +219,8 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
     findings.number("diff", "", comparison.difference, basis);
     findings.word(
         "tost.p", "", "undefined_zero_variance",
-        "there is one participant only, or all have the same value: the difference has no "
-        "standard error",
+        "the difference has no standard error: a mean is of one participant, or the participants "
+        "of each mean do not differ",
         basis);
     return findings.take();
   }

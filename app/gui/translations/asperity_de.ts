@@ -416,10 +416,6 @@
         <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated. Dissimilarity: Shepard&apos;s −ln η from the counts plus ½, not below 0.</source>
-        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen. Unähnlichkeit: Shepards −ln η aus den Anzahlen plus ½, nicht unter 0.</translation>
-    </message>
-    <message>
         <source>d′ is %1 (95 % CI %2 to %3, n = %4 responses)</source>
         <translation>d′ ist %1 (95-%-Konfidenzintervall %2 bis %3, n = %4 Antworten)</translation>
     </message>
@@ -562,10 +558,6 @@
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
-    </message>
-    <message>
-        <source>Analysis of variance of the logarithms with repeated measures, corrected by epsilon of Greenhouse and Geisser. Factors of roughness by the participants&apos; mean logarithms; the interval of one between two is Student&apos;s, and between the ends of several there is none.</source>
-        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, mit Epsilon nach Greenhouse und Geisser. Faktoren der Rauheit aus den mittleren Logarithmen der Versuchspersonen; das Intervall eines Faktors zwischen zweien ist das von Student, zwischen den äußersten von mehreren gibt es keines.</translation>
     </message>
     <message>
         <source>The cells of the participants have %1 to %2 estimates; each is averaged first, so that all weigh the same.</source>
@@ -792,10 +784,6 @@
         <translation>95-%-Konfidenzintervall des Mittels: Students t über die Versuchspersonen auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
     </message>
     <message>
-        <source>Similarities, MDS configuration and dendrogram rest on too few confusions (number of confusions: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
-        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (Zahl der Verwechslungen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
-    </message>
-    <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
         <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
@@ -932,14 +920,6 @@
         <translation>Anteile je Versuchsperson: der eigene jeder Versuchsperson, über die Versuchspersonen</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several responses of one participant (%1 in total). They are not independent: the CIs of these proportions are too narrow and their p too small.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Antworten einer Versuchsperson zusammen (insgesamt %1). Sie sind nicht unabhängig: Die KI dieser Anteile sind zu eng und ihre p zu klein.</translation>
-    </message>
-    <message>
-        <source>Proportions of all responses pool several responses of the same participants (%1 responses of %2 participants in total). They are not independent: the CIs of these proportions are too narrow and their p too small. Means over the participants have the participant as the unit.</source>
-        <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Versuchspersonen zusammen (insgesamt %1 Antworten von %2 Versuchspersonen). Sie sind nicht unabhängig: Die KI dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
-    </message>
-    <message>
         <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
         <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Personen als Clustern und Satterthwaites Freiheitsgraden.</translation>
     </message>
@@ -968,10 +948,6 @@
         <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
     </message>
     <message>
-        <source>This cannot be assessed: a group has one participant, or all participants have the same result.</source>
-        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder alle Versuchspersonen haben dasselbe Ergebnis.</translation>
-    </message>
-    <message>
         <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
         <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2, %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
@@ -980,20 +956,8 @@
         <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher gibt es kein Urteil: %1. Die Daten würden Äquivalenz innerhalb von ±%2 Prozentpunkten stützen.</translation>
     </message>
     <message>
-        <source>Yes, within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected.</source>
-        <translation>Ja, innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert.</translation>
-    </message>
-    <message>
-        <source>Equivalence within ±%1 percentage points is not shown: %2; two one-sided tests, %3, uncorrected.</source>
-        <translation>Äquivalenz innerhalb von ±%1 Prozentpunkten ist nicht gezeigt: %2; zwei einseitige Tests, %3, unkorrigiert.</translation>
-    </message>
-    <message>
         <source>Are women and men equivalent?</source>
         <translation>Sind Frauen und Männer äquivalent?</translation>
-    </message>
-    <message>
-        <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: equivalence is shown where the 90 % CI lies within the margin. Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; below 1 it favours no difference.</source>
-        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeder zu 5 %: Äquivalenz ist gezeigt, wo das 90-%-KI innerhalb der Grenze liegt. Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 für die standardisierte Differenz; unter 1 spricht er gegen einen Unterschied.</translation>
     </message>
     <message>
         <source>%1 is not defined</source>
@@ -1110,6 +1074,62 @@
     <message>
         <source>Means over the participants in blocks of counted trials, numbered through each participant&apos;s sessions: geometric means of response times with 95 % CI as above, and mean proportions correct with 95 % CI by Student&apos;s t on the logit scale.</source>
         <translation>Mittel über die Versuchspersonen in Blöcken gezählter Durchgänge, durch alle Sitzungen jeder Versuchsperson gezählt: geometrische Mittel der Reaktionszeiten mit 95-%-Konfidenzintervall wie oben und mittlere Anteile richtiger Antworten mit 95-%-Konfidenzintervall nach Students t auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; below 1 it favours no difference.</source>
+        <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 auf der standardisierten Differenz; unter 1 spricht er für keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>Welch&apos;s 90 % CI of the difference of the participants&apos; proportions. %1</source>
+        <translation>90-%-Konfidenzintervall der Differenz der Anteile der Versuchspersonen nach Welch. %1</translation>
+    </message>
+    <message>
+        <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: they show equivalence where the 90 % CI lies within the margin. %1</source>
+        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeder zu 5 %: Sie zeigen Äquivalenz, wo das 90-%-Konfidenzintervall innerhalb der Grenze liegt. %1</translation>
+    </message>
+    <message>
+        <source>This cannot be assessed: a group has one participant, or the participants of each group do not differ.</source>
+        <translation>Das lässt sich nicht beurteilen: Eine Gruppe hat nur eine Versuchsperson, oder die Versuchspersonen jeder Gruppe unterscheiden sich nicht.</translation>
+    </message>
+    <message>
+        <source>The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
+        <translation>Das 90-%-Konfidenzintervall liegt innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
+    </message>
+    <message>
+        <source>The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
+        <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
+    </message>
+    <message>
+        <source>Repeated-measures ANOVA of the logarithms, p corrected by ε of Greenhouse and Geisser.</source>
+        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, p korrigiert mit ε nach Greenhouse und Geisser.</translation>
+    </message>
+    <message>
+        <source>Repeated-measures ANOVA of the logarithms.</source>
+        <translation>Varianzanalyse der Logarithmen mit Messwiederholung.</translation>
+    </message>
+    <message>
+        <source>%1 Factors of roughness by the participants&apos; mean logarithms; that between two levels has a t-based CI, that between the ends of several has none.</source>
+        <translation>%1 Faktoren der Rauheit nach den mittleren Logarithmen der Versuchspersonen; der zwischen zwei Stufen hat ein Konfidenzintervall nach t, der zwischen den Enden mehrerer keines.</translation>
+    </message>
+    <message>
+        <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
+        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+    </message>
+    <message>
+        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: confused more often than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
+        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen; über 1: öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
+    </message>
+    <message>
+        <source>There is no CI of one participant.</source>
+        <translation>Von einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
+    </message>
+    <message>
+        <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p too small.</source>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p zu klein.</translation>
+    </message>
+    <message>
+        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p too small. Means over the participants have the participant as the unit.</source>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +1932,22 @@
         <source>response time, s; change: ratio of the second to the first half</source>
         <translation>Reaktionszeit, s; Änderung: Verhältnis der zweiten zur ersten Hälfte</translation>
     </message>
+    <message>
+        <source>response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>all stimuli or all responses are the same</source>
+        <translation>alle Reize oder alle Antworten sind gleich</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
@@ -2229,10 +2265,6 @@
         <translation>Mittel von %1 Versuchspersonen</translation>
     </message>
     <message>
-        <source>mean over participants (t)</source>
-        <translation>Mittel über Versuchspersonen (t)</translation>
-    </message>
-    <message>
         <source>How often each was chosen</source>
         <translation>Wie oft jedes gewählt wurde</translation>
     </message>
@@ -2311,10 +2343,6 @@
     <message>
         <source>dissimilarity, −ln η (Shepard)</source>
         <translation>Unähnlichkeit, −ln η (Shepard)</translation>
-    </message>
-    <message>
-        <source>These dissimilarities have no unique configuration in a plane.</source>
-        <translation>Diese Unähnlichkeiten haben keine eindeutige Konfiguration in einer Ebene.</translation>
     </message>
     <message>
         <source>first dimension of dissimilarity</source>
@@ -2585,10 +2613,6 @@
         <translation>Dendrogramm der Verwechslungen</translation>
     </message>
     <message>
-        <source>Average linkage (UPGMA): the further left two join, the more often they are confused.</source>
-        <translation>Mittlere Verknüpfung (UPGMA): Je weiter links zwei sich vereinen, desto öfter werden sie verwechselt.</translation>
-    </message>
-    <message>
         <source>MDS configuration of the dissimilarities (classical scaling)</source>
         <translation>MDS-Konfiguration der Unähnlichkeiten (klassische Skalierung)</translation>
     </message>
@@ -2725,10 +2749,6 @@
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm machen ließe.</translation>
     </message>
     <message>
-        <source>All were confused equally: a dendrogram would have no heights.</source>
-        <translation>Alle wurden gleich oft verwechselt: Ein Dendrogramm hätte keine Höhen.</translation>
-    </message>
-    <message>
         <source>Points are log-worths. The participants show no spread that would give intervals, or are too few for them.</source>
         <translation>Punkte sind logarithmierte Werte. Die Personen zeigen keine Streuung, aus der sich Intervalle ergäben, oder sind dafür zu wenige.</translation>
     </message>
@@ -2759,6 +2779,30 @@
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
         <translation>Alle Unähnlichkeiten sind 0: Es gibt keine Abstände zu zeigen.</translation>
+    </message>
+    <message>
+        <source>mean over participants</source>
+        <translation>Mittelwert über Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own results; there are no CIs.</source>
+        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen; Konfidenzintervalle gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The difference of the participants&apos; means; it has no CI.</source>
+        <translation>Die Differenz der Mittelwerte der Versuchspersonen; sie hat kein Konfidenzintervall.</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>Average linkage (UPGMA): the further left two join, the smaller their dissimilarity.</source>
+        <translation>Average Linkage (UPGMA): Je weiter links sich zwei vereinen, desto kleiner ist ihre Unähnlichkeit.</translation>
+    </message>
+    <message>
+        <source>The dissimilarities span fewer than two dimensions: there is no plane.</source>
+        <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Ebene.</translation>
     </message>
 </context>
 <context>

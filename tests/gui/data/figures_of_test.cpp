@@ -476,6 +476,8 @@ TEST(FiguresOf, SayNothingOfAPooledDifferenceWhereThereIsNone) {
     outcome.findings.push_back({.quantity = quantity, .key = key, .value = value, .n = 8});
     outcome.findings.back().analysis = "sexes";
   }
+  outcome.findings.back().low = -0.125;
+  outcome.findings.back().high = 0.625;
   const std::vector<Figure> figures = figures_of(outcome);
   const auto found = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
     return figure.name == "group_difference";

@@ -99,10 +99,11 @@ TEST_F(TheCheckList, ShowsFirstWhatKeepsTheSessionFromStarting) {
     made.state = state;
     return made;
   };
-  using State = SessionCheck::State;
-  list.set_checks({check("study", State::fine), check("screens", State::look),
-                   check("rate", State::fine), check("device", State::stop),
-                   check("memory", State::look), check("consent", State::stop)});
+  constexpr auto kFine = SessionCheck::State::fine;
+  constexpr auto kLook = SessionCheck::State::look;
+  constexpr auto kStop = SessionCheck::State::stop;
+  list.set_checks({check("study", kFine), check("screens", kLook), check("rate", kFine),
+                   check("device", kStop), check("memory", kLook), check("consent", kStop)});
   QStringList shown{};
   for (const QLabel* line : list.findChildren<QLabel*>()) {
     if (line->objectName().startsWith("check_")) shown << line->objectName().mid(6);
