@@ -1,0 +1,7 @@
+source("../R/case.R"); source("../R/glmm.R")
+hits <- strtoi(strsplit("1233231122333221121213113332332323333322232323223333333322112332", "")[[1]])
+data <- data.frame(subject = rep(paste0("P", 1:8), each = 8), item = rep(paste0("T", 1:4), each = 2, times = 8), condition = c("plain", "masked"), correct = hits, trials = 3)
+write_table(data, "responses.csv")
+write_case("glmm", "eight participants, four items, two conditions of three trials, logit", "responses.csv", c(fixed = "{\"condition\": [\"plain\", \"masked\"]}", chance = "0.25"))
+glmm_results(data, "logit", "condition", chance = 0.25)
+write_results()

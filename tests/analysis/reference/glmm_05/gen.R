@@ -1,0 +1,6 @@
+source("../R/case.R"); source("../R/glmm.R")
+data <- drawn_responses(5, 16, 4, 5, c(plain = 0.5, masked = -0.2), c(1, 0))
+write_table(data, "responses.csv")
+write_case("glmm", "participants alone, two conditions, logit", "responses.csv", c(random = "[\"subject\"]", fixed = "{\"condition\": [\"plain\", \"masked\"]}"))
+glmm_results(data, "logit", "condition", "subject")
+write_results()
