@@ -21,6 +21,7 @@ struct SessionAnswers {
     int trial = 0;
     AnalysisUse use = AnalysisUse::counted;
     std::uint32_t factors_json = 0;
+    int repetition = 1;  ///< as PlannedTrialRow::repetition
   };
   struct Surface {
     std::uint32_t item = 0;

@@ -46,12 +46,11 @@ void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answ
   std::int64_t session = 0;
   std::string phase;
   std::string factors_json;
-  int repetition = 1;
   while (statement.step()) {
     SessionAnswers::Trial trial{};
-    statement.read(session, trial.trial, phase, factors_json, repetition);
+    statement.read(session, trial.trial, phase, factors_json, trial.repetition);
     if (session != session_id) break;
-    trial.use = use_in_analyses(phase, repetition);
+    trial.use = use_in_analyses(phase, trial.repetition);
     trial.factors_json = words.place(factors_json);
     answers.trials.push_back(trial);
   }

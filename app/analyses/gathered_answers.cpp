@@ -58,9 +58,9 @@ class Gathering {
     Session reading{.answers = answers,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
     reading.options = reading.factors = reading.words;
-    std::map<int, std::uint32_t> factors_json{};  // of each trial
+    std::map<int, const SessionAnswers::Trial*> planned{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
-      factors_json[trial.trial] = trial.factors_json;
+      planned[trial.trial] = &trial;
       if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
     }
     for (const SessionAnswers::Attempt& attempt : answers.attempts) {
@@ -77,7 +77,7 @@ class Gathering {
           break;
         case AnalysisUse::counted:
           if (attempt.flagged) ++gathered.count.flagged;
-          add_answer(reading, attempt, person(participant), factors_json.at(attempt.trial));
+          add_answer(reading, attempt, person(participant), *planned.at(attempt.trial));
           break;
       }
     }
@@ -179,8 +179,8 @@ class Gathering {
   }
 
   void add_answer(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
-                  std::uint32_t factors_json) {
-    const Levels level = levels(session, factors_json);
+                  const SessionAnswers::Trial& planned) {
+    const Levels level = levels(session, planned.factors_json);
     const auto surfaces = session.answers.surfaces_of(attempt);
     const auto replies = session.answers.replies_of(attempt);
     const std::optional<double>& time_s = replies.back().from_cue_s;
@@ -188,6 +188,7 @@ class Gathering {
                                 .column = level.column,
                                 .spacing = level.spacing,
                                 .options = options(session, replies.back().options_json),
+                                .repetition = planned.repetition,
                                 .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
                                 .surface_count = static_cast<std::uint16_t>(surfaces.size()),
                                 .reply_count = static_cast<std::uint16_t>(replies.size()),

@@ -64,6 +64,7 @@ struct GatheredAnswer {
   std::uint32_t column = 0;
   std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacings
   std::uint32_t options = 0;  ///< which of the option lists
+  int repetition = 1;         ///< of the block, as planned
   /// From the cue, when the question was put first, to the response; an assignment has one. Nothing where none is
   /// stored, or of no length.
   std::optional<double> response_time_s{};

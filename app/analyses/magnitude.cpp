@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "app/analyses/families.h"
 #include "app/analyses/reading_number.h"
+#include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tidy/finding_list.h"
 
@@ -31,6 +32,7 @@ struct Estimated {
   std::uint32_t person = 0;
   std::string condition{};
   std::string spacing{};  ///< metres
+  int repetition = 1;
   double estimate = 0.0;
 };
 
@@ -45,6 +47,7 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
     estimates.push_back({.person = answer.person,
                          .condition = condition.empty() ? kOneCondition : condition,
                          .spacing = number_text(*spacing_m),
+                         .repetition = answer.repetition,
                          .estimate = *estimate});
   }
   const std::size_t left_out = gathered.answers.size() - estimates.size();
@@ -598,6 +601,14 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_peaks(conditions, spacings, found, outcome);
   ask_peak_ratios(found, tests, outcome);
   ask_types(conditions, found, outcome);
+  std::vector<RepeatedEstimate> repeated{};
+  for (const Estimated& one : estimates) {
+    repeated.push_back({.person = one.person,
+                        .surface = cell_key(one.condition, one.spacing),
+                        .repetition = one.repetition,
+                        .logarithm = std::log10(one.estimate)});
+  }
+  ask_reliability_of_estimates(gathered, repeated, outcome);
   keep_findings(roughness, outcome);
   keep_findings(anova, outcome);
 }

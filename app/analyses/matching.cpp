@@ -38,14 +38,6 @@ struct Assignment {
   bool whole() const noexcept { return right == items(); }
 };
 
-std::vector<RepeatedScore> repeated_scores(const std::vector<Assignment>& assignments) {
-  std::vector<RepeatedScore> scores{};
-  for (const Assignment& one : assignments) {
-    const double proportion = static_cast<double>(one.right) / static_cast<double>(one.items());
-    scores.insert(scores.end(), one.times, {one.person, one.column, proportion});
-  }
-  return scores;
-}
 using Chosen = std::span<const Assignment* const>;
 
 bool is_permutation_of_pictures(const GatheredAnswers& gathered, const GatheredAnswer& answer) {
@@ -65,6 +57,21 @@ bool is_permutation_of_pictures(const GatheredAnswers& gathered, const GatheredA
     }
   }
   return true;
+}
+
+std::vector<RepeatedScore> repeated_scores(const GatheredAnswers& gathered) {
+  std::vector<RepeatedScore> scores{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    if (!is_permutation_of_pictures(gathered, answer)) continue;
+    const auto replies = gathered.replies_of(answer);
+    const auto right = std::count_if(replies.begin(), replies.end(),
+                                     [](const GatheredReply& reply) { return *reply.correct; });
+    scores.push_back({.person = answer.person,
+                      .column = answer.column,
+                      .repetition = answer.repetition,
+                      .score = static_cast<double>(right) / static_cast<double>(replies.size())});
+  }
+  return scores;
 }
 
 std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
@@ -545,7 +552,9 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     }
     ask_equivalence_of_sexes(gathered, proportions, outcome);
   }
-  ask_reliability(gathered, repeated_scores(assignments), outcome);
+  const std::vector<RepeatedScore> scores = repeated_scores(gathered);
+  ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},
+                  outcome);
   add_texture_force(gathered, outcome);
   std::size_t goes = 0;
   for (const Assignment& assignment : assignments) goes += assignment.times;

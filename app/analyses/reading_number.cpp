@@ -72,11 +72,13 @@ std::string reading_percent(double share) {
   return (hides ? fixed(100.0 * share, 1) : whole) + " %";
 }
 
-std::string reading_points(double difference) {
-  const std::string text = fixed(100.0 * std::abs(difference), 1);
+std::string reading_signed(double value, int decimals) {
+  const std::string text = fixed(std::abs(value), decimals);
   const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
-  return (difference < 0.0 && !is_nothing ? "−" : "") + text;
+  return (value < 0.0 && !is_nothing ? "−" : "") + text;
 }
+
+std::string reading_points(double difference) { return reading_signed(100.0 * difference, 1); }
 
 std::string reading_quantity(double value, const std::string& unit) {
   const Prefix prefix = prefix_of(value, unit);

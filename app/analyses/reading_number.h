@@ -20,8 +20,10 @@ std::string reading_p_cell(double p);
 /// "78 %"; one decimal where a whole per cent would say 0 or 100 of what is neither.
 std::string reading_percent(double share);
 
-/// A difference of proportions in percentage points, one decimal: "−16.7"; what rounds to nothing has no
-/// sign.
+/// So many decimals, with a minus that is as broad as a plus; what rounds to nothing has no sign.
+std::string reading_signed(double value, int decimals);
+
+/// A difference of proportions in percentage points, one decimal: "−16.7".
 std::string reading_points(double difference);
 
 /// Three digits and the unit with the SI prefix that suits them: "31 µs", "50 mm/s", "0.8 N". A

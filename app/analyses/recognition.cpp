@@ -637,9 +637,11 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   ask_equivalence_of_sexes(gathered, proportions_right(gathered, judged), outcome);
   std::vector<RepeatedScore> scores{};
   for (const Judged& one : judged) {
-    scores.push_back({one.answer->person, one.answer->column, one.right ? 1.0 : 0.0});
+    const GatheredAnswer& answer = *one.answer;
+    scores.push_back({answer.person, answer.column, answer.repetition, one.right ? 1.0 : 0.0});
   }
-  ask_reliability(gathered, scores, outcome);
+  ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},
+                  outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(judged.size(), people, outcome);
 }

@@ -1,6 +1,8 @@
 #include "app/analyses/repetition_reliability.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "analysis/number_text.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/study_findings.h"
+#include "app/analyses/tidy/finding_list.h"
 
 namespace asperity {
 
@@ -19,38 +22,65 @@ constexpr const char* kReliability = "reliability";
 struct MeanScore {
   double sum = 0.0;
   std::size_t n = 0;
-};
 
-/// "ICC(3,1) = 0.71, 95 % CI [0.38, 0.91]", without the interval where there is none.
-Phrase correlation_text(const std::string& name, const Finding& icc) {
-  if (!icc.value) return phrase("Analysis", "%1 is not defined").with(name);
-  if (!icc.low || !icc.high) return phrase("Analysis", "%1 = %2").with(name, fixed(*icc.value, 2));
-  return phrase("Analysis", "%1 = %2, 95 % CI [%3, %4]")
-      .with(name, fixed(*icc.value, 2), fixed(*icc.low, 2), fixed(*icc.high, 2));
-}
-
-}  // namespace
-
-void ask_reliability(const GatheredAnswers& gathered, std::span<const RepeatedScore> scores,
-                     AnalysisOutcome& outcome) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore> means{};
-  std::set<std::uint32_t> repetitions{};
-  for (const RepeatedScore& score : scores) {
-    if (gathered.word(score.column).empty()) return;  // not an experiment in repetitions
-    repetitions.insert(score.column);
-    MeanScore& mean = means[{score.person, score.column}];
-    mean.sum += score.proportion;
-    ++mean.n;
+  void add(double score) {
+    sum += score;
+    ++n;
   }
-  if (repetitions.size() < 2) return;
+};
+/// By target and repetition.
+using Ratings = std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore>;
+
+/// What the family `icc` finds of them. Numbers stand for names, which no finding has.
+std::vector<Finding> correlations_of(const Ratings& ratings) {
   std::string text = "target,rater,score\n";
-  for (const auto& [of, mean] : means) {
-    text += gathered.people[of.first].label + ',' + gathered.word(of.second) + ',' +
+  for (const auto& [of, mean] : ratings) {
+    text += std::to_string(of.first) + ',' + std::to_string(of.second) + ',' +
             number_text(mean.sum / static_cast<double>(mean.n)) + '\n';
   }
   TidyInput input{};
   input.tables.emplace_back(text, "the repetitions");
-  const std::vector<Finding> findings = analysis_of(kReliability, "icc", std::move(input));
+  return analysis_of(kReliability, "icc", std::move(input));
+}
+
+/// "ICC(3,1) = 0.71, 95 % CI [0.38, 0.91]", without the interval where there is none.
+Phrase correlation_text(const Phrase& name, const Finding& icc) {
+  if (!icc.value) return phrase("Analysis", "%1 is not defined").with(name);
+  if (!icc.low || !icc.high)
+    return phrase("Analysis", "%1 = %2").with(name, reading_signed(*icc.value, 2));
+  return phrase("Analysis", "%1 = %2, 95 % CI [%3, %4]")
+      .with(name, reading_signed(*icc.value, 2), reading_signed(*icc.low, 2),
+            reading_signed(*icc.high, 2));
+}
+
+std::size_t repetitions_in(const Ratings& ratings) {
+  std::set<std::uint32_t> repetitions{};
+  for (const auto& [of, mean] : ratings) repetitions.insert(of.second);
+  return repetitions.size();
+}
+
+Phrase reliability_question() {
+  return phrase("Analysis", "How reliable are the participants' results over repetitions?");
+}
+
+}  // namespace
+
+void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repeated,
+                     AnalysisOutcome& outcome) {
+  Ratings ratings{};
+  std::size_t with_column = 0;
+  for (const RepeatedScore& score : repeated.scores) {
+    const bool has_column = !gathered.word(score.column).empty();
+    if (has_column) ++with_column;
+    ratings[{score.person,
+             has_column ? score.column : static_cast<std::uint32_t>(score.repetition)}]
+        .add(score.score);
+  }
+  // Where only some trials belong to a column, the others are not its repetitions.
+  if (with_column > 0 && with_column < repeated.scores.size()) return;
+  const std::size_t repetitions = repetitions_in(ratings);
+  if (repetitions < 2) return;
+  const std::vector<Finding> findings = correlations_of(ratings);
   const FoundNumbers found(findings);
   const Finding* one = found.find("icc", "ICC3");
   const Finding* agreement = found.find("icc", "ICC2");
@@ -66,16 +96,72 @@ void ask_reliability(const GatheredAnswers& gathered, std::span<const RepeatedSc
                    "Of one repetition %1 (consistency), %2 (agreement); of the mean of the %3 "
                    "repetitions %4. N = %5 participants.")
                 .with(correlation_text("ICC(3,1)", *one), correlation_text("ICC(2,1)", *agreement),
-                      std::to_string(repetitions.size()), correlation_text("ICC(3,k)", *all),
+                      std::to_string(repetitions), correlation_text("ICC(3,k)", *all),
                       std::to_string(one->n));
-  add_question(outcome, kReliability,
-               phrase("Analysis", "How reliable are the participants' results over repetitions?"),
-               answer,
+  add_question(outcome, kReliability, reliability_question(), answer,
                phrase("Analysis",
-                      "Intraclass correlations of the participants' proportions correct in each "
-                      "repetition. They are low also where participants differ little from each "
-                      "other."),
+                      "Intraclass correlations of %1 in each repetition. They are low also where "
+                      "participants differ little from each other.")
+                   .with(repeated.name),
                "", one != nullptr ? one : none);
+}
+
+bool has_repetitions(const GatheredAnswers& gathered) {
+  return std::any_of(gathered.answers.begin(), gathered.answers.end(),
+                     [&first = gathered.answers.front()](const GatheredAnswer& one) {
+                       return one.column != first.column || one.repetition != first.repetition;
+                     });
+}
+
+void add_no_reliability(const char* code, const char* reason, AnalysisOutcome& outcome) {
+  add_status({.analysis = kReliability, .quantity = "icc"}, code, reason, outcome);
+}
+
+void ask_reliability_of_estimates(const GatheredAnswers& gathered,
+                                  std::span<const RepeatedEstimate> estimates,
+                                  AnalysisOutcome& outcome) {
+  std::map<std::string, std::uint32_t> surfaces{};
+  std::vector<Ratings> own(gathered.people.size());
+  std::size_t repetitions = 0;
+  for (const RepeatedEstimate& estimate : estimates) {
+    const auto number = static_cast<std::uint32_t>(surfaces.size());
+    const auto surface = surfaces.try_emplace(estimate.surface, number).first;
+    own[estimate.person][{surface->second, static_cast<std::uint32_t>(estimate.repetition)}].add(
+        estimate.logarithm);
+  }
+  std::vector<double> correlations{};
+  for (const Ratings& ratings : own) {
+    const std::vector<Finding> findings = correlations_of(ratings);
+    const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
+    if (!icc) continue;
+    correlations.push_back(*icc);
+    repetitions = std::max(repetitions, repetitions_in(ratings));
+  }
+  if (correlations.empty()) return;
+  FindingList list{};
+  // Of k repetitions no correlation is below −1/(k − 1).
+  const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
+  add_mean_of_group("icc.mean", "ICC3", correlations,
+                    {.possible = ConfidenceInterval{.low = least, .high = 1.0},
+                     .of = "mean of the participants' own intraclass correlations ICC3 of the "
+                           "logarithms, surfaces by repetitions"},
+                    list);
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kReliability;
+  keep_findings(findings, outcome);
+  const Finding& mean = findings.front();
+  add_question(
+      outcome, kReliability, reliability_question(),
+      phrase("Analysis",
+             "Of one of the %1 repetitions, within participants: %2. N = %3 participants.")
+          .with(std::to_string(repetitions),
+                correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
+                std::to_string(mean.n)),
+      phrase("Analysis",
+             "Each participant's own intraclass correlation (consistency) of the logarithms of the "
+             "estimates, with the surfaces as targets and the repetitions as raters; mean over the "
+             "participants with a t interval."),
+      "", &mean);
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include "app/analyses/selection_questions.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
+#include "app/analyses/target_choices.h"
 #include "app/analyses/tidy/finding_list.h"
 
 namespace asperity {
@@ -377,6 +378,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (!selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
   ask_position(selection.positions, found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
+  ask_target_choices(selection, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(gathered.answers.size(), people, outcome);
 }

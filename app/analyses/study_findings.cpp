@@ -35,18 +35,11 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
   return {};
 }
 
-/// With a minus that is as broad as a plus; what rounds to nothing has no sign.
-std::string signed_number(double value, int digits) {
-  const std::string text = fixed(std::abs(value), digits);
-  const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
-  return (value < 0.0 && !is_nothing ? "−" : "") + text;
-}
-
 /// "95 % CI 2.10 to 2.90" of what is not a proportion.
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "95 % CI %1 to %2")
-        .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
+        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
 }
@@ -55,7 +48,7 @@ Phrase plain_interval(const Finding& finding, int digits) {
 Phrase interval_of_difference(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "Welch 95 % CI %1 to %2")
-        .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
+        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
 }
@@ -86,6 +79,16 @@ std::string json_list(std::span<const std::string> texts) {
 void keep_findings(std::span<const Finding> findings, AnalysisOutcome& outcome,
                    const KeepFinding& keep) {
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(outcome.findings), keep);
+}
+
+void add_status(const FindingName& name, std::string word, std::string reason,
+                AnalysisOutcome& outcome) {
+  Finding& added = outcome.findings.emplace_back();
+  added.analysis = name.analysis;
+  added.quantity = name.quantity;
+  added.key = name.key;
+  added.word = std::move(word);
+  added.status = std::move(reason);
 }
 
 Phrase percent(double share) { return reading_percent(share); }
@@ -123,7 +126,7 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   const bool are_shares = sexes.scale != SexesScale::items;
   const auto mean = [are_shares](const Finding& of) {
     return phrase("Analysis", "%1 (%2, n = %3)")
-        .with(are_shares ? percent(*of.value) : Phrase(signed_number(*of.value, 2)),
+        .with(are_shares ? percent(*of.value) : Phrase(reading_signed(*of.value, 2)),
               are_shares ? interval_text(of) : plain_interval(of, 2), std::to_string(of.n));
   };
   const Phrase means =
@@ -144,7 +147,7 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   const Phrase difference =
       (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
                   : phrase("Analysis", "%1 items (%2)"))
-          .with(signed_number(*shown.value, digits), interval_of_difference(shown, digits));
+          .with(reading_signed(*shown.value, digits), interval_of_difference(shown, digits));
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(means, difference, p_text(*test));
   };

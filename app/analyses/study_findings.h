@@ -34,6 +34,10 @@ void keep_findings(
     std::span<const Finding> findings, AnalysisOutcome& outcome,
     const KeepFinding& keep = [](const Finding&) { return true; });
 
+/// A word in the place of an answer, and the sentence that states why there is none.
+void add_status(const FindingName& name, std::string word, std::string reason,
+                AnalysisOutcome& outcome);
+
 /// "75 %"
 Phrase percent(double share);
 /// "(95 % interval 40 % to 71 %)" of a share, or why there is none.

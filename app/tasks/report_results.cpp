@@ -222,6 +222,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"glm.status", "the logistic regression"},
       {"half.difference.status", "the CI of the change of the proportion correct over the trials"},
       {"half.ratio.status", "the CI of the change of response times over the trials"},
+      {"icc", "the reliability over repetitions"},
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},

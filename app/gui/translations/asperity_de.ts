@@ -984,8 +984,28 @@
         <translation>Wie reliabel sind die Ergebnisse der Versuchspersonen über die Wiederholungen?</translation>
     </message>
     <message>
-        <source>Intraclass correlations of the participants&apos; proportions correct in each repetition. They are low also where participants differ little from each other.</source>
-        <translation>Intraklassenkorrelationen der Anteile richtiger Antworten der Versuchspersonen in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
+        <source>the participants&apos; proportions correct</source>
+        <translation>die Anteile richtiger Antworten der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Intraclass correlations of %1 in each repetition. They are low also where participants differ little from each other.</source>
+        <translation>Intraklassenkorrelationen über die Wiederholungen; Werte: %1 in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Of one of the %1 repetitions, within participants: %2. N = %3 participants.</source>
+        <translation>Einer der %1 Wiederholungen, innerhalb der Versuchspersonen: %2. N = %3 Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>mean ICC(3,1)</source>
+        <translation>mittlere ICC(3,1)</translation>
+    </message>
+    <message>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces as targets and the repetitions as raters; mean over the participants with a t interval.</source>
+        <translation>Eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson aus den Logarithmen der Schätzungen, mit den Oberflächen als Zielen und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit t-Intervall.</translation>
+    </message>
+    <message>
+        <source>the participants&apos; proportions of choices of %1</source>
+        <translation>die Anteile der Wahlen von %1 der Versuchspersonen</translation>
     </message>
     <message>
         <source>There are no responses yet.</source>

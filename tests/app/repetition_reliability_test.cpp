@@ -1,0 +1,166 @@
+// Reliability over repetitions of selections and of magnitudes, and over those that a plan numbers.
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using TrialsOf = std::function<std::vector<MadeUpTrial>(int participant)>;
+
+AnalysisOutcome analysed_study(const std::string& kind, const std::string& source, int people,
+                               const TrialsOf& trials_of) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol(kind, kind, source);
+  for (int i = 0; i < people; ++i) {
+    const std::string label = "p" + std::to_string(10 + i);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials_of(i));
+  }
+  return analyze_study(made.study()).at(0);
+}
+
+const AnsweredQuestion* asked(const AnalysisOutcome& outcome) {
+  for (const AnsweredQuestion& one : outcome.questions) {
+    if (one.name == "reliability") return &one;
+  }
+  return nullptr;
+}
+
+const Finding& reliability_in(const AnalysisOutcome& outcome, const std::string& quantity,
+                              const std::string& key) {
+  for (const Finding& one : outcome.findings) {
+    if (one.analysis == "reliability" && one.quantity == quantity && one.key == key) return one;
+  }
+  throw std::runtime_error("no finding " + quantity);
+}
+
+/// One response of a recognition that the plan numbers, without a factor for it.
+MadeUpTrial recognised(int repetition, bool is_right) {
+  MadeUpTrial trial{};
+  trial.repetition = repetition;
+  trial.surfaces = {surface_of("metal", "height_map", "metal")};
+  trial.options = {"metal", "stone"};
+  trial.answers = {trial.options[is_right ? 0 : 1]};
+  trial.right = {"metal"};
+  return trial;
+}
+
+// Proportions 0, ¼; ¼, ½; ½, ¾; ¾, 1: consistent, each repetition a quarter better.
+TEST(ReliabilityOfPlannedRepetitions, IsAskedWithoutAFactorForThem) {
+  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const int repetition : {1, 2}) {
+      for (int k = 0; k < 4; ++k) {
+        trials.push_back(recognised(repetition, k < i + repetition - 1));
+      }
+    }
+    return trials;
+  });
+  ASSERT_NE(asked(outcome), nullptr);
+  EXPECT_NEAR(*reliability_in(outcome, "icc", "ICC3").value, 1.0, 1e-12);
+  EXPECT_THAT(asked(outcome)->method.english(),
+              StartsWith("Intraclass correlations of the participants' proportions correct in "));
+}
+
+MadeUpTrial selected(int repetition, const std::string& chosen) {
+  MadeUpTrial trial{};
+  trial.repetition = repetition;
+  for (const std::string model : {"a", "b", "c"}) {
+    trial.surfaces.push_back(surface_of(model, model, "wood"));
+    trial.options.push_back(model);
+  }
+  trial.answers = {chosen};
+  return trial;
+}
+
+std::vector<MadeUpTrial> steady_choices(int i) {
+  std::vector<MadeUpTrial> trials{};
+  for (const int repetition : {1, 2}) {
+    for (int k = 0; k < 4; ++k) {
+      trials.push_back(selected(repetition, k < i ? "a" : k % 2 == 0 ? "b" : "c"));
+    }
+  }
+  return trials;
+}
+
+TEST(ReliabilityOfSelections, IsThatOfTheChoicesOfTheTarget) {
+  const AnalysisOutcome outcome =
+      analysed_study("selection", R"({"analysis": {"target": "a"}})", 4, steady_choices);
+  ASSERT_NE(asked(outcome), nullptr);
+  EXPECT_NEAR(*reliability_in(outcome, "icc", "ICC2").value, 1.0, 1e-12);
+  EXPECT_THAT(asked(outcome)->method.english(),
+              HasSubstr("the participants' proportions of choices of a in each repetition"));
+}
+
+TEST(ReliabilityOfSelections, HasAStatusWithoutATarget) {
+  const AnalysisOutcome outcome = analysed_study("selection", "{}", 4, steady_choices);
+  EXPECT_EQ(asked(outcome), nullptr);
+  const Finding& none = reliability_in(outcome, "icc", "");
+  EXPECT_FALSE(none.value);
+  EXPECT_EQ(none.status, "the protocol declares no target whose choices could be compared");
+}
+
+/// Estimates of two surfaces in two repetitions, as logarithms.
+AnalysisOutcome estimated_twice(int people,
+                                const std::function<double(int, int, int)>& logarithm_of) {
+  constexpr const char* kSource = R"({
+    "estimation": {"spacing": "texture"},
+    "factors": {"texture": {"levels": ["fine", "coarse"]}},
+    "textures": {"fine": {"spacing_m": 0.001}, "coarse": {"spacing_m": 0.002}}})";
+  return analysed_study("magnitude", kSource, people, [&](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const int repetition : {1, 2}) {
+      for (const int surface : {0, 1}) {
+        MadeUpTrial trial{};
+        trial.repetition = repetition;
+        trial.surfaces = {surface_of("s", "pd_gradient", "s")};
+        trial.factors_json = surface == 0 ? R"({"texture": "fine"})" : R"({"texture": "coarse"})";
+        trial.answers = {text_of_number(std::pow(10.0, logarithm_of(i, surface, repetition)))};
+        trials.push_back(trial);
+      }
+    }
+    return trials;
+  });
+}
+
+// Of p10 and p11 both repetitions order the surfaces alike, of p12 and p13 the other way round: correlations 1, 1,
+// −1 and −1. Their scales, a decade apart, do not matter.
+TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
+  const AnalysisOutcome outcome = estimated_twice(4, [](int i, int surface, int repetition) {
+    return i + 0.25 * (i < 2 || repetition == 1 ? surface : 1 - surface);
+  });
+  const Finding& mean = reliability_in(outcome, "icc.mean", "ICC3");
+  EXPECT_NEAR(*mean.value, 0.0, 1e-9);
+  EXPECT_EQ(mean.n, 4U);
+  // t₃(.975)·SD/√4 with SD² = 4/3 exceeds 1, where the interval is cut.
+  EXPECT_NEAR(mean.low.value(), -1.0, 1e-12);
+  EXPECT_NEAR(mean.high.value(), 1.0, 1e-12);
+  ASSERT_NE(asked(outcome), nullptr);
+  EXPECT_EQ(asked(outcome)->answer.english(),
+            "Of one of the 2 repetitions, within participants: mean ICC(3,1) = 0.00, 95 % CI "
+            "[−1.00, 1.00]. N = 4 participants.");
+}
+
+TEST(ReliabilityOfMagnitudes, LeavesOutWhoEstimatesNoDifference) {
+  const AnalysisOutcome outcome = estimated_twice(
+      3, [](int i, int surface, int /*repetition*/) { return i == 0 ? 1.0 : 0.1 * surface; });
+  EXPECT_EQ(reliability_in(outcome, "icc.mean", "ICC3").n, 2U);
+  EXPECT_NEAR(*reliability_in(outcome, "icc.mean", "ICC3").value, 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace asperity
