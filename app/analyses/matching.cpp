@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/analyses/crossed_textures.h"
 #include "app/analyses/families.h"
 #include "app/analyses/group_equivalence.h"
 #include "app/analyses/repetition_reliability.h"
@@ -72,6 +73,20 @@ std::vector<RepeatedScore> repeated_scores(const GatheredAnswers& gathered) {
                       .score = static_cast<double>(right) / static_cast<double>(replies.size())});
   }
   return scores;
+}
+
+std::vector<TextureResponse> responses_to_textures(const GatheredAnswers& gathered) {
+  std::vector<TextureResponse> responses{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    if (!is_permutation_of_pictures(gathered, answer)) continue;
+    const auto surfaces = gathered.surfaces_of(answer);
+    const auto replies = gathered.replies_of(answer);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      responses.push_back(
+          {.person = answer.person, .texture = surfaces[i].item, .is_hit = *replies[i].correct});
+    }
+  }
+  return responses;
 }
 
 std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
@@ -551,6 +566,20 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
       proportions.push_back(mean ? std::optional(*mean / static_cast<double>(items)) : mean);
     }
     ask_equivalence_of_sexes(gathered, proportions, outcome);
+  }
+  if (equal_size) {
+    const std::vector<TextureResponse> responses = responses_to_textures(gathered);
+    ask_other_textures(
+        {.responses = responses,
+         .chance = 1.0 / static_cast<double>(items),
+         .proportion = phrase("Analysis", "the proportion of correctly matched items"),
+         .assumption =
+             phrase("Analysis", "The items of a trial are taken as independent of each other.")},
+        outcome);
+  } else {
+    add_no_crossed_model(
+        "chance_differs",
+        "the trials have different numbers of items, and the chance level with them", outcome);
   }
   const std::vector<RepeatedScore> scores = repeated_scores(gathered);
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},

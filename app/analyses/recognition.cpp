@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/number_text.h"
+#include "app/analyses/crossed_textures.h"
 #include "app/analyses/families.h"
 #include "app/analyses/group_equivalence.h"
 #include "app/analyses/repetition_reliability.h"
@@ -636,9 +637,21 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
             tests, outcome);
   ask_equivalence_of_sexes(gathered, proportions_right(gathered, judged), outcome);
   std::vector<RepeatedScore> scores{};
+  std::vector<TextureResponse> responses{};
   for (const Judged& one : judged) {
     const GatheredAnswer& answer = *one.answer;
     scores.push_back({answer.person, answer.column, answer.repetition, one.right ? 1.0 : 0.0});
+    responses.push_back({.person = answer.person, .texture = one.felt, .is_hit = one.right});
+  }
+  if (pictures.always_the_same) {
+    ask_other_textures({.responses = responses,
+                        .chance = 1.0 / static_cast<double>(labels.size()),
+                        .proportion = phrase("Analysis", "the proportion correct")},
+                       outcome);
+  } else {
+    add_no_crossed_model("pictures_differ",
+                         "the pictures differ between the trials, and the chance level with them",
+                         outcome);
   }
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},
                   outcome);

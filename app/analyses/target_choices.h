@@ -1,4 +1,4 @@
-// The choices of the target of a selection over repetitions.
+// The choices of the target of a selection: over repetitions, and beyond its textures.
 
 #pragma once
 
@@ -7,8 +7,9 @@
 
 namespace asperity {
 
-/// How reliable the participants' proportions of choices of the target are over repetitions. Without a declared target,
-/// or where not every trial presents every model, there is no such proportion, and a finding gives that as the status.
+/// How reliable the participants' proportions of choices of the target are over repetitions, and whether the
+/// proportion holds for other participants and textures. Where not every trial presents every model there is no such
+/// proportion, and the findings give that as the status; so does the reliability without a declared target.
 void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -37,6 +37,10 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"dprime.corrected", {"d′, corrected for an extreme proportion", number}},
       {"dprime.se", {"standard error of d′", number}},
       {"fisher.or.cond", {"odds ratio of all responses", number}},
+      {"glmm.beta", {"fixed effect (logit)", number}},
+      {"glmm.proportion",
+       {"proportion of a participant and a texture of average intercept", share}},
+      {"glmm.sigma", {"SD of the random intercepts (logit)", number}},
       {"H.response", {"response entropy H(R)", number}},
       {"hclust.shepard.average.cophcor", {"cophenetic correlation of the dendrogram", number}},
       {"hedges.g", {"Hedges’ g of the participants’ proportions", number}},
@@ -100,6 +104,7 @@ bool is_another_form(const std::string& quantity) {
 std::string words_of_analysis(const std::string& analysis) {
   static const std::map<std::string, std::string> kWords{{"anova", "analysis of variance"},
                                                          {"choice", "models"},
+                                                         {"glmm", "mixed model"},
                                                          {"position", "positions"},
                                                          {"sexes", "women, men"},
                                                          {"sexes_equivalence", "women, men"},
@@ -114,6 +119,8 @@ std::string subject_of_row(const std::string& key) {
   std::string words = words_of_key(key);
   if (words == "F") return "women";
   if (words == "M") return "men";
+  if (words == "subject") return "participants";
+  if (words == "item") return "textures";
   if (words == "F, M" || words == "F-M") return "women, men";
   return words.empty() ? "–" : words;
 }

@@ -220,6 +220,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"glm.se.cluster", "the cluster-robust standard errors of the logistic regression"},
       {"geomean.status", "the CI of the geometric mean response time"},
       {"glm.status", "the logistic regression"},
+      {"glmm.status", "the mixed model with participants and textures crossed"},
       {"half.difference.status", "the CI of the change of the proportion correct over the trials"},
       {"half.ratio.status", "the CI of the change of response times over the trials"},
       {"icc", "the reliability over repetitions"},
