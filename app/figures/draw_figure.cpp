@@ -34,12 +34,24 @@ const Style& style_of(const FigureSeries& series) {
   return kStyles[static_cast<std::size_t>(series.style) % kStyles.size()];
 }
 
-/// On a dark ground the dark ones are made lighter.
+/// From one colour to another: 0 the first, 1 the second.
+QColor mixed(const QColor& from, const QColor& to, double share) {
+  const auto between = [share](float a, float b) {
+    return a + static_cast<float>(share) * (b - a);
+  };
+  return QColor::fromRgbF(between(from.redF(), to.redF()), between(from.greenF(), to.greenF()),
+                          between(from.blueF(), to.blueF()));
+}
+
+/// On a dark ground the dark ones are made lighter. Single participants are pale, without transparency, which not every
+/// program can read.
 QColor color_of(const FigureSeries& series, const FigureLook& look) {
   constexpr int kHalf = 128;
   constexpr int kLighter = 130;  // percent
-  const QColor color(style_of(series).color);
-  return look.colors.ground.lightness() < kHalf ? color.lighter(kLighter) : color;
+  constexpr double kPale = 0.45;
+  QColor color(style_of(series).color);
+  if (look.colors.ground.lightness() < kHalf) color = color.lighter(kLighter);
+  return series.single ? mixed(color, look.colors.ground, kPale) : color;
 }
 
 enum class Across { left, centre, right };
@@ -62,9 +74,15 @@ class FigureDrawing final {
     axes();
     names();
     references();
-    for (const FigureSeries& series : figure_.series) lines(series);
-    for (const FigureSeries& series : figure_.series) intervals(series);
-    for (const FigureSeries& series : figure_.series) points(series);
+    for (const bool single : {true, false}) {
+      std::vector<const FigureSeries*> layer{};
+      for (const FigureSeries& series : figure_.series) {
+        if (series.single == single) layer.push_back(&series);
+      }
+      for (const FigureSeries* series : layer) lines(*series);
+      for (const FigureSeries* series : layer) intervals(*series);
+      for (const FigureSeries* series : layer) points(*series);
+    }
     labels();
     key();
   }
@@ -164,13 +182,7 @@ class FigureDrawing final {
   }
 
   QColor shade(double share) const {
-    const QColor& from = look_.colors.ground;
-    const QColor& to = look_.colors.strong;
-    const auto mixed = [share](float a, float b) {
-      return a + static_cast<float>(share) * (b - a);
-    };
-    return QColor::fromRgbF(mixed(from.redF(), to.redF()), mixed(from.greenF(), to.greenF()),
-                            mixed(from.blueF(), to.blueF()));
+    return mixed(look_.colors.ground, look_.colors.strong, share);
   }
 
   /// Whichever of two has more contrast on a shade [WCAG 2.1].
@@ -263,9 +275,9 @@ class FigureDrawing final {
     return pen;
   }
 
-  /// Lines to outlined points lead the eye and no more.
+  /// Lines to outlined points lead the eye and no more; those of single participants are many.
   void lines(const FigureSeries& series) {
-    painter_.setPen(pen_of(series, (series.hollow ? 1.0 : 1.8) * thin()));
+    painter_.setPen(pen_of(series, (series.hollow || series.single ? 1.0 : 1.8) * thin()));
     painter_.setBrush(Qt::NoBrush);
     for (const std::vector<FigurePlace>& one : series.lines) {
       QPolygonF polyline{};
@@ -343,8 +355,9 @@ class FigureDrawing final {
   }
 
   void points(const FigureSeries& series) {
+    constexpr double kSingle = 0.5;  // of the width of other marks
     for (const FigurePoint& point : series.points) {
-      mark(series, at(point.x, point.y), half_width(point));
+      mark(series, at(point.x, point.y), (series.single ? kSingle : 1.0) * half_width(point));
     }
   }
 
@@ -352,6 +365,7 @@ class FigureDrawing final {
   void labels() {
     std::vector<QRectF> taken{};
     for (const FigureSeries& series : figure_.series) {
+      if (series.single) continue;
       for (const FigurePoint& point : series.points) {
         const double half = 1.3 * half_width(point);
         taken.push_back(

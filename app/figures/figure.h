@@ -50,6 +50,7 @@ struct FigureSeries {
   Phrase name{};
   int style = 0;
   bool hollow = false;  ///< its points are outlines
+  bool single = false;  ///< of single participants: small and pale, behind all others
   std::vector<FigurePoint> points{};
   std::vector<std::vector<FigurePlace>> lines{};  ///< each from place to place
 };

@@ -47,6 +47,12 @@ enum class CurveNames { of_probes, alone };
 /// and its peak. `unit`: of the spacings, metres being shown as millimetres; empty where it is not known.
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names);
 
+/// Geometric means of response times by condition, with single participants behind them.
+Figure response_times_figure(const FoundNumbers& found);
+/// Response times, and proportions correct, in blocks of trials: the mean over participants and a line for each.
+Figure times_over_trials_figure(const FoundNumbers& found);
+Figure correct_over_trials_figure(const FoundNumbers& found);
+
 /// The means of two groups and their difference, a figure each. `axis`: with a place for the
 /// confidence, in percent.
 struct GroupChoice {

@@ -270,11 +270,12 @@ double FigureLayout::x_of(double value) const {
 
 double FigureLayout::y_of(double value) const {
   if (!figure_.y.places.empty()) {
-    const auto last = static_cast<double>(row_middles_.size() - 1);
+    if (row_middles_.size() == 1) return row_middles_.front() + value * plot_.height();
+    // Beyond the outermost rows as far apart as these are from their neighbours.
+    const auto last = static_cast<double>(row_middles_.size() - 2);
     const auto row = static_cast<std::size_t>(std::clamp(value, 0.0, last));
-    const std::size_t next = std::min(row + 1, row_middles_.size() - 1);
     const double between = value - static_cast<double>(row);
-    return row_middles_[row] + between * (row_middles_[next] - row_middles_[row]);
+    return row_middles_[row] + between * (row_middles_[row + 1] - row_middles_[row]);
   }
   return plot_.bottom() - share_of(figure_.y, value) * plot_.height();
 }

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "app/analyses/learning.h"
+#include "app/analyses/response_times.h"
 #include "app/figures/figure_kinds.h"
 
 namespace asperity {
@@ -56,6 +58,24 @@ void add_sexes(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   for (Figure& figure : of_sexes) {
     figure.table = "tests";
     figures.push_back(std::move(figure));
+  }
+}
+
+/// Response times and learning.
+void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
+  struct Kind {
+    const char* analysis = "";
+    const char* table = "";
+    Figure (*figure)(const FoundNumbers&) = nullptr;
+  };
+  for (const Kind& kind : {Kind{kResponseTimes, kResponseTimes, response_times_figure},
+                           Kind{kLearningOfTimes, kTrialCourse, times_over_trials_figure},
+                           Kind{kLearningCorrect, kTrialCourse, correct_over_trials_figure}}) {
+    const std::vector<Finding> part = part_of(outcome.findings, kind.analysis);
+    const FoundNumbers found(part);
+    if (found.all("geomean").empty() && found.all("block").empty()) continue;
+    figures.push_back(kind.figure(found));
+    figures.back().table = kind.table;
   }
 }
 
@@ -127,6 +147,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.back().table = "map";
   }
   add_sexes(outcome, figures);
+  add_times(outcome, figures);
   name_questions(outcome, figures);
   return figures;
 }
@@ -142,6 +163,11 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "ranking") return {scale_figure("preference", plackett_luce(), found)};
   if (family == "rating") return {rating_figure(found)};
   if (family == "group") return group_figures(shares_of_groups(), found);
+  if (family == "response_times") return {response_times_figure(found)};
+  if (family == "learning") {
+    return {input.table().has("time_s") ? times_over_trials_figure(found)
+                                        : correct_over_trials_figure(found)};
+  }
   if (family == "rmanova") return {interaction_figure(input, found, level_unit)};
   if (family == "power") return {power_figure(input, found)};
   if (family == "magnitude") return {roughness_figure(found, level_unit, CurveNames::of_probes)};

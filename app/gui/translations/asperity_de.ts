@@ -2856,6 +2856,70 @@
         <source>The dissimilarities span fewer than two dimensions: there is no plane.</source>
         <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Ebene.</translation>
     </message>
+    <message>
+        <source>all trials</source>
+        <translation>alle Durchgänge</translation>
+    </message>
+    <message>
+        <source>spacing %1 mm</source>
+        <translation>Abstand %1 mm</translation>
+    </message>
+    <message>
+        <source>Response times by condition</source>
+        <translation>Reaktionszeiten nach Bedingung</translation>
+    </message>
+    <message>
+        <source>No response has a time.</source>
+        <translation>Keine Antwort hat eine Zeit.</translation>
+    </message>
+    <message>
+        <source>response time, with its %1 % CI</source>
+        <translation>Reaktionszeit mit %1-%-Konfidenzintervall</translation>
+    </message>
+    <message>
+        <source>response time</source>
+        <translation>Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>Points are geometric means over the participants, bars their %1 % CIs by t on the logarithmic scale. From the cue to the response.</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der logarithmischen Skala. Vom Signal bis zur Antwort.</translation>
+    </message>
+    <message>
+        <source>Points are geometric means over the participants. From the cue to the response.</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen. Vom Signal bis zur Antwort.</translation>
+    </message>
+    <message>
+        <source>No trial has a result.</source>
+        <translation>Kein Durchgang hat ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>trials of a participant, in their order</source>
+        <translation>Durchgänge einer Versuchsperson, in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>%1 Thin pale lines: single participants.</source>
+        <translation>%1 Dünne blasse Linien: einzelne Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Response times over the trials</source>
+        <translation>Reaktionszeiten über die Durchgänge</translation>
+    </message>
+    <message>
+        <source>Proportion correct over the trials</source>
+        <translation>Anteil richtiger Antworten über die Durchgänge</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own proportions, bars their %1 % CIs by t on the logit scale.</source>
+        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own proportions.</source>
+        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 Small pale marks: single participants.</source>
+        <translation>%1 Kleine blasse Zeichen: einzelne Versuchspersonen.</translation>
+    </message>
 </context>
 <context>
     <name>FormWords</name>

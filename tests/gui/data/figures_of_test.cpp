@@ -17,6 +17,7 @@
 #include "app/analyses/found_numbers.h"
 #include "app/analyses/tidy/reference_case.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/single_participants.h"
 #include "app/figures/sweep_figure.h"
 
 namespace asperity {
@@ -598,6 +599,84 @@ TEST(FiguresOf, SayASentenceWhereThereIsNothingToDraw) {
     EXPECT_FALSE(figure.is_drawn());
   }
   EXPECT_TRUE(figures_of(AnalysisOutcome{}).empty());
+}
+
+TEST(SingleParticipants, StandAsideOfEqualValues) {
+  // Three within 0.1 of the least stand about 0 in the order of their size; the fourth is alone.
+  EXPECT_EQ(places_aside(std::vector{0.55, 0.5, 0.9, 0.5}, 0.1),
+            (std::vector<double>{0.5, -0.5, 0.0, 0.0}));
+  // Many share the room.
+  const std::vector<double> many = places_aside(std::vector<double>(21, 1.0), 0.1);
+  EXPECT_NEAR(many.front(), -1.0, 1e-12);
+  EXPECT_NEAR(many.back(), 1.0, 1e-12);
+}
+
+/// The marks of single participants; throws where there is no such series, or more than one.
+const FigureSeries& singles_in(const Figure& figure) {
+  const FigureSeries* found = nullptr;
+  for (const FigureSeries& series : figure.series) {
+    if (!series.single) continue;
+    if (found != nullptr) throw std::runtime_error("two series of single participants");
+    found = &series;
+  }
+  if (found == nullptr) throw std::runtime_error("no single participants");
+  return *found;
+}
+
+TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
+  const Analysed times = analysed("response_times_01");
+  const Figure& figure = times.figure("response_times");
+  EXPECT_EQ(figure.x.scale, AxisScale::log10);
+  EXPECT_EQ(places_of(figure.y),
+            (std::vector<std::string>{"all trials (n = 5)", "1 (n = 5)", "2 (n = 5)",
+                                      "wood (n = 4)", "metal (n = 5)"}));
+  const FigureSeries& means = figure.series.front();
+  EXPECT_FALSE(means.single);
+  ASSERT_EQ(means.points.size(), 5U);
+  EXPECT_EQ(means.points[3].x, times.number("geomean", "texture=wood"));
+  EXPECT_EQ(means.points[3].x_interval->low, times.number("geomean.lower", "texture=wood"));
+  const FigureSeries& singles = singles_in(figure);
+  ASSERT_EQ(singles.points.size(), 24U);  // one has no time with wood
+  EXPECT_EQ(singles.points[0].x, times.number("subject.geomean", "P01"));
+  EXPECT_EQ(singles.points[15].x, times.number("subject.geomean", "P01|texture=wood"));
+  EXPECT_NEAR(singles.points[15].y, 3.0, 0.41);
+  EXPECT_EQ(figure.note.english(),
+            "Points are geometric means over the participants, bars their 90 % CIs by t on the "
+            "logarithmic scale. From the cue to the response. Small pale marks: single "
+            "participants.");
+}
+
+TEST(FiguresOf, PutALineOfEachParticipantBehindTheCourseOverTrials) {
+  const Analysed times = analysed("learning_01");
+  const Figure& figure = times.figure("times_over_trials");
+  EXPECT_EQ(places_of(figure.x), (std::vector<std::string>{"1–3", "4–6", "7–9", "10–12", "13"}));
+  const FigureSeries& singles = singles_in(figure);
+  ASSERT_EQ(singles.lines.size(), 4U);
+  EXPECT_EQ(singles.lines[3].size(), 3U);  // nine trials
+  EXPECT_EQ(singles.lines[0][1].y, times.number("subject.block", "P01|4-6"));
+  const FigureSeries& means = figure.series.front();
+  EXPECT_EQ(means.points[1].y, times.number("block", "4-6"));
+  EXPECT_EQ(means.lines.front().size(), 5U);
+  const Analysed correct = analysed("learning_02");
+  EXPECT_EQ(correct.figure("correct_over_trials").y.high, 1.0);
+  EXPECT_EQ(singles_in(correct.figure("correct_over_trials")).lines.size(), 5U);
+}
+
+// Between many participants nothing could be told apart.
+TEST(FiguresOf, LeaveOutParticipantsThatAreTooMany) {
+  std::vector<Finding> findings(1);
+  findings[0].quantity = "geomean";
+  findings[0].value = 2.0;
+  for (std::size_t i = 0; i <= kMostSingle; ++i) {
+    Finding& one = findings.emplace_back();
+    one.quantity = "subject.geomean";
+    one.key = "P" + std::to_string(i);
+    one.value = 2.0;
+  }
+  const Figure figure = response_times_figure(FoundNumbers(findings));
+  EXPECT_FALSE(shows_singles(figure));
+  EXPECT_EQ(figure.note.english(),
+            "Points are geometric means over the participants. From the cue to the response.");
 }
 
 }  // namespace
