@@ -557,6 +557,14 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
       share.analysis = "sexes";
       outcome.findings.push_back(std::move(share));
     }
+    for (const AnsweringPerson& person : gathered.people) {
+      const Finding* own = found.find("subject.share", person.label);
+      if (own == nullptr || !person.sex) continue;
+      Finding share = *own;
+      share.key = person.label + '|' + *person.sex;
+      share.analysis = "sexes";
+      outcome.findings.push_back(std::move(share));
+    }
   }
   ask_sexes(sexes, tests, outcome);
   if (equal_size) {

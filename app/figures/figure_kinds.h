@@ -13,8 +13,8 @@
 namespace asperity {
 
 /// Shares with intervals, a row each, and chance as a line; where it differs from row to row, as a
-/// mark in each.
-std::vector<Figure> table_forests(const std::vector<NamedTable>& tables);
+/// mark in each. Behind means over participants stand the participants.
+std::vector<Figure> table_forests(const AnalysisOutcome& outcome);
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found);
 Figure selection_forest(const FoundNumbers& found);
 Figure matching_forest(const FoundNumbers& found);

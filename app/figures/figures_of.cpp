@@ -122,7 +122,7 @@ std::vector<Figure> recognised(const FoundNumbers& found) {
 }  // namespace
 
 std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
-  std::vector<Figure> figures = table_forests(outcome.tables);
+  std::vector<Figure> figures = table_forests(outcome);
   for (const NamedTable& table : outcome.tables) {
     if (table.name == kConfusion) figures.push_back(confusion_figure(table));
   }

@@ -9,10 +9,14 @@
 #include "analysis/number_text.h"
 #include "app/analyses/reading_table.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/single_participants.h"
 
 namespace asperity {
 
 namespace {
+
+/// The findings of what single participants have.
+constexpr const char* kOwnShare = "subject.share";
 
 /// `kind`: rows of one kind have one style, and one name in the key.
 struct ForestRow {
@@ -21,6 +25,7 @@ struct ForestRow {
   std::optional<FigureSpan> interval{};
   std::optional<double> chance{};
   int kind = 0;
+  std::vector<double> singles{};  ///< of the participants that it is a mean of
 };
 
 struct ForestKind {
@@ -51,6 +56,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
     figure.series.push_back(
         {.name = kinds[kind].name, .style = static_cast<int>(kind), .hollow = kinds[kind].is_part});
   }
+  std::vector<std::vector<SingleValues>> singles(kinds.size());
   FigureSeries by_chance{.name = phrase("Figures", "chance"), .style = 5};
   for (const ForestRow& row : rows) {
     const auto place = static_cast<double>(figure.y.places.size());
@@ -62,6 +68,10 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
     if (!row.share) continue;
     figure.series[static_cast<std::size_t>(row.kind)].points.push_back(
         {.x = *row.share, .y = place, .x_interval = row.interval});
+    singles[static_cast<std::size_t>(row.kind)].push_back({place, row.singles});
+  }
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    figure.series.push_back(singles_in_rows(singles[kind], figure.x, static_cast<int>(kind)));
   }
   const bool has_points =
       std::any_of(figure.series.begin(), figure.series.end(),
@@ -138,8 +148,27 @@ std::size_t column_of(const NamedTable& table, const char* name) {
                                   columns.begin());
 }
 
+/// The participants' own proportions, by the row of the table of their means. Of some analyses all rows are one.
+SinglesByCondition own_shares(const AnalysisOutcome& outcome,
+                              const std::set<std::string>& analyses) {
+  std::vector<const Finding*> own{};
+  for (const Finding& finding : outcome.findings) {
+    if (finding.quantity == kOwnShare && analyses.contains(finding.analysis)) {
+      own.push_back(&finding);
+    }
+  }
+  return singles_by_condition(own);
+}
+
+/// A table of means over participants, and what single participants have.
+struct MeansOfPersons {
+  const NamedTable* table = nullptr;  ///< null: there is none
+  SinglesByCondition singles{};
+};
+
 /// A row for each mean of the persons' own shares, or none. `with_name`: of what it is a mean.
-std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) {
+std::vector<ForestRow> rows_of_persons(const MeansOfPersons& means, bool with_name) {
+  const NamedTable& table = *means.table;
   const std::size_t persons = column_of(table, "persons");
   const std::size_t mean = column_of(table, "mean");
   const std::size_t low = column_of(table, "mean_low");
@@ -159,6 +188,10 @@ std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) 
     const auto from = number_of(cells[low]);
     const auto to = number_of(cells[high]);
     if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
+    const auto* name = std::get_if<std::string>(&cells.front());
+    const bool is_whole = name == nullptr || *name == "all";
+    const auto own = means.singles.find(is_whole ? std::string() : *name);
+    if (own != means.singles.end()) row.singles = own->second;
     rows.push_back(std::move(row));
   }
   return rows;
@@ -170,15 +203,15 @@ bool has_intervals(const std::vector<ForestRow>& rows) {
 }
 
 /// The means of persons that say of the same what this table of shares says, where there are some.
-std::vector<ForestRow> means_beside(const NamedTable& table, const NamedTable* persons) {
-  if (persons == nullptr || persons->table.columns.empty()) return {};
-  const bool of_all = persons->table.columns.front() == "answers";
+std::vector<ForestRow> means_beside(const NamedTable& table, const MeansOfPersons& persons) {
+  if (persons.table == nullptr || persons.table->table.columns.empty()) return {};
+  const bool of_all = persons.table->table.columns.front() == "answers";
   const bool belongs = table.name == "shares" || table.name == "positions" ||
                        (table.name == "shares_by_texture" && of_all);
-  return belongs ? rows_of_persons(*persons, !of_all) : std::vector<ForestRow>{};
+  return belongs ? rows_of_persons(persons, !of_all) : std::vector<ForestRow>{};
 }
 
-std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* persons) {
+std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons& persons) {
   const std::vector<std::string>& columns = table.table.columns;
   const auto place = [&columns](const char* name) -> std::optional<std::size_t> {
     const auto found = std::find(columns.begin(), columns.end(), name);
@@ -248,13 +281,15 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
     if (series.style == 1) series.style = 0;
     if (series.style == 2) series.style = 1;
   }
+  figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
 
 /// Means of the persons' own shares by themselves; `chance` as in the table of shares.
-std::optional<Figure> people_forest(const NamedTable& table, std::optional<double> chance) {
-  std::vector<ForestRow> rows = rows_of_persons(table, true);
+std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<double> chance) {
+  std::vector<ForestRow> rows = rows_of_persons(means, true);
   if (rows.empty()) return {};
+  const NamedTable& table = *means.table;
   for (ForestRow& row : rows) row.chance = chance;
   Figure figure{.name = table.name + "_forest",
                 .table = table.name,
@@ -272,6 +307,7 @@ std::optional<Figure> people_forest(const NamedTable& table, std::optional<doubl
                                : phrase("Figures", "mean proportion"),
            figure);
   for (FigureSeries& series : figure.series) series.style = 1;
+  figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
 
@@ -307,28 +343,33 @@ std::vector<ForestRow> rows_of(const FoundNumbers& found, const std::string& qua
 /// The mean of the participants' own shares, whose interval takes them as the unit.
 void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
                         std::vector<ForestRow>& rows) {
+  const SinglesByCondition singles = singles_by_condition(found.all(kOwnShare));
   for (const Finding* mean : found.all("subj.mean")) {
     if (!mean->value) continue;
     const Phrase of = mean_of(mean->n);
+    const auto own = singles.find(mean->key);
     rows.push_back(
         {.label = mean->key.empty() ? of : phrase("Figures", "%1 · %2").with(Phrase(mean->key), of),
          .share = mean->value,
          .interval = interval_of(*mean),
          .chance = chance,
-         .kind = 1});
+         .kind = 1,
+         .singles = own == singles.end() ? std::vector<double>{} : own->second});
   }
 }
 
 }  // namespace
 
-std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
+std::vector<Figure> table_forests(const AnalysisOutcome& outcome) {
+  const std::vector<NamedTable>& tables = outcome.tables;
   const auto named = [&tables](const char* name) {
     const auto found = std::find_if(tables.begin(), tables.end(),
                                     [&](const NamedTable& one) { return one.name == name; });
     return found == tables.end() ? nullptr : &*found;
   };
-  const NamedTable* persons = named("persons");
-  const NamedTable* by_position = named("persons_by_position");
+  const MeansOfPersons persons{named("persons"),
+                               own_shares(outcome, {"choice", "matching", "recognition"})};
+  const MeansOfPersons by_position{named("persons_by_position"), own_shares(outcome, {"position"})};
   const NamedTable* shares = named("shares");
   std::vector<Figure> figures{};
   for (const NamedTable& table : tables) {
@@ -338,9 +379,9 @@ std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
     }
     // One mean alone stands beside the shares that it is a mean of.
     const bool stands_alone = tables.size() == 1 || table.table.rows.size() > 1;
-    if (&table != persons || !stands_alone) continue;
+    if (&table != persons.table || !stands_alone) continue;
     const std::optional<double> chance = shares == nullptr ? std::nullopt : one_chance(*shares);
-    if (std::optional<Figure> figure = people_forest(table, chance)) {
+    if (std::optional<Figure> figure = people_forest(persons, chance)) {
       figures.push_back(std::move(*figure));
     }
   }
@@ -379,6 +420,7 @@ Figure selection_forest(const FoundNumbers& found) {
   for (ForestRow& row : rows) row.chance = chance;
   add_mean_of_people(found, chance, rows);
   add_rows(rows, pooled_and_people(), share_axis(percent_of(found.all("prop"))), figure);
+  figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
 
@@ -431,6 +473,7 @@ Figure recognition_forest(const FoundNumbers& found) {
   for (ForestRow& row : rows) row.chance = chance;
   add_mean_of_people(found, chance, rows);
   add_rows(rows, pooled_and_people(), share_axis(percent_of(found.all("pc"))), figure);
+  figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
 

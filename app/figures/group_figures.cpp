@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/figures/figure_kinds.h"
+#include "app/figures/single_participants.h"
 
 namespace asperity {
 
@@ -32,6 +33,19 @@ void add_room(Figure& figure) {
   const double room = span > kRounding ? 0.06 * span : 0.5;
   figure.x.low -= room;
   figure.x.high += room;
+}
+
+/// The participants' own proportions behind the rows of their groups.
+void add_singles(const std::vector<const Finding*>& means, const FoundNumbers& found,
+                 Figure& figure) {
+  const SinglesByCondition singles = singles_by_condition(found.all("subject.share"));
+  std::vector<SingleValues> rows{};
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const auto own = singles.find(means[i]->key);
+    if (own != singles.end()) rows.push_back({static_cast<double>(i), own->second});
+  }
+  figure.series.push_back(singles_in_rows(rows, figure.x, figure.series.front().style));
+  figure.note = with_note_on_singles(figure.note, figure);
 }
 
 }  // namespace
@@ -83,6 +97,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
         both);
   }
   if (!choice.are_shares) add_room(both);
+  if (choice.are_shares) add_singles(means, found, both);
   less.x = {.name = phrase("Figures", "%1 − %2, with its %3 % CI")
                         .with(word_of_group(means[0]->key), word_of_group(means[1]->key), percent),
             .low = 0.0,

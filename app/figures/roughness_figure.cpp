@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/figures/axis_ticks.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/single_participants.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -70,6 +75,8 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
   Range y{};
   std::vector<std::string> probes{};
   std::vector<FigureSeries> peaks{};
+  const SinglesByCondition singles = singles_by_condition(found.all("norm.estimate"));
+  std::map<std::string, std::vector<SingleValues>> singles_of_probe{};
   const auto series_of = [&](const std::string& probe) -> FigureSeries& {
     const auto at = std::find(probes.begin(), probes.end(), probe) - probes.begin();
     if (at == static_cast<std::ptrdiff_t>(probes.size())) {
@@ -90,6 +97,10 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
         .points.push_back({.x = scale * *spacing, .y = *mean->value, .y_interval = interval});
     x.hold(*spacing);
     y.hold(*mean->value);
+    if (const auto own = singles.find(mean->key); own != singles.end()) {
+      singles_of_probe[parts.front()].push_back({scale * *spacing, own->second});
+      for (const double value : own->second) y.hold(value);
+    }
     if (interval && interval->low > 0.0) {
       y.hold(interval->low);
       y.hold(interval->high);
@@ -147,6 +158,13 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
               .scale = AxisScale::log10,
               .low = y.low / kBeyondMarks,
               .high = y.high * kBeyondMarks};
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const auto own = singles_of_probe.find(probes[i]);
+    if (own == singles_of_probe.end()) continue;
+    figure.series.push_back(
+        singles_in_columns(own->second, figure.x, figure.y, static_cast<int>(i)));
+  }
+  figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
 

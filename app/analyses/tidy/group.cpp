@@ -24,6 +24,7 @@ namespace {
 struct Groups {
   std::vector<std::string> names{};
   std::vector<GroupedHits> participants{};
+  std::vector<std::string> participant_names{};  ///< empty where the row has none
   TwoByTwo pooled{};
   std::vector<double> first{};  // share of each participant
   std::vector<double> second{};
@@ -37,6 +38,7 @@ Groups read_groups(const TidyInput& input) {
   }
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant, who is in one group");
+  const LabelColumn subjects = table.labels("subject");
   const LabelColumn group = table.labels("group", groups.names);
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
@@ -52,6 +54,8 @@ Groups read_groups(const TidyInput& input) {
     const HitCount count{.hits = hits[row], .trials = trials[row]};
     const bool is_second = group.codes[row] == 1;
     groups.participants.push_back({.count = count, .second_group = is_second});
+    const bool is_named = subjects.codes[row] != LabelColumn::kMissing;
+    groups.participant_names.push_back(is_named ? subjects.names[subjects.codes[row]] : "");
     HitCount& pooled = is_second ? groups.pooled.second : groups.pooled.first;
     pooled.hits += count.hits;
     pooled.trials += count.trials;
@@ -178,6 +182,12 @@ class GroupComparison final {
       add_mean_share("subj.mean", groups_.names[second ? 1 : 0], own,
                      "mean of the group's participants, their own proportions",
                      {.confidence = confidence_}, list_);
+    }
+    for (std::size_t i = 0; i < groups_.participants.size(); ++i) {
+      const GroupedHits& one = groups_.participants[i];
+      list_.number("subject.share",
+                   both(groups_.participant_names[i], groups_.names[one.second_group ? 1 : 0]),
+                   proportion(one.count), {.n = 1, .method = "proportion of a participant"});
     }
     const std::optional<WelchT> welch = welch_t(samples, confidence_);
     add_difference_of_means("subj.diff", "", samples, shares, list_);

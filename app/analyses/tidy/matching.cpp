@@ -551,6 +551,8 @@ void add_participants(const Matching& read, FindingList& findings) {
     means.push_back(static_cast<double>(own[person].hits) / static_cast<double>(trials[person]));
     findings.number("subject.mean", read.participants[person], means.back(),
                     {.n = 1, .method = "correctly matched items per trial"});
+    findings.number("subject.share", read.participants[person], proportion(own[person]),
+                    {.n = 1, .method = "proportion of a participant's correctly matched items"});
   }
   std::map<Times, IntegerDistribution> chances{};  // most participants have the same trials
   for (std::size_t person = 0; person < own.size(); ++person) {

@@ -27,6 +27,7 @@ struct Trials {
   std::vector<std::string> labels{};
   ConfusionCounts counts{};
   std::vector<HitCount> participants{};
+  std::vector<std::string> names{};  ///< of those participants
   std::size_t missing = 0;
 };
 
@@ -54,8 +55,11 @@ Trials read_trials(const TidyInput& input) {
     ++participant.trials;
     participant.hits += stimuli.codes[row] == responses.codes[row] ? 1 : 0;
   }
-  std::copy_if(participants.begin(), participants.end(), std::back_inserter(trials.participants),
-               [](const HitCount& one) { return one.trials > 0; });
+  for (std::size_t person = 0; person < participants.size(); ++person) {
+    if (participants[person].trials == 0) continue;
+    trials.participants.push_back(participants[person]);
+    trials.names.push_back(subjects.names[person]);
+  }
   trials.counts = confusion_counts(answered, trials.labels.size());
   return trials;
 }
@@ -137,7 +141,11 @@ class Recognition final {
 
   void participants() {
     std::vector<double> shares{};
-    for (const HitCount& one : trials_.participants) shares.push_back(proportion(one));
+    for (std::size_t i = 0; i < trials_.participants.size(); ++i) {
+      shares.push_back(proportion(trials_.participants[i]));
+      list_.number("subject.share", trials_.names[i], shares.back(),
+                   {.n = 1, .method = "proportion correct of a participant"});
+    }
     const OneSampleT t = one_sample_t(shares, {.null_mean = chance(), .confidence = confidence_});
     add_mean_share("subj.mean", "", trials_.participants,
                    "mean of the participants' own proportions", {.confidence = confidence_}, list_);

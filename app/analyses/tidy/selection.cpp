@@ -164,8 +164,8 @@ void add_blocks(const Choices& read, FindingList& findings) {
   }
 }
 
-/// A row per participant who chose at all, a column per alternative.
-CountMatrix counts_by_participant(const Choices& read) {
+/// A row per participant, a column per alternative.
+CountMatrix counts_of_everyone(const Choices& read) {
   CountMatrix all = CountMatrix::Zero(static_cast<Eigen::Index>(read.participants.names.size()),
                                       static_cast<Eigen::Index>(read.renderers.size()));
   for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
@@ -173,6 +173,12 @@ CountMatrix counts_by_participant(const Choices& read) {
     ++all(static_cast<Eigen::Index>(read.participants.codes[row]),
           static_cast<Eigen::Index>(read.choices.codes[row]));
   }
+  return all;
+}
+
+/// Of those who chose at all.
+CountMatrix counts_by_participant(const Choices& read) {
+  CountMatrix all = counts_of_everyone(read);
   Eigen::Index kept = 0;
   for (Eigen::Index person = 0; person < all.rows(); ++person) {
     if (all.row(person).sum() == 0) continue;
@@ -225,6 +231,21 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   number("pooled.se.binom", target, pooled.binomial_standard_error,
          "standard error of the pooled proportion as if all choices were independent");
   number("pooled.deff", target, pooled.design_effect, "design effect");
+}
+
+/// The proportions behind `subj.mean`, by participant.
+void add_own_shares(const Choices& read, FindingList& findings) {
+  const CountMatrix counts = counts_of_everyone(read);
+  for (std::size_t person = 0; person < read.participants.names.size(); ++person) {
+    const auto own = counts.row(static_cast<Eigen::Index>(person));
+    if (own.sum() == 0) continue;
+    for (std::size_t item = 0; item < read.renderers.size(); ++item) {
+      findings.number("subject.share", both(read.participants.names[person], read.renderers[item]),
+                      static_cast<double>(own(static_cast<Eigen::Index>(item))) /
+                          static_cast<double>(own.sum()),
+                      {.n = 1, .method = "proportion of a participant's choices"});
+    }
+  }
 }
 
 /// d_z of the participants' differences, which the sign-flip test compares with 0.
@@ -429,6 +450,7 @@ std::vector<Finding> selection_findings(const TidyInput& input) {
   for (std::size_t j = 0; j < read.renderers.size(); ++j) {
     add_person_shares(read, counts, j, findings);
   }
+  add_own_shares(read, findings);
   add_label_tests(read, counts, findings);
   add_cochran(read, findings);
   return findings.take();

@@ -142,7 +142,7 @@ TEST(FiguresOf, EndTheIntervalOfAMeanShareWhereSharesEnd) {
   const Figure figure = figures_of("recognition", input, findings).front();
   EXPECT_EQ(figure.x.low, 0.0);
   EXPECT_EQ(figure.x.high, 1.0);
-  const FigurePoint& mean = figure.series.back().points.back();
+  const FigurePoint& mean = figure.series[1].points.back();
   EXPECT_EQ(mean.x, 0.875);
   EXPECT_EQ(mean.x_interval->high, FoundNumbers(findings).find("subj.mean")->high.value());
   EXPECT_LT(mean.x_interval->high, 1.0);
@@ -677,6 +677,85 @@ TEST(FiguresOf, LeaveOutParticipantsThatAreTooMany) {
   EXPECT_FALSE(shows_singles(figure));
   EXPECT_EQ(figure.note.english(),
             "Points are geometric means over the participants. From the cue to the response.");
+}
+
+// The mean of the marks is the point before them.
+TEST(FiguresOf, PutParticipantsBehindTheMeansOfTheirProportions) {
+  const Analysed choices = analysed("selection_01");
+  const FigureSeries& singles = singles_in(choices.figure("choices"));
+  ASSERT_EQ(singles.points.size(), 21U);  // seven participants, three alternatives
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 7; ++i) sum += singles.points[i].x;
+  EXPECT_NEAR(sum / 7.0, choices.number("subj.mean", "map"), 1e-12);
+  EXPECT_TRUE(
+      choices.figure("choices").note.english().ends_with("Small pale marks: single participants."));
+  const Analysed recognised = analysed("recognition_01");
+  const FigureSeries& shares = singles_in(recognised.figure("recognised"));
+  double mean = 0.0;
+  for (const FigurePoint& one : shares.points) {
+    mean += one.x / static_cast<double>(shares.points.size());
+  }
+  EXPECT_NEAR(mean, recognised.number("subj.mean", ""), 1e-12);
+}
+
+TEST(FiguresOf, PutParticipantsBehindTheMeansOfATableOfPersons) {
+  AnalysisOutcome outcome{};
+  outcome.tables.push_back({.name = "persons",
+                            .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
+                                      {{std::string("wave"), std::int64_t{2}, 0.5, 0.1, 0.9},
+                                       {std::string("grain"), std::int64_t{2}, 0.5, 0.1, 0.9}}}});
+  outcome.tables.push_back({.name = "other", .table = {{"item"}, {}}});
+  for (const auto& [key, share] :
+       {std::pair("A|wave", 0.25), std::pair("A|grain", 0.75), std::pair("B|wave", 0.75)}) {
+    Finding& own = outcome.findings.emplace_back();
+    own.analysis = "choice";
+    own.quantity = "subject.share";
+    own.key = key;
+    own.value = share;
+  }
+  outcome.findings.push_back(outcome.findings.front());
+  outcome.findings.back().analysis = "texture";  // not what the table is about
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  const FigureSeries& singles = singles_in(figures.front());
+  ASSERT_EQ(singles.points.size(), 3U);
+  EXPECT_EQ(singles.points[1].x, 0.75);
+  EXPECT_EQ(singles.points[1].y, 0.0);
+  EXPECT_EQ(singles.points[2].y, 1.0);
+}
+
+TEST(FiguresOf, PutParticipantsBehindTheMeansOfTwoGroups) {
+  const Analysed groups = analysed("group_01");
+  const Figure& figure = groups.figure("group_means");
+  std::array<double, 2> sums{};
+  std::array<double, 2> marks{};
+  for (const FigurePoint& one : singles_in(figure).points) {
+    const std::size_t row = one.y < 0.5 ? 0 : 1;
+    sums[row] += one.x;
+    ++marks[row];
+  }
+  const std::vector<FigurePoint>& means = figure.series.front().points;
+  EXPECT_NEAR(sums[0] / marks[0], means[0].x, 1e-12);
+  EXPECT_NEAR(sums[1] / marks[1], means[1].x, 1e-12);
+}
+
+TEST(FiguresOf, PutParticipantsBehindTheMeansOfEstimates) {
+  const Analysed roughness = analysed("magnitude_01");
+  const Figure& figure = roughness.figure("roughness");
+  std::size_t marks = 0;
+  for (const FigureSeries& series : figure.series)
+    marks += series.single ? series.points.size() : 0;
+  const std::size_t estimates = static_cast<std::size_t>(
+      std::count_if(roughness.findings.begin(), roughness.findings.end(),
+                    [](const Finding& one) { return one.quantity == "norm.estimate"; }));
+  EXPECT_EQ(marks, estimates);
+  EXPECT_GT(marks, 0U);
+  for (const FigureSeries& series : figure.series) {
+    for (const FigurePoint& point : series.points) {
+      EXPECT_GE(point.y, figure.y.low);
+      EXPECT_LE(point.y, figure.y.high);
+    }
+  }
 }
 
 }  // namespace
