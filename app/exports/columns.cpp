@@ -520,7 +520,9 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                                  }))));
   add(missing(
       "not measured",
-      at_least(0, column("from_cue_s", "number", "s", "time from the question to the answer",
+      at_least(0, column("from_cue_s", "number", "s",
+                         "time from the cue, when the question was put first, to the "
+                         "response",
                          [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
   add(column("source", "text", "",
              "how the answer was given: keyboard; virtual, by a simulated observer; "
