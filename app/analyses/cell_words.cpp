@@ -18,6 +18,8 @@ const CellWords& words_of_measures() {
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
       {"d_prime", phrase("CellWords", "d′")},
+      {"items_of_halves",
+       phrase("CellWords", "proportion of correctly matched items; change: second − first half")},
       {"information_at_most", phrase("CellWords", "stimulus entropy H(S)")},
       {"information_if_errors_equal",
        phrase("CellWords", "equal-error (Fano) estimate of the transmitted information")},

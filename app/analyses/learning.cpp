@@ -16,8 +16,10 @@ namespace asperity {
 namespace {
 
 constexpr const char* kLearningFamily = "learning";
+/// A ratio per ten trials of fewer would extrapolate.
+constexpr std::size_t kTrialsOfASlope = 10;
 
-/// Of each answer its number among those of the participant, from 1.
+/// Of each answer its number among those of the participant, from 1, in the order of the plan.
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
   std::vector<std::size_t> last(gathered.people.size());
   std::vector<std::size_t> numbers{};
@@ -105,6 +107,59 @@ void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Ta
   }
 }
 
+bool has_cells(const Table& table, const std::string& column) {
+  const std::optional<std::size_t> at = column_of(table, column);
+  return at && std::any_of(table.rows.begin(), table.rows.end(),
+                           [&at](const std::vector<Cell>& row) { return row[*at] != Cell{}; });
+}
+
+Phrase note_on_changes(const Table& changes, bool has_proportions) {
+  Phrase note = phrase(
+      "Analysis",
+      "Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of "
+      "each participant's counted trials, as numbered in the plan, without the middle one of an "
+      "odd number; a repeated trial has its planned place. Times: geometric means, and ratio of "
+      "the second to the first half.");
+  const auto add = [&note](const Phrase& sentence) {
+    note = phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  const bool has_slope = std::any_of(
+      changes.rows.begin(), changes.rows.end(),
+      [](const std::vector<Cell>& row) { return row.front() == Cell{"time_per_10_trials"}; });
+  if (has_slope) {
+    add(phrase("Analysis",
+               "Ratio per 10 trials: of the least-squares lines of the logarithm over the number "
+               "of the trial."));
+  }
+  if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
+  if (!has_cells(changes, "change_low")) return note;
+  add(phrase("Analysis", "95 % CI: t-based over participants, of times on the logarithmic scale."));
+  if (has_proportions) {
+    add(phrase("Analysis", "CIs of differences of proportions are cut at −1 and 1."));
+  }
+  return note;
+}
+
+Phrase note_on_course(const Table& course, const std::string& kind) {
+  Phrase note =
+      phrase("Analysis",
+             "Means over the participants in blocks of counted trials, as numbered in the "
+             "plan through each participant's sessions. Times: geometric means.");
+  const auto add = [&note](const Phrase& sentence) {
+    note = phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (has_cells(course, "share")) {
+    add(kind == "matching" ? phrase("Analysis", "Proportions: of correctly matched items.")
+                           : phrase("Analysis", "Proportions: of correct responses."));
+  }
+  if (has_cells(course, "time_s_low") || has_cells(course, "share_low")) {
+    add(phrase("Analysis",
+               "95 % CI: t-based over participants, of times on the logarithmic and of proportions "
+               "on the logit scale."));
+  }
+  return note;
+}
+
 }  // namespace
 
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
@@ -121,29 +176,26 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       phrase("Analysis", "Learning over the trials"),
       {{"measure", "persons", "first_half", "second_half", "change", "change_low", "change_high"},
        {}},
-      phrase("Analysis",
-             "Exploratory, without a test, and not adjusted for the conditions of the trials. "
-             "Halves of each participant's counted trials, without the middle one of an odd "
-             "number. Times: geometric means, ratio of the second to the first half, and of the "
-             "least-squares lines of the logarithm over the number of the trial; 95 % CI: "
-             "Student's t over the participants on the logarithmic scale. Proportions: second "
-             "minus first half; Student's t over the participants' differences.")};
+      {}};
+  const std::vector<std::size_t> numbers = trial_numbers(gathered);
+  const bool has_ten = std::any_of(numbers.begin(), numbers.end(),
+                                   [](std::size_t number) { return number >= kTrialsOfASlope; });
   add_change({"time_of_halves", "half.ratio"}, times, changes.table);
-  add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
-  add_change({"correct_of_halves", "half.difference"}, correct, changes.table);
+  if (has_ten) add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
+  add_change(
+      {gathered.kind == "matching" ? "items_of_halves" : "correct_of_halves", "half.difference"},
+      correct, changes.table);
   if (changes.table.rows.empty()) return;
-  NamedTable course{
-      kTrialCourse,
-      phrase("Analysis", "Course over the trials"),
-      {{"trials", "persons", "time_s", "time_s_low", "time_s_high", "share", "share_low",
-        "share_high"},
-       {}},
-      phrase("Analysis",
-             "Means over the participants in blocks of counted trials, numbered through each "
-             "participant's sessions: geometric means of response times with 95 % CI as above, and "
-             "mean proportions correct with 95 % CI by Student's t on the logit scale.")};
+  changes.note = note_on_changes(changes.table, !of_correct.empty());
+  NamedTable course{kTrialCourse,
+                    phrase("Analysis", "Course over the trials"),
+                    {{"trials", "persons", "time_s", "time_s_low", "time_s_high", "share",
+                      "share_low", "share_high"},
+                     {}},
+                    {}};
   add_trial_blocks(times, correct, course.table);
   drop_empty_columns(course.table, 2);
+  course.note = note_on_course(course.table, gathered.kind);
   keep_findings(of_times, outcome);
   keep_findings(of_correct, outcome);
   outcome.tables.push_back(std::move(changes));

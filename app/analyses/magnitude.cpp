@@ -157,10 +157,15 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
        {}},
       phrase("Analysis",
              "Geometric means. normalised: each participant's own scale removed by the mean of the "
-             "logarithms of all cells; its CI is within participants (Cousineau and Morey): it "
-             "compares cells and does not contain the differences between participants. raw: not "
-             "normalised. left out: participants who are only in raw, because they have no "
-             "estimate in some cell.")};
+             "logarithms of all cells. raw: not normalised. left out: participants who are only in "
+             "raw, because they have no estimate in some cell.")};
+  if (gathered.people.size() > 1) {
+    curves.note = phrase("Analysis",
+                         "%1 The CI of normalised is within participants (Cousineau and Morey): it "
+                         "compares cells and does not contain the differences between "
+                         "participants.")
+                      .with(curves.note);
+  }
   NamedTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),

@@ -411,12 +411,12 @@ void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, cons
       outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
       said_of(*test, sayings),
       phrase("Analysis",
-             "The proportion of each participant's correctly matched items, averaged over the "
-             "participants, with a CI by Student's t on the logit scale. The total of correctly "
-             "matched items is compared with its exact permutation distribution: the pictures are "
-             "relabelled once "
-             "per participant, in all trials alike, so that the test also holds for participants "
-             "who guess one assignment and keep it."),
+             "%1 The total of correctly matched items is compared with its exact permutation null "
+             "distribution: the pictures are relabelled once per participant, in all trials alike, "
+             "so that the test also holds for participants who guess one assignment and keep it.")
+          .with(averaged(
+              phrase("Analysis", "The proportion of each participant's correctly matched items"),
+              mean)),
       "items", mean);
 }
 
@@ -434,11 +434,13 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
              "(%4); permutation test over participants, %5.")
           .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
                 percent(*share.value), interval_text(share), p_text(*test)),
-      phrase(
-          "Analysis",
-          "Exact permutation test: the pictures are relabelled once per participant, in all trials "
-          "alike. The CI of the participants' mean proportion is by Student's t on the logit "
-          "scale."),
+      phrase("Analysis",
+             "%1 Exact permutation test: the pictures are relabelled once per participant, in all "
+             "trials alike.")
+          .with(averaged(phrase("Analysis",
+                                "The proportion of each participant's trials with all items "
+                                "correct"),
+                         mean)),
       "whole_permutations", &share);
 }
 

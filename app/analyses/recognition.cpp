@@ -242,7 +242,8 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
       phrase(
           "Analysis",
           "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
-          "biases separated; above 1: confused more often than recognised. Dissimilarity: "
+          "biases separated; above 1: by the model more often confused than recognised. "
+          "Dissimilarity: "
           "Shepard's "
           "−ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of "
           "this similarity.")};
@@ -304,12 +305,19 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   const StudyTests::Test* test = tests.find("right");
   if (mean == nullptr || !mean->value || test == nullptr) return;
   const Phrase question = phrase("Analysis", "Are textures recognised above chance?");
-  const Phrase method = phrase(
-      "Analysis",
-      "The proportion of each participant's correct responses, averaged over the participants, "
-      "with a t-based CI on the logit scale and a one-sample t test against the chance level; with "
-      "a single participant the exact binomial test. Responses “cannot tell” name no picture and "
-      "are left out here; the table of proportions counts them as not correct.");
+  const Phrase proportion =
+      averaged(phrase("Analysis", "The proportion of each participant's correct responses"), mean);
+  const Phrase method =
+      (mean->n > 1
+           ? phrase("Analysis",
+                    "%1 Two-sided one-sample t test against the chance level. Responses “cannot "
+                    "tell” name no picture and are left out here; the table of proportions counts "
+                    "them as not correct.")
+           : phrase("Analysis",
+                    "%1 One-sided exact binomial test against the chance level. Responses “cannot "
+                    "tell” name no picture and are left out here; the table of proportions counts "
+                    "them as not correct."))
+          .with(proportion);
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
   if (!test->p) {
     add_question(outcome, "right", question,

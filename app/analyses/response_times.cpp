@@ -11,6 +11,7 @@
 
 #include "analysis/number_text.h"
 #include "app/analyses/answer_columns.h"
+#include "app/analyses/reading_table.h"
 #include "app/analyses/study_findings.h"
 
 namespace asperity {
@@ -111,12 +112,20 @@ TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<Tria
   return input;
 }
 
-Phrase note_on_times(std::size_t untimed, std::size_t trials) {
-  const Phrase note = phrase(
+Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials) {
+  Phrase note = phrase(
       "Analysis",
       "From the cue, the first question after the last surface, to the response; presenting a "
       "surface again is part of it. Geometric means over participants of each participant's "
-      "geometric mean; 95 % CI: t-based over participants, on the logarithmic scale.");
+      "geometric mean.");
+  const std::size_t low = column_of(times, "time_s_low").value();
+  const bool has_interval =
+      std::any_of(times.rows.begin(), times.rows.end(),
+                  [low](const std::vector<Cell>& row) { return row[low] != Cell{}; });
+  if (has_interval) {
+    note = phrase("Analysis", "%1 95 % CI: t-based over participants, on the logarithmic scale.")
+               .with(note);
+  }
   if (untimed == 0) return note;
   return phrase("Analysis", "%1 Trials without a time, which are left out: %2 of %3.")
       .with(note, std::to_string(untimed), std::to_string(trials));
@@ -142,8 +151,7 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
       kResponseTimes,
       phrase("Analysis", "Response times by condition"),
       {{"factor", "level", "persons", "trials", "time_s", "time_s_low", "time_s_high"}, {}},
-      note_on_times(static_cast<std::size_t>(found.value("n.untimed").value_or(0.0)),
-                    gathered.answers.size())};
+      {}};
   for (const auto& [factor, level] : rows) {
     const std::string key = level.empty() ? std::string() : factor + '=' + level;
     const Finding* trials = found.find("responses", key);
@@ -153,6 +161,9 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
         {factor, level.empty() ? Cell{} : Cell{level}, static_cast<std::int64_t>(trials->n),
          static_cast<std::int64_t>(*trials->value), found.cell("geomean", key), low, high});
   }
+  made.note =
+      note_on_times(made.table, static_cast<std::size_t>(found.value("n.untimed").value_or(0.0)),
+                    gathered.answers.size());
   outcome.tables.push_back(std::move(made));
 }
 

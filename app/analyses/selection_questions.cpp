@@ -262,11 +262,11 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   const GreatestMean most = greatest_mean(selection.items, choice);
   const Phrase method =
       phrase("Analysis",
-             "The proportion of each participant's own choices, averaged over the participants, "
-             "with a CI by Student's t on the logit scale. That all models mean the same is tested "
-             "by exchanging the models "
-             "within each participant's choices at random (relabelling), which holds however the "
-             "choices of a participant depend on each other.");
+             "%1 Equal choice probabilities are tested by a within-participant permutation test: "
+             "the models are exchanged within each participant's choices, so that it holds however "
+             "the choices of a participant depend on each other.")
+          .with(averaged(phrase("Analysis", "The proportion of each participant's own choices"),
+                         most.mean));
   const StudyTests::Test* test = tests.find("preference");
   if (most.mean == nullptr || test == nullptr) {
     add_question(outcome, "preference", question, phrase("Analysis", "There are no choices yet."),

@@ -116,6 +116,27 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
   added.counted = counted_units(finding->n, unit);
 }
 
+Phrase method_of_sexes(const SexesComparison& sexes) {
+  const Phrase means = phrase("Analysis", "Means of the participants' own results.");
+  const Phrase intervals =
+      sexes.difference->low
+          ? phrase("Analysis",
+                   "%1 CIs of the means by Student's t, of proportions on the logit scale; of the "
+                   "difference Welch's CI, which belongs to another method than p: where one just "
+                   "excludes that there is no difference, the other need not.")
+                .with(means)
+          : means;
+  return sexes.women->n + sexes.men->n <= kMostPermuted
+             ? phrase("Analysis",
+                      "%1 The permutation test compares all ways to split the participants into "
+                      "groups of these sizes.")
+                   .with(intervals)
+             : phrase("Analysis",
+                      "%1 The permutation test compares %2 random ways to split the participants "
+                      "into groups of these sizes, of which there are too many to count all.")
+                   .with(intervals, std::to_string(kRandomSplits));
+}
+
 void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("sexes", "F|M");
   const auto has_value = [](const std::optional<Finding>& one) { return one && one->value; };
@@ -161,24 +182,8 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
       with_numbers(phrase("Analysis",
                           "Of these participants %1; difference (women − men) %2. Permutation test "
                           "of group labels: %3."))};
-  add_question(
-      outcome, "sexes", phrase("Analysis", "Do women and men differ?"), said_of(*test, sayings),
-      sexes.women->n + sexes.men->n <= kMostPermuted
-          ? phrase("Analysis",
-                   "Means of the participants' own results with CIs by Student's t, of proportions "
-                   "on the logit scale; their difference with Welch's CI. The p is of another "
-                   "method, which assumes less: all "
-                   "ways to split the participants into groups of these sizes. Where one just "
-                   "excludes that there is no difference, the other need not.")
-          : phrase("Analysis",
-                   "Means of the participants' own results with CIs by Student's t, of proportions "
-                   "on the logit scale; their difference with Welch's CI. The p is of another "
-                   "method, which assumes less: %1 "
-                   "random ways to split the participants into groups of these sizes, of which "
-                   "there are too many to count all. Where one just excludes that there is no "
-                   "difference, the other need not.")
-                .with(std::to_string(kRandomSplits)),
-      "tests", &*sexes.difference);
+  add_question(outcome, "sexes", phrase("Analysis", "Do women and men differ?"),
+               said_of(*test, sayings), method_of_sexes(sexes), "tests", &*sexes.difference);
 }
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
@@ -213,6 +218,18 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
   }
   if (!has_interval) made.note = phrase("Analysis", "There is no CI of one participant.");
   outcome.tables.push_back(std::move(made));
+}
+
+Phrase averaged(const Phrase& proportion, const Finding* mean) {
+  const bool has_interval = mean != nullptr && mean->low;
+  const bool has_several = mean != nullptr && mean->n > 1;
+  return (has_interval
+              ? phrase("Analysis",
+                       "%1, averaged over the participants, with a t-based CI on the logit "
+                       "scale.")
+          : has_several ? phrase("Analysis", "%1, averaged over the participants.")
+                        : phrase("Analysis", "%1."))
+      .with(proportion);
 }
 
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,

@@ -80,6 +80,9 @@ struct Measure {
   Form form = Form::number;
   bool has_interval = true;  ///< false: one over trials, which says nothing about participants
 };
+/// "%1, averaged over the participants, with a t-based CI on the logit scale." of what `mean` has.
+Phrase averaged(const Phrase& proportion, const Finding* mean);
+
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
                   AnalysisOutcome& outcome);
 

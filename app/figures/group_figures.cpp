@@ -97,6 +97,15 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
         both);
   }
   if (!choice.are_shares) add_room(both);
+  const auto has_interval = [](const Figure& figure) {
+    const auto& points = figure.series.front().points;
+    return std::any_of(points.begin(), points.end(),
+                       [](const auto& point) { return point.x_interval.has_value(); });
+  };
+  if (!has_interval(both)) {
+    both.note =
+        phrase("Figures", "Points are means of the participants' own results; there are no CIs.");
+  }
   if (choice.are_shares) add_singles(means, found, both);
   less.x = {.name = phrase("Figures", "%1 − %2, with its %3 % CI")
                         .with(word_of_group(means[0]->key), word_of_group(means[1]->key), percent),
@@ -116,15 +125,6 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     less.series.clear();
     less.instead = phrase("Figures", "There is no difference of means.");
     return {both, less};
-  }
-  const auto has_interval = [](const Figure& figure) {
-    const auto& points = figure.series.front().points;
-    return std::any_of(points.begin(), points.end(),
-                       [](const auto& point) { return point.x_interval.has_value(); });
-  };
-  if (!has_interval(both)) {
-    both.note =
-        phrase("Figures", "Points are means of the participants' own results; there are no CIs.");
   }
   if (!has_interval(less)) {
     less.note = phrase("Figures", "The difference of the participants' means; it has no CI.");

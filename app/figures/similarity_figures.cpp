@@ -44,7 +44,7 @@ std::optional<Distances> distances_of(const FoundNumbers& found, const std::stri
   return read;
 }
 
-Phrase dissimilarity_axis() { return phrase("Figures", "dissimilarity, −ln η (Shepard)"); }
+Phrase dissimilarity_axis() { return phrase("Figures", "dissimilarity (Shepard)"); }
 
 /// Warns where the distances rest on too few confusions.
 Phrase with_warning(const Phrase& note, const FoundNumbers& found) {
@@ -71,8 +71,8 @@ Figure dendrogram(const FoundNumbers& found) {
   Figure figure{.name = "similarity_tree",
                 .title = phrase("Figures", "Dendrogram of the confusions"),
                 .note = with_warning(phrase("Figures",
-                                            "Average linkage (UPGMA): the further left two join, "
-                                            "the smaller their dissimilarity."),
+                                            "Average linkage (UPGMA): clusters join at the mean "
+                                            "dissimilarity of their textures."),
                                      found),
                 .shape = FigureShape::rows};
   const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");

@@ -321,7 +321,7 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   } else {
     text = "No surface was presented. ";
   }
-  text += "By the protocol, or by default where it states neither, the stiffness was " +
+  text += "By the protocol, or by default for what it does not state, the stiffness was " +
           reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
           " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
@@ -407,7 +407,9 @@ ReportSection design_section(const ReportFacts& facts) {
   if (!protocol.title.empty()) {
     section.parts.emplace_back(ReportText{protocol.title, ReportText::Tone::lead});
   }
-  if (!protocol.description.empty()) section.parts.emplace_back(ReportText{protocol.description});
+  if (!protocol.description.empty())
+    section.parts.emplace_back(
+        ReportText{"The protocol’s own description: " + protocol.description});
   section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + trials_text(facts) +
                                         counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);

@@ -202,9 +202,6 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   ReportTable table{};
   table.is_reference = true;
   table.title = "Further numbers";
-  table.note =
-      "n: the participants, responses or trials that the analysis counted, as analyze STUDY --json "
-      "has it.";
   table.columns = {{"about", false}, {"what", false},   {"of", false},
                    {"value", true},  {"95 % CI", true}, {"n", true}};
   for (const Finding& finding : findings) {
@@ -224,6 +221,13 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);
+  const bool has_n = std::any_of(table.columns.begin(), table.columns.end(),
+                                 [](const auto& column) { return column.heading == "n"; });
+  if (has_n) {
+    table.note =
+        "n: the participants, responses or trials that the analysis counted, as analyze STUDY "
+        "--json has it.";
+  }
   return table;
 }
 

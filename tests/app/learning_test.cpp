@@ -81,7 +81,18 @@ TEST(Learning, OfResponseTimesIsARatioOverParticipants) {
   const double half_width = 12.706204736174705 * 1.5 * std::log(2.0);
   EXPECT_NEAR(std::log(of(halves[5])), -1.5 * std::log(2.0) - half_width, 1e-9);
   EXPECT_NEAR(std::log(of(halves[6])), -1.5 * std::log(2.0) + half_width, 1e-9);
-  EXPECT_NEAR(of(change_of(outcome, "time_per_10_trials")[4]), 1.0 / 32.0, 1e-12);
+}
+
+// Ten trials that are halved each time, and ten alike: √(2^−10). Fewer would extrapolate.
+TEST(Learning, HasARatioPerTenTrialsOfAsMany) {
+  std::vector<MadeUpResponse> halved{};
+  double time_s = 512.0;
+  for (int trial = 0; trial < 10; ++trial, time_s /= 2.0) halved.push_back({time_s, true});
+  const std::vector<MadeUpResponse> alike(10, MadeUpResponse{2.0, true});
+  EXPECT_NEAR(of(change_of(analyze_responses({halved, alike}), "time_per_10_trials")[4]),
+              1.0 / 32.0, 1e-12);
+  halved.pop_back();
+  EXPECT_EQ(table_called(analyze_responses({halved}), kLearning)->table.rows.size(), 2U);
 }
 
 TEST(Learning, OfProportionsCorrectIsADifference) {
@@ -130,7 +141,7 @@ TEST(Learning, OfChoicesIsThatOfTheirTimesAlone) {
   trial.answers = {"new"};
   made.add_session("p0", protocol, {trial, trial});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
-  EXPECT_EQ(table_called(outcome, kLearning)->table.rows.size(), 2U);
+  EXPECT_EQ(table_called(outcome, kLearning)->table.rows.size(), 1U);
   EXPECT_THAT(table_called(outcome, kTrialCourse)->table.columns,
               ElementsAre("trials", "persons", "time_s"));
 }

@@ -752,32 +752,8 @@
         <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s correctly matched items, averaged over the participants, with a CI by Student&apos;s t on the logit scale. The total of correctly matched items is compared with its exact permutation distribution: the pictures are relabelled once per participant, in all trials alike, so that the test also holds for participants who guess one assignment and keep it.</source>
-        <translation>Der Anteil der richtigen Zuordnungen jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala. Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
-    </message>
-    <message>
         <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
         <translation>Durchgänge, in denen alles richtig ist: %1 von %2, im Mittel %3 der Durchgänge einer Versuchsperson (%4); Permutationstest über die Versuchspersonen, %5.</translation>
-    </message>
-    <message>
-        <source>Exact permutation test: the pictures are relabelled once per participant, in all trials alike. The CI of the participants&apos; mean proportion is by Student&apos;s t on the logit scale.</source>
-        <translation>Exakter Permutationstest: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich. Das Konfidenzintervall des mittleren Anteils der Versuchspersonen ist nach Students t auf der Logit-Skala.</translation>
-    </message>
-    <message>
-        <source>The proportion of each participant&apos;s correct responses, averaged over the participants, with a t-based CI on the logit scale and a one-sample t test against the chance level; with a single participant the exact binomial test. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
-        <translation>Der Anteil der richtigen Antworten jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala und Students t-Test gegen den Zufall; bei einer einzigen Versuchsperson der exakte Binomialtest. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
-    </message>
-    <message>
-        <source>The proportion of each participant&apos;s own choices, averaged over the participants, with a CI by Student&apos;s t on the logit scale. That all models mean the same is tested by exchanging the models within each participant&apos;s choices at random (relabelling), which holds however the choices of a participant depend on each other.</source>
-        <translation>Der Anteil an den eigenen Wahlen jeder Versuchsperson, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach Students t auf der Logit-Skala. Dass alle Modelle dasselbe bedeuten, wird geprüft, indem die Modelle innerhalb der Wahlen jeder Versuchsperson zufällig vertauscht werden; das gilt, wie auch immer die Wahlen einer Person voneinander abhängen.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with CIs by Student&apos;s t, of proportions on the logit scale; their difference with Welch&apos;s CI. The p is of another method, which assumes less: all ways to split the participants into groups of these sizes. Where one just excludes that there is no difference, the other need not.</source>
-        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen mit Konfidenzintervallen nach Students t, für Anteile auf der Logit-Skala; ihr Unterschied mit dem Konfidenzintervall nach Welch. Das p stammt von einem anderen Verfahren, das weniger voraussetzt: alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen. Wo eines gerade noch ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with CIs by Student&apos;s t, of proportions on the logit scale; their difference with Welch&apos;s CI. The p is of another method, which assumes less: %1 random ways to split the participants into groups of these sizes, of which there are too many to count all. Where one just excludes that there is no difference, the other need not.</source>
-        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen mit Konfidenzintervallen nach Students t, für Anteile auf der Logit-Skala; ihr Unterschied mit dem Konfidenzintervall nach Welch. Das p stammt von einem anderen Verfahren, das weniger voraussetzt: %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, von denen es zu viele gibt, um alle zu zählen. Wo eines gerade noch ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
     </message>
     <message>
         <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
@@ -786,10 +762,6 @@
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
         <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
-    </message>
-    <message>
-        <source>Geometric means. normalised: each participant&apos;s own scale removed by the mean of the logarithms of all cells; its CI is within participants (Cousineau and Morey): it compares cells and does not contain the differences between participants. raw: not normalised. left out: participants who are only in raw, because they have no estimate in some cell.</source>
-        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab jeder Person, über das Mittel der Logarithmen aller Zellen; das Intervall gilt innerhalb der Versuchspersonen (Cousineau und Morey): es vergleicht Zellen und enthält die Streuung zwischen den Versuchspersonen nicht. roh: Versuchspersonen, wie sie zählen. weggelassen: davon die Personen, die nur in roh stehen, weil ihnen irgendwo eine Schätzung und damit ein Maßstab fehlt.</translation>
     </message>
     <message>
         <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: of the mean parabola over the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
@@ -1064,10 +1036,6 @@
         <translation>Aus Durchgängen geschätzt, als wären sie unabhängig: %1.</translation>
     </message>
     <message>
-        <source>From the cue, the first question after the last surface, to the response; presenting a surface again is part of it. Geometric means over participants of each participant&apos;s geometric mean; 95 % CI: t-based over participants, on the logarithmic scale.</source>
-        <translation>Vom Signal, der ersten Frage nach der letzten Oberfläche, bis zur Antwort; ein erneutes Darbieten zählt mit. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson; 95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
-    </message>
-    <message>
         <source>%1 Trials without a time, which are left out: %2 of %3.</source>
         <translation>%1 Durchgänge ohne Zeit, die weggelassen sind: %2 von %3.</translation>
     </message>
@@ -1084,16 +1052,8 @@
         <translation>Lernen über die Durchgänge</translation>
     </message>
     <message>
-        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, without the middle one of an odd number. Times: geometric means, ratio of the second to the first half, and of the least-squares lines of the logarithm over the number of the trial; 95 % CI: Student&apos;s t over the participants on the logarithmic scale. Proportions: second minus first half; Student&apos;s t over the participants&apos; differences.</source>
-        <translation>Explorativ, ohne Test und nicht um die Bedingungen der Durchgänge bereinigt. Hälften der gezählten Durchgänge jeder Versuchsperson, bei ungerader Zahl ohne den mittleren. Zeiten: geometrische Mittel, Verhältnis der zweiten zur ersten Hälfte, und nach den Ausgleichsgeraden des Logarithmus über der Nummer des Durchgangs; 95-%-Konfidenzintervall: Students t über die Versuchspersonen auf der logarithmischen Skala. Anteile: zweite minus erste Hälfte; Students t über die Differenzen der Versuchspersonen.</translation>
-    </message>
-    <message>
         <source>Course over the trials</source>
         <translation>Verlauf über die Durchgänge</translation>
-    </message>
-    <message>
-        <source>Means over the participants in blocks of counted trials, numbered through each participant&apos;s sessions: geometric means of response times with 95 % CI as above, and mean proportions correct with 95 % CI by Student&apos;s t on the logit scale.</source>
-        <translation>Mittel über die Versuchspersonen in Blöcken gezählter Durchgänge, durch alle Sitzungen jeder Versuchsperson gezählt: geometrische Mittel der Reaktionszeiten mit 95-%-Konfidenzintervall wie oben und mittlere Anteile richtiger Antworten mit 95-%-Konfidenzintervall nach Students t auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; below 1 it favours no difference.</source>
@@ -1134,10 +1094,6 @@
     <message>
         <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
         <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
-    </message>
-    <message>
-        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: confused more often than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
-        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen; über 1: öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
     </message>
     <message>
         <source>There is no CI of one participant.</source>
@@ -1182,6 +1138,122 @@
     <message>
         <source>The items of a trial are taken as independent of each other.</source>
         <translation>Die Zuordnungen eines Durchgangs gelten als voneinander unabhängig.</translation>
+    </message>
+    <message>
+        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one of an odd number; a repeated trial has its planned place. Times: geometric means, and ratio of the second to the first half.</source>
+        <translation>Explorativ, ohne Test und ohne Anpassung an die Bedingungen der Durchgänge. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang hat seinen geplanten Platz. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
+    </message>
+    <message>
+        <source>Ratio per 10 trials: of the least-squares lines of the logarithm over the number of the trial.</source>
+        <translation>Verhältnis je 10 Durchgänge: nach den Ausgleichsgeraden des Logarithmus über der Nummer des Durchgangs.</translation>
+    </message>
+    <message>
+        <source>Proportions: second minus first half.</source>
+        <translation>Anteile: zweite minus erste Hälfte.</translation>
+    </message>
+    <message>
+        <source>95 % CI: t-based over participants, of times on the logarithmic scale.</source>
+        <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, von Zeiten auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>CIs of differences of proportions are cut at −1 and 1.</source>
+        <translation>Konfidenzintervalle von Differenzen von Anteilen sind bei −1 und 1 abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Means over the participants in blocks of counted trials, as numbered in the plan through each participant&apos;s sessions. Times: geometric means.</source>
+        <translation>Mittelwerte über die Versuchspersonen in Blöcken gezählter Durchgänge, nummeriert wie im Plan durch die Sitzungen jeder Versuchsperson. Zeiten: geometrische Mittel.</translation>
+    </message>
+    <message>
+        <source>Proportions: of correctly matched items.</source>
+        <translation>Anteile: der richtigen Zuordnungen.</translation>
+    </message>
+    <message>
+        <source>Proportions: of correct responses.</source>
+        <translation>Anteile: der richtigen Antworten.</translation>
+    </message>
+    <message>
+        <source>95 % CI: t-based over participants, of times on the logarithmic and of proportions on the logit scale.</source>
+        <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, von Zeiten auf der logarithmischen, von Anteilen auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>Geometric means. normalised: each participant&apos;s own scale removed by the mean of the logarithms of all cells. raw: not normalised. left out: participants who are only in raw, because they have no estimate in some cell.</source>
+        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab jeder Versuchsperson, über das Mittel der Logarithmen aller Zellen. roh: nicht normiert. weggelassen: Versuchspersonen, die nur in roh stehen, weil ihnen in einer Zelle eine Schätzung fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 The CI of normalised is within participants (Cousineau and Morey): it compares cells and does not contain the differences between participants.</source>
+        <translation>%1 Das Konfidenzintervall von normiert gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es vergleicht Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
+    </message>
+    <message>
+        <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test also holds for participants who guess one assignment and keep it.</source>
+        <translation>%1 Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s correctly matched items</source>
+        <translation>Der Anteil der richtigen Zuordnungen jeder Versuchsperson</translation>
+    </message>
+    <message>
+        <source>%1 Exact permutation test: the pictures are relabelled once per participant, in all trials alike.</source>
+        <translation>%1 Exakter Permutationstest: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s trials with all items correct</source>
+        <translation>Der Anteil der Durchgänge jeder Versuchsperson, in denen alles richtig ist</translation>
+    </message>
+    <message>
+        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: by the model more often confused than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
+        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen; über 1: nach dem Modell öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s correct responses</source>
+        <translation>Der Anteil der richtigen Antworten jeder Versuchsperson</translation>
+    </message>
+    <message>
+        <source>%1 Two-sided one-sample t test against the chance level. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
+        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+    </message>
+    <message>
+        <source>%1 One-sided exact binomial test against the chance level. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
+        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+    </message>
+    <message>
+        <source>From the cue, the first question after the last surface, to the response; presenting a surface again is part of it. Geometric means over participants of each participant&apos;s geometric mean.</source>
+        <translation>Vom Signal, der ersten Frage nach der letzten Oberfläche, bis zur Antwort; ein erneutes Darbieten zählt mit. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>%1 95 % CI: t-based over participants, on the logarithmic scale.</source>
+        <translation>%1 95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that it holds however the choices of a participant depend on each other.</source>
+        <translation>%1 Gleiche Wahrscheinlichkeiten der Wahlen prüft ein Permutationstest innerhalb der Versuchspersonen: Die Modelle werden innerhalb der Wahlen jeder Versuchsperson vertauscht, sodass er gilt, wie auch immer die Wahlen einer Versuchsperson voneinander abhängen.</translation>
+    </message>
+    <message>
+        <source>The proportion of each participant&apos;s own choices</source>
+        <translation>Der Anteil an den eigenen Wahlen jeder Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results.</source>
+        <translation>Mittelwerte der eigenen Ergebnisse der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 CIs of the means by Student&apos;s t, of proportions on the logit scale; of the difference Welch&apos;s CI, which belongs to another method than p: where one just excludes that there is no difference, the other need not.</source>
+        <translation>%1 Konfidenzintervalle der Mittelwerte nach Students t, von Anteilen auf der Logit-Skala; der Differenz nach Welch, das zu einem anderen Verfahren als p gehört: Wo das eine knapp ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
+    </message>
+    <message>
+        <source>%1 The permutation test compares all ways to split the participants into groups of these sizes.</source>
+        <translation>%1 Der Permutationstest vergleicht alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
+    </message>
+    <message>
+        <source>%1 The permutation test compares %2 random ways to split the participants into groups of these sizes, of which there are too many to count all.</source>
+        <translation>%1 Der Permutationstest vergleicht %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, von denen es zu viele gibt, um alle zu zählen.</translation>
+    </message>
+    <message>
+        <source>%1, averaged over the participants, with a t-based CI on the logit scale.</source>
+        <translation>%1, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach t auf der Logit-Skala.</translation>
+    </message>
+    <message>
+        <source>%1, averaged over the participants.</source>
+        <translation>%1, gemittelt über die Versuchspersonen.</translation>
     </message>
 </context>
 <context>
@@ -2000,6 +2072,10 @@
         <source>all stimuli or all responses are the same</source>
         <translation>alle Reize oder alle Antworten sind gleich</translation>
     </message>
+    <message>
+        <source>proportion of correctly matched items; change: second − first half</source>
+        <translation>Anteil der richtigen Zuordnungen; Änderung: zweite − erste Hälfte</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
@@ -2391,10 +2467,6 @@
     <message>
         <source>There is no scale: nothing was judged.</source>
         <translation>Es gibt keine Skala: Es wurde nichts beurteilt.</translation>
-    </message>
-    <message>
-        <source>dissimilarity, −ln η (Shepard)</source>
-        <translation>Unähnlichkeit, −ln η (Shepard)</translation>
     </message>
     <message>
         <source>first dimension of dissimilarity</source>
@@ -2849,10 +2921,6 @@
         <translation>%1 − %2</translation>
     </message>
     <message>
-        <source>Average linkage (UPGMA): the further left two join, the smaller their dissimilarity.</source>
-        <translation>Average Linkage (UPGMA): Je weiter links sich zwei vereinen, desto kleiner ist ihre Unähnlichkeit.</translation>
-    </message>
-    <message>
         <source>The dissimilarities span fewer than two dimensions: there is no plane.</source>
         <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Ebene.</translation>
     </message>
@@ -2919,6 +2987,14 @@
     <message>
         <source>%1 Small pale marks: single participants.</source>
         <translation>%1 Kleine blasse Zeichen: einzelne Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>dissimilarity (Shepard)</source>
+        <translation>Unähnlichkeit (Shepard)</translation>
+    </message>
+    <message>
+        <source>Average linkage (UPGMA): clusters join at the mean dissimilarity of their textures.</source>
+        <translation>Average Linkage (UPGMA): Gruppen vereinen sich bei der mittleren Unähnlichkeit ihrer Texturen.</translation>
     </message>
 </context>
 <context>
