@@ -43,7 +43,7 @@ struct RepeatedEstimate {
 
 /// The mean over the participants of each one's own intraclass correlation ICC3: targets are the surfaces, raters the
 /// repetitions. A participant's own scale adds the same to all logarithms, so that a correlation of all participants
-/// together would be that of their scales. Asks nothing where nobody has two surfaces with two repetitions.
+/// together would be that of their scales. Asks nothing where no participant has two surfaces with two repetitions.
 void ask_reliability_of_estimates(const GatheredAnswers& gathered,
                                   std::span<const RepeatedEstimate> estimates,
                                   AnalysisOutcome& outcome);

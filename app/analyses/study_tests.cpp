@@ -40,7 +40,7 @@ std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
       .value = *finding->value, .low = finding->low, .high = finding->high};
 }
 
-/// An effect size that takes single trials for independent, in a test of participants, says so; of one
+/// An effect size that takes single trials for independent, in a test of participants, is marked; of one
 /// participant its interval would say nothing about participants.
 void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
   if (!test.effect || test.unit != kUsualUnit) return;

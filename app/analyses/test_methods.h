@@ -18,7 +18,7 @@ struct TestMethod {
   Phrase name{};              ///< as textbooks name it: "one-sample t test"
   std::string_view unit{};    ///< what its n counts: "participants", "answers"
   std::string_view symbol{};  ///< of the statistic: "t"
-  Phrase symbol_name{};       ///< what it stands for; empty of those that everybody knows
+  Phrase symbol_name{};       ///< what it stands for; empty of those that need no explanation
   std::string_view statistic{};
   std::array<std::string_view, 2> degrees{};  ///< of freedom; empty where it has none
   /// How many random permutations stand for all of them, 0 or absent where all were counted; empty

@@ -304,7 +304,7 @@ TEST(TestsOfAStudy, CorrectTheSmallestAttainablePAsP) {
   }
 }
 
-// An effect size of trials has no interval where there is one participant, and says so of several.
+// An effect size of trials has no interval with one participant, and is named in the note with several.
 TEST(TestsOfAStudy, StateWhichEffectSizesTakeTrialsAsIndependent) {
   const AnalysisOutcome four = matching_of_four();
   EXPECT_TRUE(std::holds_alternative<double>(row_of(tests_of(four).table, "items")["effect_low"]));
