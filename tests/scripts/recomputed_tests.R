@@ -278,7 +278,10 @@ recognition <- function(answers, felt, of) {
   expected <- outer(rowSums(counts), colSums(counts)) / n
   g <- 2 * sum((counts * log(counts / expected))[counts > 0])
   df <- (sum(rowSums(counts) > 0) - 1) * (sum(colSums(counts) > 0) - 1)
-  test_row("information", "", g, pchisq(g, df, lower.tail = FALSE), n, c((g - df) / (2 * n * log(2)), NA, NA), df)
+  # Without degrees of freedom no hypothesis is tested.
+  if (df > 0) {
+    test_row("information", "", g, pchisq(g, df, lower.tail = FALSE), n, c((g - df) / (2 * n * log(2)), NA, NA), df)
+  } else no_test("information", "")
   for (label in labels) if (sum(counts[label, ])) binomial("textures", label, counts[label, label], sum(counts[label, ]), m)
   of_groups(own)
 }
