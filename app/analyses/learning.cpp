@@ -134,9 +134,13 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
   if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
   if (!has_cells(changes, "change_low")) return note;
   add(phrase("Analysis", "95 % CI: t-based over participants, of times on the logarithmic scale."));
-  if (has_proportions) {
-    add(phrase("Analysis", "CIs of differences of proportions are cut at −1 and 1."));
-  }
+  const bool has_cut =
+      std::any_of(changes.rows.begin(), changes.rows.end(), [](const std::vector<Cell>& row) {
+        return (row.front() == Cell{"correct_of_halves"} ||
+                row.front() == Cell{"items_of_halves"}) &&
+               row[row.size() - 2] != Cell{};
+      });
+  if (has_cut) add(phrase("Analysis", "CIs of differences of proportions are cut at −1 and 1."));
   return note;
 }
 
@@ -152,10 +156,12 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
     add(kind == "matching" ? phrase("Analysis", "Proportions: of correctly matched items.")
                            : phrase("Analysis", "Proportions: of correct responses."));
   }
-  if (has_cells(course, "time_s_low") || has_cells(course, "share_low")) {
+  if (has_cells(course, "share_low")) {
     add(phrase("Analysis",
                "95 % CI: t-based over participants, of times on the logarithmic and of proportions "
                "on the logit scale."));
+  } else if (has_cells(course, "time_s_low")) {
+    add(phrase("Analysis", "95 % CI: t-based over participants, on the logarithmic scale."));
   }
   return note;
 }

@@ -159,7 +159,8 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
                 std::to_string(mean.n)),
       phrase("Analysis",
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
-             "estimates, with the surfaces as targets and the repetitions as raters; mean over the "
+             "estimates, with the surfaces in each condition as targets and the repetitions as "
+             "raters; mean over the "
              "participants with a t interval."),
       "", &mean);
 }

@@ -99,7 +99,7 @@ Figure course_figure(const FoundNumbers& found) {
     figure.instead = phrase("Figures", "No trial has a result.");
     return figure;
   }
-  figure.x.name = phrase("Figures", "trials of a participant, in their order");
+  figure.x.name = phrase("Figures", "trials of a participant, as numbered in the plan");
   figure.series.push_back(std::move(means));
   figure.series.push_back(lines_of_singles(found, place_of_block));
   return figure;

@@ -168,6 +168,20 @@ void drop_columns_of_dashes(ReportTable& table) {
   }
 }
 
+std::string note_on_columns(const ReportTable& table) {
+  const auto has = [&table](const std::string& heading) {
+    return std::any_of(table.columns.begin(), table.columns.end(),
+                       [&heading](const auto& column) { return column.heading == heading; });
+  };
+  std::string note = has("Holm") ? "Holm: Holm-corrected over the tests of the same name." : "";
+  if (has("n")) {
+    note += std::string(note.empty() ? "" : " ") +
+            "n: the participants, responses or trials that the analysis counted, as analyze STUDY "
+            "--json has it.";
+  }
+  return note;
+}
+
 }  // namespace
 
 std::string words_of_number(const std::string& quantity) {
@@ -181,9 +195,6 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   table.title = "Further tests (exploratory)";
   table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
                    {"p", true},      {"Holm", true},  {"n", true}};
-  table.note =
-      "Holm: Holm-corrected over the tests of the same name. n: the participants, responses or "
-      "trials that the analysis counted, as analyze STUDY --json has it.";
   for (const ReportedTest& test : tests) {
     const Finding& p = *test.p;
     if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
@@ -195,6 +206,7 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);
+  table.note = note_on_columns(table);
   return table;
 }
 
@@ -221,13 +233,7 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);
-  const bool has_n = std::any_of(table.columns.begin(), table.columns.end(),
-                                 [](const auto& column) { return column.heading == "n"; });
-  if (has_n) {
-    table.note =
-        "n: the participants, responses or trials that the analysis counted, as analyze STUDY "
-        "--json has it.";
-  }
+  table.note = note_on_columns(table);
   return table;
 }
 

@@ -124,10 +124,9 @@ struct ProblemWords {
 ProblemWords crossed_problem_words(CrossedProblem problem) {
   switch (problem) {
     case CrossedProblem::no_maximum:
-      return {
-          "no_maximum",
-          "all participants, all items or all responses of a condition are correct, or none: the "
-          "likelihood has no maximum"};
+      return {"no_maximum",
+              "the intercepts of participants and items can predict every response, so that the "
+              "likelihood has no maximum"};
     case CrossedProblem::no_participant_variance:
       return {"no_participant_variance",
               "the participants' standard deviation is estimated as 0: fit with the option "
@@ -138,7 +137,8 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
           "the items' standard deviation is estimated as 0: fit with the option random=subject"};
     case CrossedProblem::no_variance:
       return {"no_variance",
-              "both standard deviations are estimated as 0: neither participants nor items differ"};
+              "both standard deviations are estimated as 0: neither participants nor items differ "
+              "more than chance explains"};
   }
   return {"", ""};
 }
