@@ -260,13 +260,14 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
     return;
   }
   const GreatestMean most = greatest_mean(selection.items, choice);
+  const Phrase proportion =
+      averaged(phrase("Analysis", "The proportion of each participant's own choices"), most.mean);
   const Phrase method =
       phrase("Analysis",
              "%1 Equal choice probabilities are tested by a within-participant permutation test: "
              "the models are exchanged within each participant's choices, so that it holds however "
              "the choices of a participant depend on each other.")
-          .with(averaged(phrase("Analysis", "The proportion of each participant's own choices"),
-                         most.mean));
+          .with(proportion);
   const StudyTests::Test* test = tests.find("preference");
   if (most.mean == nullptr || test == nullptr) {
     add_question(outcome, "preference", question, phrase("Analysis", "There are no choices yet."),
@@ -285,8 +286,8 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
           : phrase("Analysis",
                    "%1. The choices do not differ significantly from equal proportions (%2).");
   add_question(outcome, "preference", question,
-               test->p ? tested.with(shares, p_text(*test)) : tested.with(shares), method,
-               "persons", most.mean);
+               test->p ? tested.with(shares, p_text(*test)) : tested.with(shares),
+               test->p ? method : proportion, "persons", most.mean);
 }
 
 void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
@@ -320,7 +321,7 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
                  is_one_participant
                      ? phrase("Analysis", "This cannot be tested with one participant.")
                      : phrase("Analysis", "No choice was made between two models."),
-                 method, "pairs", nullptr);
+                 {}, "pairs", nullptr);
     return;
   }
   const StudyTests::Test& least = *smallest.front();
@@ -356,7 +357,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
     add_question(outcome, "position", question,
                  phrase("Analysis", "This cannot be tested with one participant: %1.")
                      .with(positions_text(most, positions, *first)),
-                 method, "positions", most.mean);
+                 {}, "positions", most.mean);
   }
   if (!test->p) return;
   const auto with_numbers = [&](const Phrase& words) {
@@ -397,7 +398,7 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
             : phrase("Analysis",
                      "This cannot be tested: the participants have not judged every texture "
                      "equally often."),
-        method, "shares_by_texture", nullptr);
+        {}, "shares_by_texture", nullptr);
     return;
   }
   Finding finding{};

@@ -37,7 +37,8 @@ GroupChoice shares_of_groups() {
   return {.means = "subj.mean",
           .difference = "subj.diff",
           .pooled_difference = "diff",
-          .axis = phrase("Figures", "proportion correct, mean with its %1 % CI"),
+          .axis = phrase("Figures",
+                         "proportion correct (of a matching: of items), mean with its %1 % CI"),
           .are_shares = true};
 }
 

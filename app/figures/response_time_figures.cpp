@@ -60,7 +60,7 @@ bool has_interval(const std::vector<const Finding*>& findings) {
                      [](const Finding* one) { return interval_of(*one).has_value(); });
 }
 
-/// The lines of single participants over the blocks; none for too many.
+/// The lines of single participants over the blocks; none of a single one, nor of too many.
 FigureSeries lines_of_singles(const FoundNumbers& found,
                               const std::map<std::string, double>& place_of_block) {
   std::map<std::string, std::vector<FigurePlace>> lines{};
@@ -71,7 +71,7 @@ FigureSeries lines_of_singles(const FoundNumbers& found,
     lines[one->key.substr(0, bar)].push_back({.x = place->second, .y = *one->value});
   }
   FigureSeries series{.single = true};
-  if (lines.size() > kMostSingle) return series;
+  if (lines.size() < 2 || lines.size() > kMostSingle) return series;
   for (auto& [name, line] : lines) series.lines.push_back(std::move(line));
   return series;
 }
@@ -198,9 +198,12 @@ Figure times_over_trials_figure(const FoundNumbers& found) {
 Figure correct_over_trials_figure(const FoundNumbers& found) {
   Figure figure = course_figure(found);
   figure.name = "correct_over_trials";
-  figure.title = phrase("Figures", "Proportion correct over the trials");
+  figure.title =
+      phrase("Figures", "Proportion correct over the trials (of a matching: of its items)");
   if (!figure.is_drawn()) return figure;
-  figure.y = {.name = phrase("Figures", "proportion correct"), .low = 0.0, .high = 1.0};
+  figure.y = {.name = phrase("Figures", "proportion correct (of a matching: of items)"),
+              .low = 0.0,
+              .high = 1.0};
   const std::vector<const Finding*> blocks = found.all("block");
   figure.note = with_note_on_lines(
       has_interval(blocks)

@@ -27,9 +27,11 @@ std::vector<double> places_along(const SingleValues& singles, const FigureAxis& 
   return places_aside(along, kNear * range_of(axis));
 }
 
-bool are_too_many(std::span<const SingleValues> places) {
-  return std::any_of(places.begin(), places.end(),
-                     [](const SingleValues& one) { return one.values.size() > kMostSingle; });
+/// A mean of one participant hides the mark behind it, and too many marks hide each other.
+bool can_be_seen(std::span<const SingleValues> places) {
+  std::size_t most = 0;
+  for (const SingleValues& one : places) most = std::max(most, one.values.size());
+  return most > 1 && most <= kMostSingle;
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ SinglesByCondition singles_by_condition(std::span<const Finding* const> findings
 
 FigureSeries singles_in_rows(std::span<const SingleValues> rows, const FigureAxis& x, int style) {
   FigureSeries series{.style = style, .single = true};
-  if (are_too_many(rows)) return series;
+  if (!can_be_seen(rows)) return series;
   for (const SingleValues& row : rows) {
     const std::vector<double> aside = places_along(row, x);
     for (std::size_t i = 0; i < row.values.size(); ++i) {
@@ -81,7 +83,7 @@ FigureSeries singles_in_rows(std::span<const SingleValues> rows, const FigureAxi
 FigureSeries singles_in_columns(std::span<const SingleValues> columns, const FigureAxis& x,
                                 const FigureAxis& y, int style) {
   FigureSeries series{.style = style, .single = true};
-  if (are_too_many(columns)) return series;
+  if (!can_be_seen(columns)) return series;
   const double farthest = kFarthestInColumn * range_of(x);
   for (const SingleValues& column : columns) {
     const std::vector<double> aside = places_along(column, y);

@@ -2869,8 +2869,8 @@
         <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach Maximum Likelihood. Offene Zeichen: Schwellen, der Pegel mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
     </message>
     <message>
-        <source>proportion correct</source>
-        <translation>Anteil richtiger Antworten</translation>
+        <source>proportion correct (of a matching: of items)</source>
+        <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen)</translation>
     </message>
     <message>
         <source>There are no confusions from which to make a dendrogram.</source>
@@ -2885,8 +2885,8 @@
         <translation>Punkte sind logarithmierte Werte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Intervalle über Personen gibt es nicht.</translation>
     </message>
     <message>
-        <source>proportion correct, mean with its %1 % CI</source>
-        <translation>Anteil richtiger Antworten, Mittel mit %1-%-KI</translation>
+        <source>proportion correct (of a matching: of items), mean with its %1 % CI</source>
+        <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen), Mittel mit %1-%-KI</translation>
     </message>
     <message>
         <source>correctly matched items per trial, mean with its %1 % CI</source>
@@ -2973,8 +2973,8 @@
         <translation>Reaktionszeiten über die Durchgänge</translation>
     </message>
     <message>
-        <source>Proportion correct over the trials</source>
-        <translation>Anteil richtiger Antworten über die Durchgänge</translation>
+        <source>Proportion correct over the trials (of a matching: of its items)</source>
+        <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen) über die Durchgänge</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions, bars their %1 % CIs by t on the logit scale.</source>
@@ -2999,6 +2999,10 @@
     <message>
         <source>trials of a participant, as numbered in the plan</source>
         <translation>Durchgänge einer Versuchsperson, nummeriert wie im Plan</translation>
+    </message>
+    <message>
+        <source>proportion correct</source>
+        <translation>Anteil richtiger Antworten</translation>
     </message>
 </context>
 <context>
