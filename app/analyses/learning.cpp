@@ -169,11 +169,19 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
 }  // namespace
 
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  const std::vector<Finding> of_times =
+  std::vector<Finding> of_times =
       analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered));
   std::vector<Finding> of_correct{};
   if (std::optional<TidyInput> input = correct_by_trial(gathered)) {
     of_correct = analysis_of(kLearningCorrect, kLearningFamily, std::move(*input));
+  }
+  const std::vector<std::size_t> numbers = trial_numbers(gathered);
+  const bool has_ten = std::any_of(numbers.begin(), numbers.end(),
+                                   [](std::size_t number) { return number >= kTrialsOfASlope; });
+  if (!has_ten) {
+    std::erase_if(of_times, [](const Finding& finding) {
+      return finding.quantity.find("slope.ratio") != std::string::npos;
+    });
   }
   const FoundNumbers times(of_times);
   const FoundNumbers correct(of_correct);
@@ -183,11 +191,8 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       {{"measure", "persons", "first_half", "second_half", "change", "change_low", "change_high"},
        {}},
       {}};
-  const std::vector<std::size_t> numbers = trial_numbers(gathered);
-  const bool has_ten = std::any_of(numbers.begin(), numbers.end(),
-                                   [](std::size_t number) { return number >= kTrialsOfASlope; });
   add_change({"time_of_halves", "half.ratio"}, times, changes.table);
-  if (has_ten) add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
+  add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
   add_change(
       {gathered.kind == "matching" ? "items_of_halves" : "correct_of_halves", "half.difference"},
       correct, changes.table);

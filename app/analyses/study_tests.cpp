@@ -287,8 +287,12 @@ const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view
 
 Phrase StudyTests::note_on_family(std::size_t tests) const {
   const Phrase family = words_of_cell("family", name_);
+  const bool is_any_adjusted =
+      std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
   Phrase note =
-      tests == 1
+      !is_any_adjusted
+          ? phrase("Analysis", "No test of the family (%1) could be made.").with(family)
+      : tests == 1
           ? (is_declared_
                  ? phrase("Analysis",
                           "The family that the protocol declares has one test (%1), the only "

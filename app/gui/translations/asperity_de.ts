@@ -1259,6 +1259,10 @@
         <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t interval.</source>
         <translation>Die eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson der Logarithmen der Schätzungen, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem Konfidenzintervall nach t.</translation>
     </message>
+    <message>
+        <source>No test of the family (%1) could be made.</source>
+        <translation>Kein Test der Familie (%1) ließ sich machen.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
