@@ -64,4 +64,40 @@ const char* text_of(Verdict verdict) noexcept {
   return "";
 }
 
+const char* text_of(OutputKind kind) noexcept {
+  switch (kind) {
+    case OutputKind::export_:
+      return "export";
+    case OutputKind::public_export:
+      return "public_export";
+    case OutputKind::report:
+      return "report";
+    case OutputKind::copy:
+      return "copy";
+  }
+  return "";
+}
+
+const char* text_of(WithdrawnData data) noexcept {
+  switch (data) {
+    case WithdrawnData::kept:
+      return "kept";
+    case WithdrawnData::deleted:
+      return "deleted";
+  }
+  return "";
+}
+
+const char* text_of(WithdrawalReason reason) noexcept {
+  switch (reason) {
+    case WithdrawalReason::consent_withdrawn:
+      return "consent_withdrawn";
+    case WithdrawalReason::not_eligible:
+      return "not_eligible";
+    case WithdrawalReason::other:
+      return "other";
+  }
+  return "";
+}
+
 }  // namespace asperity

@@ -18,6 +18,7 @@ struct ParticipantRow {
   std::optional<std::string> handedness{};  ///< "left", "right", "ambidextrous"
   std::string answers_json = "{}";          ///< the other questions of the protocol
   std::string created_utc{};
+  bool withdrawn = false;  ///< as read: their data are kept and never used, see Study::withdraw
 };
 
 struct ProtocolRow {
@@ -71,6 +72,7 @@ struct SessionRow {
   std::string observer_json = "null";     ///< of a virtual participant
   bool mirrored = false;                  ///< left-handed layout: x of the workspace is negated
   std::optional<std::string> excluded{};  ///< why analyses leave the session out, if they do
+  bool withdrawn = false;                 ///< as read: see ParticipantRow::withdrawn
   std::vector<StimulusFileRow> files{};
 };
 
@@ -237,9 +239,51 @@ struct DecisionRow {
   std::string decided_utc{};  ///< empty: now
 };
 
+/// Who answers for a study, and what an archive asks of a dataset. All of it can be changed later.
+struct StudyMetadata {
+  std::vector<std::string> authors{};            ///< in the order of a byline, "Family, Given"
+  std::optional<std::string> license{};          ///< of the data: "CC-BY-4.0"
+  std::optional<std::string> ethics_approval{};  ///< committee and number
+  bool operator==(const StudyMetadata&) const = default;
+};
+
+/// What was made of a study and left its folder.
+enum class OutputKind { export_, public_export, report, copy };
+
+struct OutputRow {
+  OutputKind kind = OutputKind::export_;
+  std::string path{};  ///< absolute, where it was written
+  std::string program_version{};
+  std::string made_utc{};  ///< empty: now
+};
+
+/// What becomes of the data of a participant who withdraws.
+enum class WithdrawnData {
+  kept,     ///< and never used: no analysis, no public export, no further session
+  deleted,  ///< with every trace in the folder of the study
+};
+
+enum class WithdrawalReason { consent_withdrawn, not_eligible, other };
+
+/// That a participant withdrew, without saying which: of one whose data were deleted nothing else remains.
+struct WithdrawalRow {
+  WithdrawnData data = WithdrawnData::kept;
+  bool is_virtual = false;  ///< as read, like the counts
+  WithdrawalReason reason = WithdrawalReason::consent_withdrawn;
+  std::string decided_by{};
+  std::string withdrawn_utc{};  ///< empty: now
+  int sessions = 0;
+  int attempts = 0;
+  int answers = 0;     ///< to trials and to questions of sessions
+  int recordings = 0;  ///< files
+};
+
 const char* text_of(Verdict verdict) noexcept;
 const char* text_of(SessionMode mode) noexcept;
 const char* text_of(SessionState state) noexcept;
 const char* text_of(AttemptOutcome outcome) noexcept;
+const char* text_of(OutputKind kind) noexcept;
+const char* text_of(WithdrawnData data) noexcept;
+const char* text_of(WithdrawalReason reason) noexcept;
 
 }  // namespace asperity

@@ -56,7 +56,10 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
   Transaction transaction(database);
   database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   migrate(database, 0);
-  Statement(database, std::string("INSERT INTO study VALUES (1, ?, ") + kUtcNow + ")")
+  Statement(
+      database,
+      std::string("INSERT INTO study (id, name, created_utc, outputs_since_utc) VALUES (1, ?, ") +
+          kUtcNow + ", " + kUtcNow + ")")
       .bind(name)
       .run();
   transaction.commit();
@@ -393,12 +396,12 @@ std::vector<ParticipantRow> Study::participants() const {
   return store_->read([](Database& database) {
     Statement statement(database,
                         "SELECT label, is_virtual, age_years, sex, handedness, answers_json, "
-                        "created_utc FROM participant ORDER BY label");
+                        "created_utc, withdrawn FROM participant ORDER BY label");
     std::vector<ParticipantRow> rows;
     while (statement.step()) {
       ParticipantRow& row = rows.emplace_back();
       statement.read(row.label, row.is_virtual, row.age_years, row.sex, row.handedness,
-                     row.answers_json, row.created_utc);
+                     row.answers_json, row.created_utc, row.withdrawn);
     }
     return rows;
   });

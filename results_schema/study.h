@@ -79,7 +79,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 5;
+  static constexpr int kSchemaVersion = 6;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
@@ -103,10 +103,34 @@ class Study final {
   /// That of the file: below kSchemaVersion in one that nobody has brought up to date.
   int schema_version() const noexcept;
 
+  StudyMetadata metadata() const;
+  /// In place of what there was.
+  void set_metadata(const StudyMetadata& metadata);
+
+  /// What was made of the study, in the order of making.
+  void add_output(const OutputRow& output);
+  std::vector<OutputRow> outputs() const;
+  /// From when on outputs are recorded; of earlier ones nothing is known.
+  std::string outputs_since_utc() const;
+
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);
   std::optional<ParticipantRow> participant(const std::string& label) const;
   std::vector<ParticipantRow> participants() const;  ///< by label
+
+  /// What the study holds of a participant: counts as in WithdrawalRow.
+  WithdrawalRow counts_of_participant(const std::string& label) const;
+  /// A participant withdraws, for good. With `kept` all their sessions are excluded, none can be begun, resumed or
+  /// included again, and their counterbalancing rows are free. With `deleted` nothing of them is left in the folder:
+  /// rows, recordings, files named after them, the study as an older program left it (`study.sqlite.version-*`),
+  /// which holds them as well, and the free pages of the database. One who withdrew before can still be deleted.
+  /// Returns what was stored, with its counts.
+  ///
+  /// When a deletion fails half way, all that is left is still found under the label, and a second call goes on.
+  /// Errors: ResultsError for a label that is not there, a session of theirs that is running, an empty `decided_by`, a
+  /// file that cannot be removed, another program that reads for so long that the database's log cannot be emptied.
+  WithdrawalRow withdraw(const std::string& label, const WithdrawalRow& withdrawal);
+  std::vector<WithdrawalRow> withdrawals() const;  ///< in the order of withdrawing
 
   /// The row of this content, added if it is new. Returns its id. `source_sha256` is that of
   /// `source`, or empty to have it computed.

@@ -61,6 +61,7 @@ std::vector<int> counts_of(Database& database, const std::string& protocol_name,
                       "SELECT counterbalance_row, count(*) FROM session "
                       "WHERE protocol_id IN (SELECT id FROM protocol WHERE name = ?1) "
                       "AND state IN ('open', 'completed') AND (?2 IS NULL OR mode = ?2) "
+                      "AND participant_id NOT IN (SELECT id FROM participant WHERE withdrawn) "
                       "GROUP BY counterbalance_row");
   statement.bind(protocol_name, mode_text);
   std::vector<int> counts(static_cast<std::size_t>(rows), 0);
@@ -107,12 +108,17 @@ void insert_plan(Database& database, std::int64_t session_id,
 std::int64_t insert_session_with_plan(Database& database, const SessionRow& session,
                                       const std::vector<PlannedTrialRow>& plan) {
   std::int64_t participant_id = 0;
-  Statement participant(database, "SELECT id FROM participant WHERE label = ?");
+  bool has_withdrawn = false;
+  Statement participant(database, "SELECT id, withdrawn FROM participant WHERE label = ?");
   if (!participant.bind(session.participant).step()) {
     refuse(database.folder(), "has no participant " + session.participant +
                                   "; add the participant before the session");
   }
-  participant.read(participant_id);
+  participant.read(participant_id, has_withdrawn);
+  if (has_withdrawn) {
+    refuse(database.folder(), "begins no session of participant " + session.participant +
+                                  ", who has withdrawn; use another label");
+  }
   Statement last(database,
                  "SELECT coalesce(max(session), 0) + 1 FROM session WHERE participant_id = ?");
   int next = 0;
@@ -139,7 +145,7 @@ constexpr const char* kSelectSessions =
     "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
     "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, mirrored, "
     "(SELECT iif(verdict = 'exclude', reason, NULL) FROM decision WHERE session_id = session.id "
-    "AND trial IS NULL ORDER BY decision.id DESC LIMIT 1) "
+    "AND trial IS NULL ORDER BY decision.id DESC LIMIT 1), participant.withdrawn "
     "FROM session JOIN participant ON participant.id = session.participant_id ";
 
 void read_session(Statement& statement, SessionRow& row) {
@@ -150,7 +156,7 @@ void read_session(Statement& statement, SessionRow& row) {
                  row.program_build, row.program_sha256, row.instruction_set, row.os, row.device,
                  row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
                  row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-                 row.observer_json, row.mirrored, row.excluded);
+                 row.observer_json, row.mirrored, row.excluded, row.withdrawn);
   row.mode = enum_of(mode, kModes, "session.mode");
   row.state = enum_of(state, kStates, "session.state");
 }

@@ -83,6 +83,9 @@ void fill(const std::filesystem::path& folder) {
   study.add_attempt(second, of_second);
   study.end_session(second, SessionState::stopped, kNow);
   study.add_participant({.label = "Person"});
+  study.add_output({.kind = OutputKind::report, .path = "/report.pdf"});
+  study.add_participant({.label = "Withdrawn"});
+  study.withdraw("Withdrawn", {.data = WithdrawnData::deleted, .decided_by = "somebody"});
   const std::int64_t completed = study.add_session(some_session(1), some_plan(1));
   study.begin_segment(completed, 0);
   study.end_session(completed, SessionState::completed, "2026-03-01T10:00:00Z");
@@ -245,14 +248,33 @@ std::vector<Forbidden> forbidden_statements() {
       {"session_file of no session",
        "INSERT INTO session_file VALUES (99,'stimuli/a'," + kHash + ",1)"},
       {"same label twice",
-       "INSERT INTO participant VALUES (NULL,'P01',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z')"},
+       "INSERT INTO participant VALUES "
+       "(NULL,'P01',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
       {"participant replaced",
        "INSERT OR REPLACE INTO participant VALUES "
-       "(NULL,'P01',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z')"},
+       "(NULL,'P01',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
       {"label with a space",
-       "INSERT INTO participant VALUES (NULL,'P 1',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z')"},
+       "INSERT INTO participant VALUES (NULL,'P "
+       "1',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
       {"empty label",
-       "INSERT INTO participant VALUES (NULL,'',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z')"},
+       "INSERT INTO participant VALUES (NULL,'',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
+      {"withdrawn no more",
+       "UPDATE participant SET withdrawn = 1 WHERE label = 'Person'; "
+       "UPDATE participant SET withdrawn = 0 WHERE label = 'Person'"},
+      {"session of a withdrawn participant", session("2", "1", "'run'")},
+      {"update output", "UPDATE output SET path = '/elsewhere'"},
+      {"delete output", "DELETE FROM output"},
+      {"replace output",
+       "INSERT OR REPLACE INTO output VALUES (1,'report','/r','0','2026-01-01T00:00:00Z')"},
+      {"output of no kind", "INSERT INTO output VALUES (NULL,'','/r','0','2026-01-01T00:00:00Z')"},
+      {"update withdrawal", "UPDATE withdrawal SET sessions = 0"},
+      {"delete withdrawal", "DELETE FROM withdrawal"},
+      {"replace withdrawal",
+       "INSERT OR REPLACE INTO withdrawal VALUES "
+       "(1,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0)"},
+      {"withdrawal that nobody decided",
+       "INSERT INTO withdrawal VALUES "
+       "(NULL,'kept',0,'other','','2026-01-01T00:00:00Z',0,0,0,0)"},
       {"virtual no more", "UPDATE participant SET is_virtual = 0 WHERE label = 'P01'"},
       {"another label", "UPDATE participant SET label = 'P99' WHERE label = 'P01'"},
       {"participant with sessions removed", "DELETE FROM participant WHERE label = 'P01'"},
@@ -274,7 +296,8 @@ std::vector<Forbidden> forbidden_statements() {
       {"delete segment", "DELETE FROM segment"},
       {"replace segment", "INSERT OR REPLACE INTO segment VALUES (1,1,0,NULL,NULL)"},
       {"segment of no session", "INSERT INTO segment VALUES (99,1,0,NULL,NULL)"},
-      {"a second study", "INSERT INTO study VALUES (2,'x','2026-01-01T00:00:00Z')"},
+      {"a second study",
+       "INSERT INTO study (id, name, created_utc) VALUES (2,'x','2026-01-01T00:00:00Z')"},
   };
 }
 
