@@ -40,6 +40,8 @@ ProgramIdentity this_program() {
   return identity;
 }
 
+std::string program_version() { return kProgramVersion; }
+
 std::string version_line() {
   return std::string("asperity ") + kProgramVersion + " (commit " + kProgramCommit + ", " +
          kProgramBuild + ")";

@@ -18,6 +18,8 @@ struct ProgramIdentity {
 /// Of the running program. Reads the executable once per call.
 ProgramIdentity this_program();
 
+/// "0.1.0"
+std::string program_version();
 /// "asperity 0.1.0 (commit 1a2b3c4, Release)"
 std::string version_line();
 

@@ -33,6 +33,7 @@ void add_sweep(CLI::App& program, Job& job);
 void add_synth(CLI::App& program, Job& job);
 void add_texture(CLI::App& program, Job& job);
 void add_verify(CLI::App& program, Job& job);
+void add_withdraw(CLI::App& program, Job& job);
 
 /// A wrong use of the command line that parsing cannot see: exit status 2, the sentence on standard
 /// error.

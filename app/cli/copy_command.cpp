@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/tasks/study_outputs.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -24,8 +25,10 @@ void add_copy(CLI::App& program, Job& job) {
       ->required();
   command->callback([options, &job] {
     job = [options] {
-      Study::open(options->study, Access::read_only).copy_to(options->folder);
+      const Study study = Study::open(options->study, Access::read_only);
+      study.copy_to(options->folder);
       say("copied " + options->study + " to " + options->folder);
+      say_unrecorded(record_output(study, OutputKind::copy, options->folder));
       return 0;
     };
   });

@@ -13,6 +13,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/export_study.h"
+#include "app/tasks/study_outputs.h"
 
 namespace asperity {
 
@@ -108,6 +109,9 @@ void add_export(CLI::App& program, Job& job) {
       }
       say_what_was_written(options->out, files);
       say_condition(study);
+      say_unrecorded(
+          record_output(study, options->published ? OutputKind::public_export : OutputKind::export_,
+                        options->out));
       const auto has = [&](ExportFormat format) { return wanted.formats.contains(format); };
       if (has(ExportFormat::bids) && !has(ExportFormat::physio)) {
         say("the recordings were left out; --formats all adds them");

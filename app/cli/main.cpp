@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
   add_replay(program, job);
   add_sweep(program, job);
   add_copy(program, job);
+  add_withdraw(program, job);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {

@@ -59,6 +59,7 @@ void add_report(CLI::App& program, Job& job) {
       }
       say("the report is in " + options->out);
       say_condition(study);
+      say_unrecorded(record_output(study, OutputKind::report, options->out));
       return 0;
     };
   });

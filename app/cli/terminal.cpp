@@ -78,6 +78,10 @@ void say_condition(const Study& study) {
   if (const auto remark = remark_on(study)) say("asperity: " + remark->english());
 }
 
+void say_unrecorded(const std::optional<Phrase>& why) {
+  if (why) say("asperity: " + why->english());
+}
+
 std::string counted(std::size_t count, const std::string& thing) {
   return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
 }

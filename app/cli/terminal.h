@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 
@@ -37,6 +39,9 @@ void say(const std::string& line);
 
 /// What whoever reads on should know of the study's file, if anything.
 void say_condition(const Study& study);
+
+/// Why the study does not list what was made of it, if it does not.
+void say_unrecorded(const std::optional<Phrase>& why);
 
 /// "1 session", "3 sessions".
 std::string counted(std::size_t count, const std::string& thing);

@@ -196,6 +196,7 @@ std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& pro
   std::optional<SessionRow> found{};
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != participant || row.state == SessionState::completed) continue;
+    if (row.withdrawn) continue;
     if (id && row.id != *id) continue;
     if (study.protocol(row.protocol_id).source != protocol.source) continue;
     if (!has_ended_by_rule(study, protocol, row)) found = row;

@@ -154,6 +154,9 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
                                         {"left", "right", "ambidextrous"})));
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
+  columns.push_back(column("withdrawn", "boolean", "",
+                           "1: the participant withdrew; the data were kept and are never used",
+                           [](const Place& at) { return boolean(at.participant->withdrawn); }));
   for (const std::string& name : vocabulary.participant_answers) {
     const auto question = vocabulary.questions.find(name);
     const bool known = question != vocabulary.questions.end();

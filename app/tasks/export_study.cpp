@@ -320,6 +320,7 @@ class StudyExport final {
     for (const ProtocolRow& protocol : study_.protocols()) protocols_[protocol.id] = protocol;
     std::size_t done = 0;
     for (const ParticipantRow& participant : study_.participants()) {
+      if (participant.withdrawn && options_.audience == ExportAudience::published) continue;
       const std::vector<const SessionRow*>& own = sessions_of[participant.label];
       std::string mode{};
       for (const SessionRow* session : own) {

@@ -1,6 +1,7 @@
 #include "app/tasks/report_facts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -224,7 +225,15 @@ std::vector<ReportFacts> report_facts(const Study& study,
     count_session(study, sessions[i], facts);
   }
   std::vector<ReportFacts> all{};
-  for (auto& [key, facts] : groups) all.push_back(std::move(facts));
+  const std::vector<WithdrawalRow> withdrawals = study.withdrawals();
+  for (auto& [key, facts] : groups) {
+    const bool is_virtual = facts.group == AnswerGroup::virtual_participants;
+    std::copy_if(withdrawals.begin(), withdrawals.end(), std::back_inserter(facts.deletions),
+                 [is_virtual](const WithdrawalRow& row) {
+                   return row.data == WithdrawnData::deleted && row.is_virtual == is_virtual;
+                 });
+    all.push_back(std::move(facts));
+  }
   return all;
 }
 

@@ -316,6 +316,24 @@ ReportSection participants_section(const ReportFacts& facts) {
   return section;
 }
 
+/// Of those who are in no row any more; of the study, since a deletion keeps no protocol either.
+ReportText deletions_text(const ReportFacts& facts) {
+  static const std::map<WithdrawalReason, std::string> kWords{
+      {WithdrawalReason::consent_withdrawn, "consent withdrawn"},
+      {WithdrawalReason::not_eligible, "not eligible"},
+      {WithdrawalReason::other, "other reasons"}};
+  std::map<std::string, std::size_t> counts{};
+  for (const WithdrawalRow& row : facts.deletions) ++counts[kWords.at(row.reason)];
+  std::vector<std::string> reasons{};
+  for (const auto& [reason, count] : counts) {
+    reasons.push_back(reason + (counts.size() > 1 ? " " + reading_count(count) : ""));
+  }
+  const std::size_t count = facts.deletions.size();
+  return {"In the whole study, the data of " + count_in_words(count) +
+          (count == 1 ? " participant" : " participants") + " were deleted (" + listed(reasons) +
+          "); they are in no number of this report."};
+}
+
 ReportSection exclusions_section(const ReportFacts& facts) {
   ReportSection section{"Sessions and exclusions", {}};
   section.parts.emplace_back(sessions_text(facts));
@@ -343,6 +361,7 @@ ReportSection exclusions_section(const ReportFacts& facts) {
                    (count == 1 ? " session was excluded:" : " sessions were excluded:")});
     section.parts.emplace_back(std::move(excluded));
   }
+  if (!facts.deletions.empty()) section.parts.emplace_back(deletions_text(facts));
   section.parts.emplace_back(attempts_text(facts));
   ReportTable fates = fates_table(facts);
   if (!fates.rows.empty()) section.parts.emplace_back(std::move(fates));

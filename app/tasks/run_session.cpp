@@ -162,6 +162,12 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
 
 /// A person begins a session only when the last one is finished and the protocol plans another.
 void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol& protocol) {
+  const std::optional<ParticipantRow> known = study.participant(inputs.participant);
+  if (known && known->withdrawn) {
+    throw PhrasedError(
+        phrase("RunSession", "participant %1 has withdrawn from the study; use another label")
+            .with(inputs.participant));
+  }
   int completed = 0;
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != inputs.participant || row.mode != inputs.mode ||

@@ -111,6 +111,11 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
             : phrase("SessionChecks", "Leave the label to the program, or switch to Run or Pilot.");
     return check;
   }
+  if (known && known->withdrawn) {
+    check.text = phrase("SessionChecks", "%1 has withdrawn.").with(inputs.participant);
+    check.remedy = phrase("SessionChecks", "Enter another label.");
+    return check;
+  }
   if (inputs.resume) {
     const std::optional<SessionRow> going_on =
         unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);

@@ -85,7 +85,7 @@ void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& s
     if (!overview.last_session || !began_before(session, *overview.last_session)) {
       overview.last_session = session;
     }
-    if (session.state != SessionState::completed) continue;
+    if (session.state != SessionState::completed || session.withdrawn) continue;
     if (virtual_people.contains(session.participant)) {
       ++virtual_ones[session.participant];
     } else if (session.mode == SessionMode::run) {
@@ -297,11 +297,13 @@ std::vector<ParticipantOverview> participant_overviews(const Study& study) {
   std::map<std::string, std::size_t> places{};
   for (ParticipantRow& person : study.participants()) {
     places[person.label] = overviews.size();
-    overviews.push_back({std::move(person), 0, 0, {}});
+    overviews.emplace_back().row = std::move(person);
   }
   for (const SessionRow& session : study.sessions()) {
     ParticipantOverview& overview = overviews[places.at(session.participant)];
-    if (session.state != SessionState::completed) {
+    if (session.withdrawn) {
+      ++overview.withdrawn;
+    } else if (session.state != SessionState::completed) {
       ++overview.unfinished;
     } else if (session.mode != SessionMode::pilot) {
       ++overview.completed;

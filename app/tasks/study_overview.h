@@ -60,7 +60,7 @@ struct SessionOverview {
   bool is_blind() const noexcept { return is_running && row.mode == SessionMode::run; }
   /// It could go on: neither completed, nor ended by a rule, nor running.
   bool is_unfinished() const noexcept {
-    return row.state != SessionState::completed && !ended_by_rule && !is_running;
+    return !row.withdrawn && row.state != SessionState::completed && !ended_by_rule && !is_running;
   }
 };
 /// By participant, then session.
@@ -88,6 +88,7 @@ struct ParticipantOverview {
   ParticipantRow row{};
   int completed = 0;   ///< sessions that count as data: not pilots; of virtual ones all
   int unfinished = 0;  ///< of any mode
+  int withdrawn = 0;   ///< kept and never used: in neither of the others
   std::optional<SessionRow> last_session{};  ///< as ProtocolOverview's
 };
 /// By label.

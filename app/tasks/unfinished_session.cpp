@@ -13,7 +13,9 @@ std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Pro
   }
   std::vector<UnfinishedSession> sessions{};
   for (const SessionRow& row : study.sessions()) {
-    if (row.state == SessionState::completed || !ids.contains(row.protocol_id)) continue;
+    if (row.state == SessionState::completed || row.withdrawn || !ids.contains(row.protocol_id)) {
+      continue;
+    }
     if (has_ended_by_rule(study, protocol, row)) continue;
     const SessionCounts counts = study.session_counts(row.id);
     sessions.push_back(

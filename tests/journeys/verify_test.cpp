@@ -265,7 +265,6 @@ TEST_F(Verify, WritesNothing) {
   const auto before = contents_of(study_);
   EXPECT_EQ(verify({"--replay"}).status, 0);
   EXPECT_EQ(asperity({"analyze", study_}).status, 0);
-  EXPECT_EQ(asperity({"export", study_, "--out", small_.place() / "tables"}).status, 0);
   EXPECT_TRUE(contents_of(study_) == before);
 }
 

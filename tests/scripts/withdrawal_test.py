@@ -1,56 +1,91 @@
 #!/usr/bin/env python3
-"""What docs/withdrawal.md says to do takes one participant out of a study. Argument: the program asperity."""
+"""A participant withdraws by the command line: nothing of them is left, and the others are as before.
+
+Argument: the program asperity.
+"""
 import pathlib
-import re
 import sqlite3
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
-GONE = "virtual0002"
+LABEL = "virtual0002"
+KEPT = "virtual0003"
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], text=True, capture_output=True, check=False, stdin=subprocess.DEVNULL)
 
 
 def asperity(*arguments):
-    return subprocess.run([PROGRAM, *map(str, arguments)], text=True, capture_output=True, check=True).stdout
+    done = run(*arguments)
+    assert done.returncode == 0, (arguments, done)
+    return done.stdout
 
 
-def exported(study, tables):
-    asperity("export", study, "--out", tables, "--formats", "none")
+def exported(study, tables, *options):
+    asperity("export", study, "--out", tables, "--formats", "none", *options)
     return {path.name: path.read_text(encoding="utf-8").splitlines() for path in tables.glob("*.tsv")}
+
+
+def rows_of(study, query):
+    with sqlite3.connect(f"file:{study}/study.sqlite?immutable=1", uri=True) as store:
+        return store.execute(query).fetchall()
 
 
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
-    study, rest, script = folder / "study", folder / "rest", folder / "take_out.py"
-    page = (ROOT / "docs" / "withdrawal.md").read_text(encoding="utf-8")
-    script.write_text(re.search(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL).group(1), encoding="utf-8")
+    study = folder / "study"
     asperity("new", study, "--demo")
-    asperity("simulate", study / "protocols" / "chapter_selection.json", "--study", study, "--participants", "3",
+    asperity("simulate", study / "protocols" / "chapter_selection.json", "--study", study, "--participants", "4",
              "--seed", "1", "--recordings", "all")
-    asperity("copy", study, rest)
-    (rest / f"sheet-{GONE}.png").write_bytes(b"the last question")
-    nobody = subprocess.run([sys.executable, script, rest, "nobody"], text=True, capture_output=True, check=False)
-    assert nobody.returncode == 1 and "has no participant nobody" in nobody.stderr, nobody
-    subprocess.run([sys.executable, script, rest, GONE], check=True)
+    (study / f"sheet-{LABEL}.png").write_bytes(b"the last question")
+    (study / "study.sqlite.version-4").write_bytes(b"an older study with " + LABEL.encode())
+    before = exported(study, folder / "before")
+    asperity("copy", study, folder / "copy")
 
-    assert "everything holds" in asperity("verify", rest)
-    holding = [path for path in rest.rglob("*") if GONE in path.name
-               or (path.is_file() and GONE.encode() in path.read_bytes())]
+    unknown = run("withdraw", study, "nobody", "--delete")
+    assert unknown.returncode == 1 and "has no participant nobody" in unknown.stderr, unknown
+    said = asperity("withdraw", study, LABEL, "--delete", "--by", "R. Keeper")
+    assert "1 session" in said and "deleted" in said, said
+    assert str(folder / "before") in said and str(folder / "copy") in said, said
+
+    assert "everything holds" in asperity("verify", study)
+    holding = [path for path in study.rglob("*") if LABEL in path.name
+               or (path.is_file() and LABEL.encode() in path.read_bytes())]
     assert not holding, holding
-    before, after = exported(study, folder / "before"), exported(rest, folder / "after")
+    after = exported(study, folder / "after")
     del before["MANIFEST.tsv"], after["MANIFEST.tsv"]  # numbers of rows and hashes
     for name, rows in before.items():
-        kept = [row for row in rows if not row.startswith(GONE + "\t")]
+        kept = [row for row in rows if not row.startswith(LABEL + "\t")]
         assert after[name] == kept, name
     assert len(before["sessions.tsv"]) == len(after["sessions.tsv"]) + 1
     sys.path.insert(0, str(folder / "after"))
     sys.dont_write_bytecode = True
     rows = __import__("import").read_rows("attempts.tsv")
     assert len(rows) == len(after["attempts.tsv"]) - 1 and all(row["virtual"] is True and row["session"] == 1 for row in rows)
+    store = sqlite3.connect(study / "study.sqlite")
     try:
-        sqlite3.connect(rest / "study.sqlite").execute("DELETE FROM event")
+        store.execute("DELETE FROM event")
         sys.exit("the rules of the store have not come back")
     except sqlite3.IntegrityError:
-        pass
+        store.close()
+
+    said = asperity("withdraw", study, KEPT, "--reason", "not_eligible")
+    assert "kept and excluded" in said, said
+    again = run("withdraw", study, KEPT)
+    assert again.returncode == 1 and "already" in again.stderr, again
+    tables = exported(study, folder / "kept")
+    columns = tables["participants.tsv"][0].split("\t")
+    withdrawn = {row.split("\t")[0] for row in tables["participants.tsv"][1:]
+                 if row.split("\t")[columns.index("withdrawn")] == "1"}
+    assert withdrawn == {KEPT}, withdrawn
+    public = exported(study, folder / "public", "--public")
+    assert not [row for rows in public.values() for row in rows if KEPT in row]
+    assert rows_of(study, "SELECT data, reason, sessions FROM withdrawal ORDER BY id") == [
+        ("deleted", "consent_withdrawn", 1), ("kept", "not_eligible", 1)]
+    assert [kind for (kind,) in rows_of(study, "SELECT kind FROM output ORDER BY id")] == [
+        "export", "copy", "export", "export", "public_export"]
+    analysed = asperity("analyze", study, "--json")
+    assert KEPT not in analysed and LABEL not in analysed

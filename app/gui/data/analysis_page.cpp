@@ -17,13 +17,20 @@
 #include "app/gui/data/report_saving.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/export_study.h"
+#include "app/tasks/study_outputs.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {
 
 namespace {
+
+struct Exported {
+  std::size_t files = 0;               ///< none: it was cancelled
+  std::optional<Phrase> unrecorded{};  ///< why the study does not list it
+};
 
 QString group_text(AnswerGroup group) {
   switch (group) {
@@ -211,25 +218,33 @@ void AnalysisPage::ask_where_to_export() {
 
 void AnalysisPage::export_to(const QString& folder, const ExportOptions& options) {
   writing_->set_words(tr("Writing the tables to %1 …").arg(folder));
-  exporting_.run<std::size_t>(
+  exporting_.run<Exported>(
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
-        return export_study(Study::open(study, Access::read_only), built_in_models(), to, options,
-                            stop, progress)
-            .size();
+        const Study own = Study::open(study, Access::read_only);
+        Exported exported{
+            .files = export_study(own, built_in_models(), to, options, stop, progress).size()};
+        if (exported.files > 0) {
+          const bool is_public = options.audience == ExportAudience::published;
+          exported.unrecorded =
+              record_output(own, is_public ? OutputKind::public_export : OutputKind::export_, to);
+        }
+        return exported;
       },
-      [this, folder](std::size_t files) {
-        if (files == 0) {
+      [this, folder](const Exported& exported) {
+        if (exported.files == 0) {
           banner_->show_news(State::look,
                              tr("The tables were not written: you cancelled it. Nothing of them is "
                                 "left in %1.")
                                  .arg(folder));
           return;
         }
-        banner_->show_news(State::fine,
-                           tr("%n files are in %1; codebook.tsv says what every column means.",
-                              nullptr, static_cast<int>(files))
-                               .arg(folder));
+        banner_->show_news(
+            exported.unrecorded ? State::look : State::fine,
+            with_remark(tr("%n files are in %1; codebook.tsv says what every column means.",
+                           nullptr, static_cast<int>(exported.files))
+                            .arg(folder),
+                        exported.unrecorded));
       },
       [this](const QString& what) { banner_->show_news(State::stop, what); });
 }

@@ -10,11 +10,22 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/shown_text.h"
 #include "app/report/report_file.h"
+#include "app/tasks/study_outputs.h"
 
 namespace asperity {
+
+namespace {
+
+struct Saved {
+  bool is_written = false;
+  std::optional<Phrase> unrecorded{};  ///< why the study does not list it
+};
+
+}  // namespace
 
 ReportSaving::ReportSaving(OpenStudy& study, Banner& banner, QWidget* parent)
     : QWidget(parent), study_(study), banner_(banner) {
@@ -76,18 +87,22 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
     return;
   }
   line_->set_words(tr("Writing the report to %1 …").arg(file));
-  saving_.run<bool>(
+  saving_.run<Saved>(
       [study = study_.folder(), path, overwrite](const std::stop_token& stop,
                                                  const BackgroundTask::Progress& progress) {
-        return write_report(Study::open(study, Access::read_only), path, overwrite, {}, stop,
-                            progress);
+        const Study own = Study::open(study, Access::read_only);
+        Saved saved{.is_written = write_report(own, path, overwrite, {}, stop, progress)};
+        if (saved.is_written) saved.unrecorded = record_output(own, OutputKind::report, path);
+        return saved;
       },
-      [this, file](bool written) {
-        if (!written) {
+      [this, file](const Saved& saved) {
+        if (!saved.is_written) {
           banner_.show_news(State::look, tr("The report was not written: you cancelled it."));
           return;
         }
-        banner_.show_news(State::fine, tr("The report is in %1.").arg(file), tr("Open it"),
+        banner_.show_news(saved.unrecorded ? State::look : State::fine,
+                          with_remark(tr("The report is in %1.").arg(file), saved.unrecorded),
+                          tr("Open it"),
                           [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
       },
       [this](const QString& what) { banner_.show_news(State::stop, what); });

@@ -38,4 +38,8 @@ QString words_of(const Phrase& phrase, const QString& control) {
   return words;
 }
 
+QString with_remark(const QString& said, const std::optional<Phrase>& remark) {
+  return remark ? said + ' ' + words_of(*remark) : said;
+}
+
 }  // namespace asperity

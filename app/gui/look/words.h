@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <QtCore/QString>
@@ -19,6 +20,9 @@ Phrase::LookUp language_of_windows();
 QString words_of(const Phrase& phrase);
 /// Likewise where what an option tells is told right here: by `control`.
 QString words_of(const Phrase& phrase, const QString& control);
+
+/// A sentence, followed by the remark if there is one.
+QString with_remark(const QString& said, const std::optional<Phrase>& remark);
 
 /// What a study or a protocol says, as it is written there. Any thread.
 inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }

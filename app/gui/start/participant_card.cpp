@@ -154,6 +154,7 @@ void ParticipantCard::set_people(const std::vector<ParticipantRow>& people) {
   const QSignalBlocker silent(list_);
   list_->clear();
   for (const ParticipantRow& person : people_) {
+    if (person.withdrawn) continue;
     if (person.is_virtual == is_virtual_) list_->addItem(QString::fromStdString(person.label));
   }
   list_->setCurrentIndex(list_->findText(chosen));

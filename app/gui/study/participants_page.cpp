@@ -10,6 +10,7 @@
 
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
+#include "app/gui/study/withdraw_dialog.h"
 #include "app/tasks/participant_answers.h"
 
 namespace asperity {
@@ -81,8 +82,13 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   below->setSpacing(kMargin);
   sessions_ = make_button(tr("Show sessions"), ButtonRole::plain, this);
   sessions_->setObjectName("participants_show_sessions");
+  withdraw_ = make_button(tr("Withdraw…"), ButtonRole::plain, this);
+  withdraw_->setObjectName("participants_withdraw");
+  withdraw_->setToolTip(
+      tr("Keep the data of the participant from being used, or delete them from the study."));
   answers_ = make_text({}, this, true);
   below->addWidget(sessions_);
+  below->addWidget(withdraw_);
   below->addWidget(answers_, 1);
   body().addLayout(below);
   next_label_ = make_text({}, this, true);
@@ -99,6 +105,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   connect(table_, &StudyTable::row_opened, this, &ParticipantsPage::sessions_wanted);
   connect(sessions_, &QPushButton::clicked, this,
           [this] { emit sessions_wanted(table_->selected_key()); });
+  connect(withdraw_, &QPushButton::clicked, this, &ParticipantsPage::ask_to_withdraw);
   read_with<std::vector<ParticipantOverview>>(
       Need::always,
       [](const Study& own, const std::stop_token&) { return participant_overviews(own); },
@@ -139,9 +146,9 @@ void ParticipantsPage::fill() {
                              ? number_cell(QString::number(*one.row.age_years), *one.row.age_years)
                              : empty_number_cell();
     rows.push_back({label,
-                    {text_cell(label), age, text_cell(or_dash(one.row.sex)),
-                     text_cell(or_dash(one.row.handedness)), number_cell(one.completed),
-                     number_cell(one.unfinished),
+                    {text_cell(one.row.withdrawn ? tr("%1 (withdrawn)").arg(label) : label), age,
+                     text_cell(or_dash(one.row.sex)), text_cell(or_dash(one.row.handedness)),
+                     number_cell(one.completed), number_cell(one.unfinished),
                      one.last_session ? text_cell(text_of_start(*one.last_session),
                                                   order_of_start(*one.last_session))
                                       : text_cell("–")}});
@@ -152,11 +159,20 @@ void ParticipantsPage::fill() {
 void ParticipantsPage::show_selected() {
   const std::string label = table_->selected_key().toStdString();
   sessions_->setEnabled(!label.empty());
+  withdraw_->setEnabled(!label.empty());
   const auto found =
       std::find_if(all_.begin(), all_.end(),
                    [&label](const ParticipantOverview& one) { return one.row.label == label; });
   answers_->setText(found == all_.end() ? tr("Select somebody to see their answers and sessions.")
                                         : text_of_answers(found->row.answers_json));
+}
+
+void ParticipantsPage::ask_to_withdraw() {
+  try {
+    (new WithdrawDialog(study(), table_->selected_key().toStdString(), this))->open();
+  } catch (const std::exception& error) {
+    banner().show_news(State::stop, QString::fromUtf8(error.what()));
+  }
 }
 
 }  // namespace asperity

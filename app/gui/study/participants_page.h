@@ -25,6 +25,7 @@ class ParticipantsPage final : public StudyPage {
   void show_people(const std::vector<ParticipantOverview>& people);
   void fill();
   void show_selected();
+  void ask_to_withdraw();
 
   std::vector<ParticipantOverview> all_{};
   bool show_virtual_ = false;
@@ -36,6 +37,7 @@ class ParticipantsPage final : public StudyPage {
   StudyTable* table_ = nullptr;
   QLabel* answers_ = nullptr;
   QPushButton* sessions_ = nullptr;
+  QPushButton* withdraw_ = nullptr;
 };
 
 }  // namespace asperity

@@ -3873,6 +3873,10 @@
         <source>participant %1 is a person; --virtual is for virtual participants</source>
         <translation>%1 ist ein Mensch; Simulationen sind virtuellen Versuchspersonen vorbehalten</translation>
     </message>
+    <message>
+        <source>participant %1 has withdrawn from the study; use another label</source>
+        <translation>Versuchsperson %1 hat die Teilnahme an der Studie zurückgezogen; verwenden Sie ein anderes Kürzel</translation>
+    </message>
 </context>
 <context>
     <name>SessionChecks</name>
@@ -4320,6 +4324,10 @@
         <source>To keep other users out, run: %1</source>
         <translation>Um andere Benutzer auszuschließen: %1</translation>
     </message>
+    <message>
+        <source>%1 has withdrawn.</source>
+        <translation>%1 hat die Teilnahme zurückgezogen.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -4586,6 +4594,21 @@
     <message>
         <source>try the session out in Pilot (--mode pilot), or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
         <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>StudyOutputs</name>
+    <message>
+        <source>The study is of an older version of Asperity and was not changed: it does not list %1 among what was made of it. Keep a note of it for the case that a participant withdraws.</source>
+        <translation>Die Studie stammt von einer älteren Version von Asperity und wurde nicht geändert: Sie führt %1 nicht unter dem auf, was aus ihr entstanden ist. Notieren Sie es für den Fall, dass jemand die Teilnahme zurückzieht.</translation>
+    </message>
+    <message>
+        <source>The study can only be read here: it does not list %1 among what was made of it. Keep a note of it for the case that a participant withdraws.</source>
+        <translation>Die Studie ist hier nur lesbar: Sie führt %1 nicht unter dem auf, was aus ihr entstanden ist. Notieren Sie es für den Fall, dass jemand die Teilnahme zurückzieht.</translation>
+    </message>
+    <message>
+        <source>%1 is complete, but the study does not list it: %2</source>
+        <translation>%1 ist vollständig, die Studie führt es aber nicht auf: %2</translation>
     </message>
 </context>
 <context>
@@ -7051,6 +7074,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Select somebody to see their answers and sessions.</source>
         <translation>Jemanden auswählen, um Antworten und Sitzungen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>Teilnahme zurückziehen …</translation>
+    </message>
+    <message>
+        <source>Keep the data of the participant from being used, or delete them from the study.</source>
+        <translation>Die Daten der Versuchsperson nicht mehr verwenden oder aus der Studie löschen.</translation>
+    </message>
+    <message>
+        <source>%1 (withdrawn)</source>
+        <translation>%1 (zurückgezogen)</translation>
     </message>
 </context>
 <context>
@@ -9578,6 +9613,169 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
         <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WithdrawDialog</name>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n Sitzung</numerusform>
+            <numerusform>%n Sitzungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n Antwort</numerusform>
+            <numerusform>%n Antworten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s)</source>
+        <translation>
+            <numerusform>%n Aufzeichnung</numerusform>
+            <numerusform>%n Aufzeichnungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Public export</source>
+        <translation>Export für die Öffentlichkeit</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Copy of the study</source>
+        <translation>Kopie der Studie</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>What was made before %1 is not recorded.</source>
+        <translation>Was vor %1 entstand, ist nicht verzeichnet.</translation>
+    </message>
+    <message>
+        <source>Withdraw a participant</source>
+        <translation>Teilnahme zurückziehen</translation>
+    </message>
+    <message>
+        <source>%1 withdraws</source>
+        <translation>%1 zieht die Teilnahme zurück</translation>
+    </message>
+    <message>
+        <source>The study holds of %1: %2.</source>
+        <translation>Die Studie enthält von %1: %2.</translation>
+    </message>
+    <message>
+        <source>Keep the data and never use them</source>
+        <translation>Die Daten behalten und nie verwenden</translation>
+    </message>
+    <message>
+        <source>Delete every trace from the folder of the study</source>
+        <translation>Jede Spur aus dem Ordner der Studie löschen</translation>
+    </message>
+    <message>
+        <source>This was done before.</source>
+        <translation>Das ist bereits geschehen.</translation>
+    </message>
+    <message>
+        <source>All sessions are excluded for good, none can be begun or resumed, and the place in the counterbalancing is free again.</source>
+        <translation>Alle Sitzungen sind endgültig ausgeschlossen, keine kann begonnen oder fortgesetzt werden, und der Platz in der Ausbalancierung ist wieder frei.</translation>
+    </message>
+    <message>
+        <source>Consent withdrawn</source>
+        <translation>Einwilligung widerrufen</translation>
+    </message>
+    <message>
+        <source>Not eligible</source>
+        <translation>Nicht teilnahmeberechtigt</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Anderer Grund</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Decided by</source>
+        <translation>Entschieden von</translation>
+    </message>
+    <message>
+        <source>Label, to confirm</source>
+        <translation>Kürzel zur Bestätigung</translation>
+    </message>
+    <message>
+        <source>Made of the study, and not changed by this. Each may hold data of %1:</source>
+        <translation>Daraus entstanden und hiervon unberührt. Alles davon kann Daten von %1 enthalten:</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Delete the data</source>
+        <translation>Daten löschen</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>This study can only be read here.</source>
+        <translation>Diese Studie ist hier nur lesbar.</translation>
+    </message>
+    <message>
+        <source>Enter who decided it; it is stored with the time.</source>
+        <translation>Geben Sie an, wer es entschieden hat; es wird mit der Zeit gespeichert.</translation>
+    </message>
+    <message>
+        <source>Type %1 to confirm the deletion.</source>
+        <translation>Geben Sie zur Bestätigung der Löschung %1 ein.</translation>
+    </message>
+    <message>
+        <source>Deleting the data …</source>
+        <translation>Die Daten werden gelöscht …</translation>
+    </message>
+    <message>
+        <source>Storing the withdrawal …</source>
+        <translation>Der Rückzug wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Deleted: %1.</source>
+        <translation>Gelöscht: %1.</translation>
+    </message>
+    <message>
+        <source>Kept and excluded from every analysis: %1.</source>
+        <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
+    </message>
+    <message>
+        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be brought back. What remains is that a participant withdrew, when and why.</source>
+        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Es bleibt nur, dass jemand die Teilnahme zurückzog, wann und warum.</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>

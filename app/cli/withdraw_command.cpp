@@ -1,0 +1,107 @@
+// asperity withdraw: a participant withdraws from a study.
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <pwd.h>
+
+#include "app/cli/command.h"
+#include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
+#include "app/tasks/study_outputs.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+std::string name_of_user() {
+  const passwd* const entry = ::getpwuid(::geteuid());
+  return entry == nullptr ? std::to_string(::geteuid()) : entry->pw_name;
+}
+
+std::string held(const WithdrawalRow& counts) {
+  const auto of = [](int count, const char* thing) {
+    return counted(static_cast<std::size_t>(count), thing);
+  };
+  return of(counts.sessions, "session") + ", " + of(counts.attempts, "attempt") + ", " +
+         of(counts.answers, "answer") + ", " + of(counts.recordings, "recording");
+}
+
+/// A mistyped label would delete the data of somebody else: at a terminal it is asked for twice.
+bool is_confirmed(const std::string& label, const WithdrawalRow& counts) {
+  if (::isatty(STDIN_FILENO) == 0) return true;
+  std::cerr << label << ": " << held(counts)
+            << ". They cannot be brought back. Type the label again to delete them: " << std::flush;
+  std::string typed{};
+  return std::getline(std::cin, typed) && typed == label;
+}
+
+void name_outputs(const OutputsOfParticipant& outputs) {
+  if (!outputs.recorded.empty()) {
+    std::cout << "made of the study since, and not changed by this:\n";
+    for (const OutputRow& output : outputs.recorded) {
+      std::cout << "  " << output.made_utc << "  " << text_of(output.kind) << "  " << output.path
+                << '\n';
+    }
+  }
+  if (outputs.unknown_before_utc) {
+    std::cout << "what was made of the study before " << *outputs.unknown_before_utc
+              << " is not recorded\n";
+  }
+}
+
+}  // namespace
+
+void add_withdraw(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    std::string label{};
+    bool deletes = false;
+    WithdrawalReason reason = WithdrawalReason::consent_withdrawn;
+    std::string by{};
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "withdraw", "A participant withdraws: their data are kept and never used, or deleted.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  command->add_option("LABEL", options->label, "Label of the participant")->required();
+  command->add_flag("--delete", options->deletes,
+                    "Delete every trace of the participant from the folder of the study. Without "
+                    "it the data stay, and no analysis uses them");
+  const std::map<std::string, WithdrawalReason> reasons{
+      {text_of(WithdrawalReason::consent_withdrawn), WithdrawalReason::consent_withdrawn},
+      {text_of(WithdrawalReason::not_eligible), WithdrawalReason::not_eligible},
+      {text_of(WithdrawalReason::other), WithdrawalReason::other}};
+  command
+      ->add_option("--reason", options->reason,
+                   "consent_withdrawn (the default), not_eligible or other")
+      ->transform(word_of(reasons));
+  command->add_option("--by", options->by,
+                      "Who decided it; without it the name of the user of this computer");
+  command->callback([options, &job] {
+    job = [options] {
+      Study study = Study::open(options->study, Access::read_write);
+      const WithdrawalRow counts = study.counts_of_participant(options->label);
+      if (options->deletes && !is_confirmed(options->label, counts)) {
+        say("asperity: the label was not repeated; nothing was deleted");
+        return 1;
+      }
+      const OutputsOfParticipant outputs = outputs_of_participant(study, options->label);
+      study.withdraw(options->label,
+                     {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
+                      .reason = options->reason,
+                      .decided_by = options->by.empty() ? name_of_user() : options->by});
+      std::cout << options->label << " has withdrawn: " << held(counts)
+                << (options->deletes ? " deleted" : " kept and excluded from every analysis")
+                << '\n';
+      name_outputs(outputs);
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

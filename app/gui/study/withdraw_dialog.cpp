@@ -1,0 +1,237 @@
+#include "app/gui/study/withdraw_dialog.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QRadioButton>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+#include "app/gui/study/open_study.h"
+#include "app/gui/study/shown_text.h"
+
+namespace asperity {
+
+namespace {
+
+/// "2 sessions, 36 attempts, 40 answers, 36 recordings"
+QString text_of_counts(const WithdrawalRow& row) {
+  return QStringList{WithdrawDialog::tr("%n session(s)", nullptr, row.sessions),
+                     WithdrawDialog::tr("%n attempt(s)", nullptr, row.attempts),
+                     WithdrawDialog::tr("%n answer(s)", nullptr, row.answers),
+                     WithdrawDialog::tr("%n recording(s)", nullptr, row.recordings)}
+      .join(", ");
+}
+
+QString text_of_kind(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::export_:
+      return WithdrawDialog::tr("Export");
+    case OutputKind::public_export:
+      return WithdrawDialog::tr("Public export");
+    case OutputKind::report:
+      return WithdrawDialog::tr("Report");
+    case OutputKind::copy:
+      return WithdrawDialog::tr("Copy of the study");
+  }
+  return {};
+}
+
+QString text_of_outputs(const OutputsOfParticipant& outputs) {
+  QStringList lines{};
+  for (const OutputRow& output : outputs.recorded) {
+    lines << WithdrawDialog::tr("%1, %2: %3")
+                 .arg(text_of_kind(output.kind), text_of_time(output.made_utc), text(output.path));
+  }
+  if (outputs.unknown_before_utc) {
+    lines << WithdrawDialog::tr("What was made before %1 is not recorded.")
+                 .arg(text_of_time(*outputs.unknown_before_utc));
+  }
+  return lines.join('\n');
+}
+
+}  // namespace
+
+WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidget* parent)
+    : QDialog(parent),
+      study_(study),
+      label_(label),
+      outputs_(outputs_of_participant(study.study(), label)) {
+  const WithdrawalRow counts = study.study().counts_of_participant(label);
+  const bool has_withdrawn = study.study().participant(label)->withdrawn;
+  setObjectName("withdraw_dialog");
+  setWindowTitle(tr("Withdraw a participant"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(640);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("%1 withdraws").arg(text(label)), this));
+  question_ = new QWidget(this);
+  auto* rows = new QVBoxLayout(question_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kGrid);
+  rows->addWidget(make_text(
+      tr("The study holds of %1: %2.").arg(text(label), text_of_counts(counts)), question_));
+  keep_ = new QRadioButton(tr("Keep the data and never use them"), question_);
+  keep_->setObjectName("withdraw_keep");
+  delete_ = new QRadioButton(tr("Delete every trace from the folder of the study"), question_);
+  delete_->setObjectName("withdraw_delete");
+  rows->addWidget(keep_);
+  rows->addWidget(make_text(
+      has_withdrawn
+          ? tr("This was done before.")
+          : tr("All sessions are excluded for good, none can be begun or resumed, and the place in "
+               "the counterbalancing is free again."),
+      question_, true));
+  rows->addWidget(delete_);
+  rows->addWidget(make_text(tr("Rows, recordings and the kept older versions of the study are "
+                               "deleted and cannot be brought back. What remains is that a "
+                               "participant withdrew, when and why."),
+                            question_, true));
+  keep_->setEnabled(!has_withdrawn);
+  (has_withdrawn ? delete_ : keep_)->setChecked(true);
+
+  auto* form = new QFormLayout();
+  form->setSpacing(kGrid);
+  form->setHorizontalSpacing(kMargin);
+  form->setContentsMargins(0, kGrid, 0, 0);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  reason_ = new QComboBox(question_);
+  reason_->setObjectName("withdraw_reason");
+  const auto add_reason = [this](const QString& words, WithdrawalReason reason) {
+    reason_->addItem(words, static_cast<int>(reason));
+  };
+  add_reason(tr("Consent withdrawn"), WithdrawalReason::consent_withdrawn);
+  add_reason(tr("Not eligible"), WithdrawalReason::not_eligible);
+  add_reason(tr("Other"), WithdrawalReason::other);
+  form->addRow(tr("Reason"), reason_);
+  by_ = new QLineEdit(question_);
+  by_->setObjectName("withdraw_by");
+  form->addRow(tr("Decided by"), by_);
+  label_caption_ = new QLabel(tr("Label, to confirm"), question_);
+  typed_ = new QLineEdit(question_);
+  typed_->setObjectName("withdraw_label");
+  typed_->setPlaceholderText(text(label));
+  form->addRow(label_caption_, typed_);
+  rows->addLayout(form);
+  layout->addWidget(question_);
+
+  const QString outputs = text_of_outputs(outputs_);
+  if (!outputs.isEmpty()) {
+    layout->addWidget(
+        make_text(tr("Made of the study, and not changed by this. Each may hold data of %1:")
+                      .arg(text(label)),
+                  this));
+    auto* list = new QPlainTextEdit(outputs, this);
+    list->setObjectName("withdraw_outputs");
+    list->setReadOnly(true);
+    list->setLineWrapMode(QPlainTextEdit::NoWrap);
+    list->setTabChangesFocus(true);
+    list->setFixedHeight(88);
+    layout->addWidget(list);
+  }
+  state_ = new StateLabel(this);
+  state_->setObjectName("withdraw_state");
+  state_->setWordWrap(true);
+  layout->addWidget(state_);
+  layout->addStretch(1);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  cancel_ = make_button(tr("Cancel"), ButtonRole::plain, this);
+  do_ = make_button({}, ButtonRole::danger, this);
+  do_->setObjectName("withdraw_do");
+  buttons->addStretch(1);
+  buttons->addWidget(cancel_);
+  buttons->addWidget(do_);
+  layout->addLayout(buttons);
+
+  connect(keep_, &QRadioButton::toggled, this, &WithdrawDialog::show_what_is_missing);
+  connect(by_, &QLineEdit::textChanged, this, &WithdrawDialog::show_what_is_missing);
+  connect(typed_, &QLineEdit::textChanged, this, &WithdrawDialog::show_what_is_missing);
+  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
+  connect(do_, &QPushButton::clicked, this, &WithdrawDialog::withdraw);
+  show_what_is_missing();
+  fit_height();
+}
+
+// The size hint of words that wrap is that of a narrower dialog.
+void WithdrawDialog::fit_height() {
+  setMinimumHeight(0);
+  const int height = layout()->totalHeightForWidth(std::max(width(), minimumWidth()));
+  setMinimumHeight(height);
+  resize(std::max(width(), minimumWidth()), height);
+}
+
+void WithdrawDialog::show_what_is_missing() {
+  const bool deletes = delete_->isChecked();
+  label_caption_->setEnabled(deletes);
+  typed_->setEnabled(deletes);
+  do_->setText(deletes ? tr("Delete the data") : tr("Withdraw"));
+  QString missing{};
+  if (!study_.can_be_written()) {
+    missing = tr("This study can only be read here.");
+  } else if (by_->text().trimmed().isEmpty()) {
+    missing = tr("Enter who decided it; it is stored with the time.");
+  } else if (deletes && typed_->text() != text(label_)) {
+    missing = tr("Type %1 to confirm the deletion.").arg(text(label_));
+  }
+  do_->setEnabled(missing.isEmpty());
+  state_->set_state(State::unknown, missing.isEmpty() ? tr("This cannot be undone.") : missing);
+}
+
+void WithdrawDialog::withdraw() {
+  const WithdrawalRow wanted{
+      .data = delete_->isChecked() ? WithdrawnData::deleted : WithdrawnData::kept,
+      .reason = static_cast<WithdrawalReason>(reason_->currentData().toInt()),
+      .decided_by = by_->text().trimmed().toStdString()};
+  question_->setEnabled(false);
+  do_->setEnabled(false);
+  cancel_->setEnabled(false);
+  state_->set_state(State::unknown, wanted.data == WithdrawnData::deleted
+                                        ? tr("Deleting the data …")
+                                        : tr("Storing the withdrawal …"));
+  work_.run<WithdrawalRow>(
+      [folder = study_.folder(), label = label_, wanted](const std::stop_token&,
+                                                         const BackgroundTask::Progress&) {
+        return Study::open(folder, Access::read_write).withdraw(label, wanted);
+      },
+      [this](const WithdrawalRow& row) { show_done(row); },
+      [this](const QString& what) {
+        question_->setEnabled(true);
+        cancel_->setEnabled(true);
+        show_what_is_missing();
+        state_->set_state(State::stop, what);
+        study_.announce_change();  // a deletion may have ended half way
+      });
+}
+
+void WithdrawDialog::show_done(const WithdrawalRow& row) {
+  question_->hide();
+  do_->hide();
+  cancel_->setEnabled(true);
+  cancel_->setText(tr("Close"));
+  cancel_->setFocus();
+  const QString counts = text_of_counts(row);
+  state_->set_state(State::fine,
+                    row.data == WithdrawnData::deleted
+                        ? tr("Deleted: %1.").arg(counts)
+                        : tr("Kept and excluded from every analysis: %1.").arg(counts));
+  fit_height();
+  study_.announce_change();
+}
+
+// What has begun is brought to its end before the dialog closes.
+void WithdrawDialog::reject() {
+  if (!work_.is_running()) QDialog::reject();
+}
+
+}  // namespace asperity
+
+#include "moc_withdraw_dialog.cpp"
