@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/clock.h"
 #include "app/device_remarks.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
@@ -168,28 +168,6 @@ std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::
   return traits;
 }
 
-/// Days since 1970 and the part of the day of "2026-01-01T00:00:00.000Z".
-double day_of(const std::string& utc) {
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  int hour = 0;
-  int minute = 0;
-  int second = 0;
-  if (std::sscanf(utc.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute,
-                  &second) != 6) {
-    throw std::invalid_argument("\"" + utc + "\" is no date; it has to be like " +
-                                "2026-01-01T00:00:00Z");
-  }
-  // The calendar counts from March on, so that leap days come last in a year.
-  const int shifted_year = month <= 2 ? year - 1 : year;
-  const int shifted_month = month <= 2 ? month + 9 : month - 3;
-  const int days = 365 * shifted_year + shifted_year / 4 - shifted_year / 100 + shifted_year / 400 +
-                   (153 * shifted_month + 2) / 5 + day - 1;
-  constexpr int kDaysTo1970 = 719468;
-  return days - kDaysTo1970 + (hour + (minute + second / 60.0) / 60.0) / 24.0;
-}
-
 /// Whose profile it is; what is empty cannot be read, or is not told.
 WhichDevice device_in(const std::string& text) {
   WhichDevice found{};
@@ -347,7 +325,7 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     profile.serial = device.at("serial").get<std::string>();
     profile.is_simulated = json.at("simulated").get<bool>();
     profile.measured_utc = json.at("measured_utc").get<std::string>();
-    (void)day_of(profile.measured_utc);
+    (void)days_since_1970(profile.measured_utc);
     profile.program_version = json.at("program_version").get<std::string>();
     profile.program_commit = json.at("program_commit").get<std::string>();
     profile.rate_Hz = json.at("rate_Hz").get<double>();
@@ -424,7 +402,7 @@ std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
 }
 
 double age_days(const DeviceProfile& profile, const std::string& now_utc) {
-  return day_of(now_utc) - day_of(profile.measured_utc);
+  return days_since_1970(now_utc) - days_since_1970(profile.measured_utc);
 }
 
 }  // namespace asperity

@@ -153,6 +153,11 @@ class Doubts final {
         look(screen->text, pointer_to("/flow", i) + "/screen");
       }
     }
+    const std::vector<std::string> again =
+        protocol_.resume.screens.value_or(std::vector<std::string>{});
+    for (std::size_t i = 0; i < again.size(); ++i) {
+      look(again[i], pointer_to("/resume/screens", i));
+    }
   }
 
   /// A selection whose analysis answers another question than levels of one parameter suggest.

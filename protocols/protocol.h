@@ -318,6 +318,14 @@ struct Protocol {
   Counterbalance counterbalance = Counterbalance::none;
   std::map<std::string, Block, std::less<>> blocks{};
   std::vector<Step> flow{};
+  /// How an interrupted session is resumed.
+  struct Resume {
+    /// What the participant reads; absent: the last text before the interruption.
+    std::optional<std::vector<std::string>> screens{};
+    /// Since it last ran; an older session is resumed only with a reason.
+    std::optional<double> maximum_age_hours{};
+  };
+  Resume resume{};
   ObserverDeclaration observer{};
   bool record = true;  ///< every tick of every attempt
   AnalysisDeclaration analysis{};

@@ -462,6 +462,12 @@ Protocol protocol_from_json(const json& root) {
     protocol.blocks[name] = block_of(name, member, protocol.kind);
   });
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
+  if (const auto found = root.find("resume"); found != root.end()) {
+    if (const auto screens = found->find("screens"); screens != found->end()) {
+      protocol.resume.screens = screens->get<std::vector<std::string>>();
+    }
+    read(*found, "maximum_age_hours", protocol.resume.maximum_age_hours);
+  }
   read_choice(root, "counterbalance", protocol.counterbalance,
               {{"none", Protocol::Counterbalance::none},
                {"latin", Protocol::Counterbalance::latin},

@@ -74,7 +74,12 @@ void add_run(CLI::App& program, Job& job) {
                    "device.input_only); pilot: any device, kept apart in the data")
       ->transform(CLI::CheckedTransformer(modes))
       ->default_str("run");
-  command->add_flag("--resume", options->inputs.resume, "Go on with an unfinished session");
+  CLI::Option* resume =
+      command->add_flag("--resume", options->inputs.resume, "Go on with an unfinished session");
+  command
+      ->add_option("--late-reason", options->inputs.late_reason,
+                   "Why a session is resumed that is older than the protocol's maximum_age_hours")
+      ->needs(resume);
   CLI::Option* stand_in =
       command->add_flag("--virtual", options->inputs.is_virtual,
                         "A virtual hand and observer stand in for the participant");

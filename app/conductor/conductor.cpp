@@ -70,6 +70,7 @@ void Conductor::begin() {
   const std::int64_t began_ns = rig_.clock().now_ns();
   course_.begin(session_.row);
   progress_.reset();
+  SessionFacts facts = facts_of_session();
   tally_.emplace(protocol_, session_.plan);
   for (AttemptRow& attempt : std::exchange(session_.attempts, {})) tally_->add(std::move(attempt));
   if (session_.resumed) {
@@ -81,12 +82,7 @@ void Conductor::begin() {
     }
   }
   // Before the first that may fail: what is in the store can be gone on with.
-  course_.set_facts({.protocol = std::make_shared<const Protocol>(protocol_),
-                     .plan = std::make_shared<const Plan>(session_.plan),
-                     .row = session_.row,
-                     .study_folder = study_.folder().string(),
-                     .mirrored = session_.row.mirrored,
-                     .clock_ahead_ns = rig_.clock().ahead_ns()});
+  course_.set_facts(std::move(facts));
   segment_ = study_.begin_segment(session_.row.id, began_ns);
   auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
   if (conditions.is_object()) conditions["segment"] = segment_;
@@ -100,6 +96,27 @@ void Conductor::begin() {
   }
   note_guidance();
   course_.enter(SessionPhase::ready);
+}
+
+SessionFacts Conductor::facts_of_session() const {
+  SessionFacts facts{.protocol = std::make_shared<const Protocol>(protocol_),
+                     .plan = std::make_shared<const Plan>(session_.plan),
+                     .row = session_.row,
+                     .study_folder = study_.folder().string(),
+                     .mirrored = session_.row.mirrored,
+                     .clock_ahead_ns = rig_.clock().ahead_ns()};
+  if (!session_.resumed) return facts;
+  facts.earlier_s = study_.session_counts(session_.row.id).running_s;
+  std::vector<EventRow> events = study_.events(session_.row.id);
+  for (const AttemptRow& attempt : session_.attempts) {
+    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
+  for (EventRow& event : events) {
+    if (event.kind == "note") facts.earlier_notes.push_back(std::move(event.text));
+  }
+  return facts;
 }
 
 /// Whether whoever takes part sees and hears what the protocol guides the hand by: a virtual
@@ -185,10 +202,7 @@ void Conductor::run_steps() {
     if (step != nullptr && tally_->attempts_at(session_.plan.trials[step->trial].ordinal) > 0)
       first = i;
   }
-  // The checks of the device are: it may be another one now, or the same one after a fault.
-  for (std::size_t i = 0; i < first; ++i) {
-    if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
-  }
+  if (first > 0) lead_back(first);
   block_ = 0;
   resume_repeats(first);
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
@@ -244,6 +258,28 @@ void Conductor::run_steps() {
   if (!stopped_) course_.put_mask(false, [this](double duration_s) { course_.wait(duration_s); });
 }
 
+/// What the participant needs before trial `first`, who was interrupted and comes back to it.
+void Conductor::lead_back(std::size_t first) {
+  const std::vector<PlanStep>& steps = session_.plan.steps;
+  // A virtual participant has forgotten nothing, and answers as if there had been no interruption.
+  const bool is_person = session_.row.mode != SessionMode::simulate;
+  std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
+  if (!protocol_.resume.screens) {
+    for (std::size_t i = 0; i < first; ++i) {
+      if (const auto* screen = std::get_if<Protocol::Screen>(&steps[i])) texts = {screen->text};
+    }
+  }
+  if (!is_person) texts.clear();
+  for (const std::string& text : texts) {
+    run_outside_trials([&] { let_read(scene_to_read(text)); });
+  }
+  // The device may be another one now, or the same one after a fault.
+  for (std::size_t i = 0; i < first; ++i) {
+    if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
+  }
+  if (is_person) run_outside_trials([&] { let_read(scene_of_resuming()); });
+}
+
 /// Trials of blocks before the one that is gone on with: set aside to be asked again, and then the
 /// session was interrupted.
 void Conductor::resume_repeats(std::size_t first) {
@@ -259,11 +295,15 @@ void Conductor::resume_repeats(std::size_t first) {
 
 /// A step that is no trial; it is begun again after a fault.
 void Conductor::run_other(const PlanStep& step) {
+  run_outside_trials([&] { try_other(step); });
+}
+
+void Conductor::run_outside_trials(const std::function<void()>& step) {
   for (;;) {
     between_steps(Next::other);
     if (stopped_) return;
     try {
-      try_other(step);
+      step();
       course_.store_respondent_events();
       show_progress();
       return;
@@ -277,10 +317,7 @@ void Conductor::run_other(const PlanStep& step) {
 
 void Conductor::try_other(const PlanStep& step) {
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
-    course_.enter(SessionPhase::ready);
-    course_.put_mask(false, outside_);
-    course_.show(scene_to_read(screen->text));
-    respondent_.read(screen->text, 0.0, outside_);
+    let_read(scene_to_read(screen->text));
   } else if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
     rest(*pause);
   } else if (const auto* check = std::get_if<Protocol::Check>(&step)) {
@@ -291,6 +328,14 @@ void Conductor::try_other(const PlanStep& step) {
   } else if (const auto* questions = std::get_if<Protocol::Ask>(&step)) {
     ask(*questions);
   }
+  course_.show({});
+}
+
+void Conductor::let_read(const ParticipantScene& scene) {
+  course_.enter(SessionPhase::ready);
+  course_.put_mask(false, outside_);
+  course_.show(scene);
+  respondent_.read(scene.text, 0.0, outside_);
   course_.show({});
 }
 

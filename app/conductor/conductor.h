@@ -81,15 +81,19 @@ class Conductor final {
   enum class Next { trial, other };
 
   void begin();
+  SessionFacts facts_of_session() const;
   void note_guidance();
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
   void stop(const std::string& reason);
 
   void run_steps();
+  void lead_back(std::size_t first);
   void resume_repeats(std::size_t first);
+  void run_outside_trials(const std::function<void()>& step);
   void run_other(const PlanStep& step);
   void try_other(const PlanStep& step);
+  void let_read(const ParticipantScene& scene);
   void rest(const Protocol::Break& pause);
   void ask(const Protocol::Ask& questions);
 

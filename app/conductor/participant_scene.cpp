@@ -124,6 +124,9 @@ Phrase phrase_of(const Saying& saying) {
                  "%1 can be read in two ways. Please write thousands without a point or a comma, "
                  "and decimals with one or two digits after it.")
           .with(saying.code);
+    case Saying::What::session_resumes:
+      return phrase("ParticipantWords",
+                    "The session continues where it was interrupted. Confirm when you are ready.");
     case Saying::What::check_estimate:
       return phrase("ParticipantWords",
                     "Please check the number %1: give it once more, or the one that you meant.")
@@ -139,6 +142,10 @@ ParticipantScene scene_to_read(const std::string& text) {
   scene.kind = ParticipantScene::Kind::text;
   scene.text = text;
   return scene;
+}
+
+ParticipantScene scene_of_resuming() {
+  return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::session_resumes});
 }
 
 namespace {

@@ -38,6 +38,7 @@ struct Saying {
     option_needed,     ///< refused: one of the options
     estimate_needed,   ///< refused: a number above 0
     estimate_unclear,  ///< refused: `code` can be read with thousands or with decimals
+    session_resumes,   ///< it goes on where it was interrupted, once that is confirmed
     check_estimate,    ///< the number `code` is far from an earlier one
   };
   What what = What::nothing;
@@ -166,6 +167,8 @@ struct ParticipantInput {
 
 /// The scenes of a session; the conductor shows them, whoever answers.
 ParticipantScene scene_to_read(const std::string& text);
+/// Before the first trial after an interruption, to start from.
+ParticipantScene scene_of_resuming();
 /// `felt`: positions that were felt in this attempt; `now`: the position under the hand. Pictures
 /// stand beside, unless they are to be seen only after feeling. `show_workspace` and `guide` are left
 /// to the caller.

@@ -76,6 +76,9 @@ struct SessionFacts {
   std::string study_folder{};
   bool mirrored = false;            ///< left-handed layout
   std::int64_t clock_ahead_ns = 0;  ///< of the session's clock against the machine's steady clock
+  /// Of a resumed session: how long its trials have taken so far, and what was noted.
+  double earlier_s = 0.0;
+  std::vector<std::string> earlier_notes{};
 };
 
 /// What is to be heard of the masking noise.

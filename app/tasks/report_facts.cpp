@@ -159,6 +159,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   const std::vector<EventRow> events = study.events(row.id);
   for (const EventRow& event : events) {
     if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
+    if (event.kind == kResumedLate) session.late_resumes.push_back(event);
     if (event.kind == "criterion_not_met") session.unmet_criteria.insert(event.text);
   }
   std::map<int, PlannedTrialRow> plan{};

@@ -29,6 +29,7 @@ struct ReportedSession {
   std::set<std::string> unmet_criteria{};  ///< the blocks that ended without their criterion
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
+  std::vector<EventRow> late_resumes{};  ///< see kResumedLate
 };
 
 /// Something counted in ticks or records, over attempts or presentations.

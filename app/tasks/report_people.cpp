@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "app/analyses/reading_number.h"
@@ -316,6 +318,18 @@ ReportSection participants_section(const ReportFacts& facts) {
   return section;
 }
 
+/// "Session 1 of P001 was resumed 30.5 hours after it had last run (the protocol has at most 24 hours): was ill."
+std::string late_text(const ReportedSession& session, const EventRow& event) {
+  const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
+  const auto hours = [&data](const char* key) {
+    return data.is_object() ? data.value(key, 0.0) : 0.0;
+  };
+  return stopped(capitalised(reported_session_name(session)) + " was resumed " +
+                 fixed(hours("age_hours"), 1) +
+                 " hours after it had last run (the protocol has at most " +
+                 reading_number(hours("maximum_age_hours")) + " hours): " + event.text);
+}
+
 /// Of those who are in no row any more; of the study, since a deletion keeps no protocol either.
 ReportText deletions_text(const ReportFacts& facts) {
   static const std::map<WithdrawalReason, std::string> kWords{
@@ -343,6 +357,9 @@ ReportSection exclusions_section(const ReportFacts& facts) {
     if (session.row.state != SessionState::completed) {
       unfinished.items.push_back(capitalised(reported_session_name(session)) + ' ' +
                                  state_text(session) + '.');
+    }
+    for (const EventRow& event : session.late_resumes) {
+      unfinished.items.push_back(late_text(session, event));
     }
     if (const std::optional<DecisionRow> decision = exclusion_of(session)) {
       const std::string by =

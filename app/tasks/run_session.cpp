@@ -19,6 +19,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
+#include "app/tasks/unfinished_session.h"
 
 namespace asperity {
 
@@ -160,6 +161,20 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
   return row;
 }
 
+/// The reason that is stored; empty: none is needed.
+std::string reason_to_resume(const Study& study, const RunInputs& inputs, const Protocol& protocol,
+                             const SessionRow& unfinished) {
+  const Phrase complaint = complaint_about_age(protocol, hours_since_it_ran(study, unfinished));
+  if (complaint.empty()) return {};
+  if (inputs.late_reason.empty()) {
+    throw PhrasedError(phrase("RunSession",
+                              "%1; to resume it all the same, give the reason with "
+                              "--late-reason, which is stored and stated in the report")
+                           .with(complaint));
+  }
+  return inputs.late_reason;
+}
+
 /// A person begins a session only when the last one is finished and the protocol plans another.
 void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol& protocol) {
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
@@ -225,7 +240,10 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
   sitting.seed = inputs.seed;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
-  if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
+  if (inputs.resume) {
+    sitting.unfinished = unfinished_session(study, inputs, protocol);
+    sitting.late_reason = reason_to_resume(study, inputs, protocol, *sitting.unfinished);
+  }
   const std::unique_ptr<Rig> rig =
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());

@@ -30,6 +30,8 @@ struct RunInputs {
   bool resume = false;  ///< an unfinished session goes on
   /// Which one, by its id in the store; otherwise the participant's latest.
   std::optional<std::int64_t> resumed_session{};
+  /// Why it is resumed although it is older than the protocol has it (`resume.maximum_age_hours`).
+  std::string late_reason{};
   bool is_virtual = false;
   RunPacing pacing = RunPacing::real_time;
   /// What to run on, as DriverRegistry::open names it; a virtual participant has the simulated one.
@@ -62,7 +64,7 @@ struct RunInputs {
 /// under way.
 ///
 /// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable, no
-/// consent, a session that cannot be gone on with, a device that cannot be opened or that the protocol does not take
+/// consent, a session that cannot be gone on with, one that is too old without a `late_reason`, a device that cannot be opened or that the protocol does not take
 /// (rehearsed_device.h).
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,

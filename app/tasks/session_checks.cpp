@@ -20,6 +20,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
+#include "app/tasks/unfinished_session.h"
 #include "device/pointer_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
@@ -124,6 +125,17 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
           phrase("SessionChecks", "%1 has no unfinished session of this protocol as it is now.")
               .with(inputs.participant);
       check.remedy = phrase("SessionChecks", "Start a new session instead.");
+      return check;
+    }
+    const Phrase complaint = complaint_about_age(protocol, hours_since_it_ran(study, *going_on));
+    if (!complaint.empty()) {
+      check.text = complaint.as_sentence();
+      if (inputs.late_reason.empty()) {
+        check.remedy = phrase("SessionChecks", "Enter the reason for resuming it.");
+        return check;
+      }
+      check.state = State::look;
+      check.remedy = phrase("SessionChecks", "The reason is stored and stated in the report.");
       return check;
     }
     check.state = State::fine;

@@ -44,6 +44,7 @@ struct CheckInputs {
   SessionMode mode = SessionMode::run;
   bool resume = false;
   std::optional<std::int64_t> resumed_session{};  ///< see RunInputs
+  std::string late_reason{};                      ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
   std::string device = "simulated";  ///< see RunInputs
   DriverOptions

@@ -93,5 +93,8 @@ std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
 /// The event that a session which is resumed on another device stores before `session_resumed`: text as
 /// SessionRow::device, data the capability record.
 inline constexpr const char* kDeviceChanged = "device_changed";
+/// The event of a session that is resumed later than the protocol has it: text the reason, data `age_hours` since it last
+/// ran and `maximum_age_hours`. Before `session_resumed`.
+inline constexpr const char* kResumedLate = "resumed_late";
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
+#include "app/tasks/unfinished_session.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -42,7 +43,8 @@ std::string observer_json(const Protocol& protocol) {
 }
 
 std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
-  return nlohmann::ordered_json{{"program_version", program.version},
+  return nlohmann::ordered_json{{"utc", rig.clock().utc()},
+                                {"program_version", program.version},
                                 {"program_commit", program.commit},
                                 {"program_sha256", program.sha256},
                                 {"instruction_set", program.instruction_set},
@@ -85,6 +87,18 @@ void store_changed_device(const DeviceCapability& device, Study& study, const Se
                                .data_json = capability_json(device)});
 }
 
+void store_late_resume(const Protocol& protocol, const Sitting& sitting, Study& study,
+                       std::int64_t now_ns) {
+  if (sitting.late_reason.empty()) return;
+  const nlohmann::ordered_json data{
+      {"age_hours", hours_since_it_ran(study, *sitting.unfinished).value_or(0.0)},
+      {"maximum_age_hours", protocol.resume.maximum_age_hours.value_or(0.0)}};
+  study.add_event(sitting.unfinished->id, {.time_ns = now_ns,
+                                           .kind = kResumedLate,
+                                           .text = sitting.late_reason,
+                                           .data_json = data.dump()});
+}
+
 }  // namespace
 
 RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
@@ -118,6 +132,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
     store_changed_device(rig.capability(), study, session.row, rig.clock().now_ns());
+    store_late_resume(protocol, sitting, study, rig.clock().now_ns());
   } else {
     SessionConditions conditions{};
     conditions.mode = sitting.mode;

@@ -17,6 +17,8 @@ namespace asperity {
 struct Sitting {
   ParticipantRow participant{};
   std::optional<SessionRow> unfinished{};  ///< to go on with; otherwise a new one is begun
+  /// Why it is resumed although it is older than the protocol has it; empty: it is not.
+  std::string late_reason{};
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};

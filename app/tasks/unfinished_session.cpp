@@ -1,10 +1,47 @@
 #include "app/tasks/unfinished_session.h"
 
+#include <algorithm>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+#include "app/conductor/clock.h"
 #include "app/conductor/session_setup.h"
+#include "app/tasks/sitting.h"
 
 namespace asperity {
+
+std::optional<double> hours_since_it_ran(const Study& study, const SessionRow& session) {
+  if (session.pacing == "stepped") return {};
+  const std::string now_utc = SystemClock(0).utc();
+  constexpr double kHoursADay = 24.0;
+  if (session.ended_utc) {
+    return kHoursADay * (days_since_1970(now_utc) - days_since_1970(*session.ended_utc));
+  }
+  // It was broken off. Only within a stretch does its clock keep the time of day.
+  std::string began_utc = session.started_utc;
+  std::int64_t began_ns = session.clock_zero_ns;
+  for (const EventRow& event : study.events(session.id)) {
+    if (event.kind != "session_began" && event.kind != "session_resumed") continue;
+    const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
+    if (!data.is_object() || !data.contains("utc") || !data["utc"].is_string()) continue;
+    began_utc = data["utc"].get<std::string>();
+    began_ns = event.time_ns;
+  }
+  const double ran_hours = seconds_between(began_ns, last_time_ns(study, session)) / 3600.0;
+  return kHoursADay * (days_since_1970(now_utc) - days_since_1970(began_utc)) - ran_hours;
+}
+
+Phrase complaint_about_age(const Protocol& protocol, const std::optional<double>& age_hours) {
+  const std::optional<double>& maximum = protocol.resume.maximum_age_hours;
+  if (!maximum || !age_hours || *age_hours <= *maximum) return {};
+  return phrase(
+             "UnfinishedSession",
+             "the session last ran %1 hours ago, and the protocol has sessions resumed within %2 "
+             "hours")
+      .with(fixed(*age_hours, 1), number_text(*maximum));
+}
 
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {
   std::set<std::int64_t> ids{};  // of this text
@@ -18,8 +55,11 @@ std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Pro
     }
     if (has_ended_by_rule(study, protocol, row)) continue;
     const SessionCounts counts = study.session_counts(row.id);
-    sessions.push_back(
-        {.row = row, .trials_done = counts.done_trials, .trials = counts.planned_trials});
+    sessions.push_back({.row = row,
+                        .trials_done = counts.done_trials,
+                        .trials = counts.planned_trials,
+                        .age_hours = hours_since_it_ran(study, row),
+                        .noise = recorded_stretches(row, study.events(row.id), {}).back().noise});
   }
   return sessions;
 }

@@ -308,6 +308,112 @@ TEST_F(RunSession, HasAReportThatClaimsNoGuidanceWhichNobodySaw) {
   EXPECT_THAT(words, testing::Not(testing::HasSubstr("Participants were shown")));
 }
 
+// --- coming back to an interrupted session ---------------------------------------------------------
+
+/// The small protocol with a check and another text before its trials, and `resume` as given.
+std::string protocol_with_texts(const std::string& resume) {
+  std::string text = small_protocol();
+  const std::string first = R"({"screen": "Welcome."}, )";
+  text.insert(text.find(first) + first.size(), R"({"check": "device"}, {"screen": "The keys."}, )");
+  text.insert(text.find("\"flow\""), resume);
+  return text;
+}
+
+class ResumedSession : public RunSession {
+ protected:
+  /// Stopped after its first trial; what is read from then on is of the resumed session.
+  void interrupt(const std::string& protocol) {
+    write_file(inputs_.protocol, protocol, Overwrite::allow);
+    person_.at_question = [this](int, const Trial&) -> Reply {
+      requests_.stop_after(StopAfter::trial);
+      return {{0}, {}};
+    };
+    requests_.note("a note of the first stretch");
+    ASSERT_EQ(run().state, SessionState::stopped);
+    person_.at_question = {};
+    person_.texts.clear();
+    inputs_.resume = true;
+  }
+};
+
+constexpr const char* kGoesOn =
+    "The session continues where it was interrupted. Confirm when you are ready.";
+
+TEST_F(ResumedSession, BeginsWithTheLastTextTheChecksAndAScreenToStartFrom) {
+  interrupt(protocol_with_texts(""));
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(person_.texts, testing::ElementsAre("The keys.", kGoesOn, "Thank you."));
+  std::vector<std::string> kinds{};
+  for (const EventRow& event : study().events(study().sessions().at(0).id)) {
+    if (event.kind == "session_resumed" || event.kind == "check_passed") {
+      kinds.push_back(event.kind);
+    }
+  }
+  EXPECT_THAT(kinds, testing::ElementsAre("check_passed", "session_resumed", "check_passed"));
+}
+
+TEST_F(ResumedSession, BeginsWithTheTextsOfTheProtocol) {
+  interrupt(protocol_with_texts(R"("resume": {"screens": ["Welcome back.", "Sit as before."]}, )"));
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(person_.texts,
+              testing::ElementsAre("Welcome back.", "Sit as before.", kGoesOn, "Thank you."));
+}
+
+TEST_F(ResumedSession, BeginsWithNoTextWhereTheProtocolWantsNone) {
+  interrupt(protocol_with_texts(R"("resume": {"screens": []}, )"));
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(person_.texts, testing::ElementsAre(kGoesOn, "Thank you."));
+}
+
+TEST_F(ResumedSession, HasTheEarlierNotesAndTime) {
+  interrupt(protocol_with_texts(""));
+  SessionMonitor monitor{};
+  links_.monitor = &monitor;
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::shared_ptr<const SessionFacts> facts = monitor.facts();
+  EXPECT_THAT(facts->earlier_notes, testing::ElementsAre("a note of the first stretch"));
+  EXPECT_GT(facts->earlier_s, 0.5) << "the trial that was done";
+}
+
+TEST_F(ResumedSession, NeedsAReasonWhereItIsOlderThanTheProtocolHasIt) {
+  write_file(inputs_.protocol, protocol_with_texts(R"("resume": {"maximum_age_hours": 24}, )"),
+             Overwrite::allow);
+  {
+    const Protocol protocol = load_protocol(inputs_.protocol, models_, inputs_.study);
+    Study store = Study::open(inputs_.study, Access::read_write);
+    store.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+    const SteppedRig rig(rig_settings_for(protocol, {}), 0);
+    const OpenSession session = begin_session(store, protocol, "p1",
+                                              {.mode = SessionMode::pilot,
+                                               .seed = 5,
+                                               .pacing = "real_time",
+                                               .scheduling = "none",
+                                               .device = rig.capability(),
+                                               .started_utc = "2026-01-01T00:00:00.000Z",
+                                               .clock_zero_ns = 1'000'000'000},
+                                              this_program());
+    store.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+  }
+  inputs_.pacing = RunPacing::real_time;
+  inputs_.resume = true;
+  const std::string refusal = refusal_of<PhrasedError>([&] { run(); });
+  EXPECT_THAT(refusal, testing::HasSubstr("the session last ran"));
+  EXPECT_THAT(refusal, testing::HasSubstr("within 24 hours"));
+  EXPECT_THAT(refusal, testing::HasSubstr("--late-reason"));
+  EXPECT_EQ(study().sessions().at(0).state, SessionState::stopped);
+
+  inputs_.late_reason = "was ill for a week";
+  requests_.stop_after(StopAfter::trial);
+  EXPECT_EQ(run().state, SessionState::stopped);
+  std::vector<EventRow> late{};
+  for (const EventRow& event : study().events(study().sessions().at(0).id)) {
+    if (event.kind == kResumedLate) late.push_back(event);
+  }
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_EQ(late[0].text, "was ill for a week");
+  EXPECT_THAT(late[0].data_json, testing::HasSubstr("\"maximum_age_hours\":24.0"));
+}
+
 TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {
   write_file(inputs_.protocol, practised_protocol("end_session"), Overwrite::allow);
   person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };

@@ -215,6 +215,12 @@ void NotesPanel::focus_field() {
   if (field_->isEnabled()) field_->setFocus(Qt::ShortcutFocusReason);
 }
 
+void NotesPanel::show_earlier(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    list_->insertItem(0, tr("earlier  %1").arg(QString::fromStdString(note)));
+  }
+}
+
 void NotesPanel::note(const QString& text) {
   if (text.isEmpty()) return;
   list_->insertItem(0, QString("%1  %2").arg(QTime::currentTime().toString("HH:mm"), text));

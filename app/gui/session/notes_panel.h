@@ -2,6 +2,9 @@
 
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
@@ -27,6 +30,8 @@ class NotesPanel final : public QWidget {
   void lock(const QString& why);
   bool is_locked() const;
   void focus_field();
+  /// Of a session that is resumed, in the order of noting.
+  void show_earlier(const std::vector<std::string>& notes);
   /// With two rows of phrases: where there is more room, more are shown.
   QSize minimumSizeHint() const override;
 

@@ -372,6 +372,7 @@ void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
   band_->set_mode(facts_->row.mode);
   troubles_->set_facts(facts_);
   plan_->set_facts(facts_);
+  notes_->show_earlier(facts_->earlier_notes);
   plots_->set_patch(facts_->protocol->patch);
   explored_trial_ = -1;
   write_blindness();
@@ -417,7 +418,8 @@ void SessionWindow::write_moving_texts() {
                                           in_phase_s));
   }
   plan_->set_now(trial_to_come(), SessionText::of_phase(shown_, in_phase_s));
-  header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));
+  header_->show_elapsed(
+      facts_ == nullptr ? 0.0 : facts_->earlier_s + seconds_between(shown_.began_ns, time_ns));
 }
 
 /// A simulated clock runs at its own pace: there, no time of day can be said.

@@ -108,6 +108,13 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   offer->addWidget(unfinished_text_, 1);
   offer->addWidget(go_on_);
   layout->addWidget(unfinished_);
+  QVBoxLayout* late_layout = nullptr;
+  late_ = make_group(this, late_layout);
+  late_reason_ = new QLineEdit(this);
+  late_reason_->setObjectName("late_reason");
+  late_layout->addLayout(make_row(tr("Reason for resuming it *"), late_reason_, this));
+  late_->hide();
+  layout->addWidget(late_);
   session_text_ = make_text({}, this, true);
   session_text_->setObjectName("session_text");
   layout->addWidget(session_text_);
@@ -127,6 +134,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
     emit changed();
   });
   connect(form_, &QuestionForm::answered, this, &ParticipantCard::changed);
+  connect(late_reason_, &QLineEdit::textChanged, this, &ParticipantCard::late_reason_changed);
   connect(go_on_, &QPushButton::clicked, this, &ParticipantCard::go_on_wanted);
   set_unfinished({}, false);
   show_kind();
@@ -201,6 +209,12 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
                       .arg(row.session)
                       .arg(session->trials_done)
                       .arg(session->trials));
+}
+
+void ParticipantCard::ask_late_reason(bool asked) { late_->setVisible(asked); }
+
+std::string ParticipantCard::late_reason() const {
+  return late_->isHidden() ? std::string() : late_reason_->text().trimmed().toStdString();
 }
 
 void ParticipantCard::set_session_text(const QString& text) {

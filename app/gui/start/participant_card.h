@@ -38,6 +38,10 @@ class ParticipantCard final : public QWidget {
   void set_virtual(bool is_virtual, const QString& labels);
   /// Of the one who is chosen; `goes_on` once that was accepted.
   void set_unfinished(const std::optional<UnfinishedSession>& session, bool goes_on);
+  /// Whether it is so old that a reason is to be entered.
+  void ask_late_reason(bool asked);
+  /// Empty where none is asked for.
+  std::string late_reason() const;
   /// "Session 2 of P012 …", below everything.
   void set_session_text(const QString& text);
 
@@ -60,6 +64,7 @@ class ParticipantCard final : public QWidget {
   void changed();
   void person_changed();  ///< the label, or who is chosen
   void go_on_wanted();
+  void late_reason_changed();
 
  private:
   void show_kind();
@@ -80,6 +85,8 @@ class ParticipantCard final : public QWidget {
   QWidget* unfinished_ = nullptr;
   StateLabel* unfinished_text_ = nullptr;
   QPushButton* go_on_ = nullptr;
+  QWidget* late_ = nullptr;
+  QLineEdit* late_reason_ = nullptr;
   QLabel* session_text_ = nullptr;
 };
 

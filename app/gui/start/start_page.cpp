@@ -257,6 +257,7 @@ void StartPage::connect_parts() {
     show_start();
   });
   connect(participant_, &ParticipantCard::go_on_wanted, this, [this] { go_on(true); });
+  connect(participant_, &ParticipantCard::late_reason_changed, this, &StartPage::check_soon);
   connect(consent_, &ConsentCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::screens_changed, this, &StartPage::check_soon);

@@ -130,6 +130,7 @@ class StartPage final : public QWidget {
   bool read_has_failed() const { return !is_read_ && !read_task_.is_running(); }
   bool is_virtual() const noexcept { return mode_ == SessionMode::simulate; }
   bool needs_consent() const;
+  void keep_attested_noise();
   std::optional<std::int64_t> resumed_session() const;
   bool is_batch() const;
   MaskingNoise noise() const;

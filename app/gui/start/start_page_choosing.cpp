@@ -175,8 +175,20 @@ void StartPage::go_on(bool wanted) {
     mode_ = unfinished_->row.mode;
     (unfinished_->row.pacing == "stepped" ? fast_ : real_time_)->setChecked(true);
     virtual_people_->setValue(1);
+    keep_attested_noise();
   }
   show_mode();
+}
+
+// A level that was measured elsewhere before the interruption is not asked for again.
+void StartPage::keep_attested_noise() {
+  const RecordedNoise& before = unfinished_->noise;
+  if (noise_ == nullptr || before.source != RecordedNoise::Source::elsewhere) return;
+  MaskingNoise noise = noise_->value();
+  if (noise.measured_dBA || !noise.verified_by.empty()) return;
+  noise.measured_dBA = before.measured_dBA;
+  noise.verified_by = before.verified_by;
+  make_noise_check(noise);
 }
 
 bool StartPage::needs_consent() const {

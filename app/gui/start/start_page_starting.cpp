@@ -89,6 +89,7 @@ void StartPage::check() {
       .mode = mode_,
       .resume = resume_,
       .resumed_session = resumed_session(),
+      .late_reason = participant_->late_reason(),
       .pacing = order().inputs.pacing,
       .device = setup_->device().device(),
       .driver_options = driver_options(setup_->device().device()),
@@ -131,6 +132,7 @@ SessionOrder StartPage::order() const {
   inputs.mode = mode_;
   inputs.resume = resume_;
   inputs.resumed_session = resumed_session();
+  inputs.late_reason = participant_->late_reason();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.standstill_to_fault_s = study_.standstill_to_fault_s();

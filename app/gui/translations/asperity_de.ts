@@ -3386,6 +3386,10 @@
         <source>%1 can be read in two ways. Please write thousands without a point or a comma, and decimals with one or two digits after it.</source>
         <translation>%1 lässt sich auf zwei Arten lesen. Bitte Tausender ohne Punkt oder Komma schreiben und nach dem Komma eine oder zwei Ziffern.</translation>
     </message>
+    <message>
+        <source>The session continues where it was interrupted. Confirm when you are ready.</source>
+        <translation>Die Sitzung geht dort weiter, wo sie unterbrochen wurde. Bestätigen Sie, wenn Sie bereit sind.</translation>
+    </message>
 </context>
 <context>
     <name>ProfileWords</name>
@@ -3877,6 +3881,10 @@
         <source>participant %1 has withdrawn from the study; use another label</source>
         <translation>Versuchsperson %1 hat die Teilnahme an der Studie zurückgezogen; verwenden Sie ein anderes Kürzel</translation>
     </message>
+    <message>
+        <source>%1; to resume it all the same, give the reason with --late-reason, which is stored and stated in the report</source>
+        <translation>%1; um sie dennoch fortzusetzen, geben Sie mit --late-reason den Grund an; er wird gespeichert und im Bericht genannt</translation>
+    </message>
 </context>
 <context>
     <name>SessionChecks</name>
@@ -4328,6 +4336,14 @@
         <source>%1 has withdrawn.</source>
         <translation>%1 hat die Teilnahme zurückgezogen.</translation>
     </message>
+    <message>
+        <source>Enter the reason for resuming it.</source>
+        <translation>Geben Sie den Grund für die Fortsetzung an.</translation>
+    </message>
+    <message>
+        <source>The reason is stored and stated in the report.</source>
+        <translation>Der Grund wird gespeichert und im Bericht genannt.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -4739,6 +4755,13 @@
     <message>
         <source>The servo loop stood still for more than 50 ms: the force was set to zero, and what was interrupted is repeated. The third time, the session stops.</source>
         <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und das Unterbrochene wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedSession</name>
+    <message>
+        <source>the session last ran %1 hours ago, and the protocol has sessions resumed within %2 hours</source>
+        <translation>die Sitzung lief zuletzt vor %1 Stunden, und das Protokoll sieht eine Fortsetzung innerhalb von %2 Stunden vor</translation>
     </message>
 </context>
 <context>
@@ -6884,6 +6907,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Forget this phrase</source>
         <translation>Diese Floskel vergessen</translation>
     </message>
+    <message>
+        <source>earlier  %1</source>
+        <translation>zuvor  %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ParameterForm</name>
@@ -6985,6 +7012,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Session %1 of this protocol, on a simulated clock, is unfinished.</source>
         <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>Reason for resuming it *</source>
+        <translation>Grund für die Fortsetzung *</translation>
     </message>
 </context>
 <context>

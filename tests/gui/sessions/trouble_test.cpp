@@ -277,7 +277,7 @@ TEST_F(SessionInTrouble, ClosedAndKilledInMidSessionItGoesOnInTheSameOrder) {
   EXPECT_EQ(desk->session_window(), nullptr);
 
   go_on();
-  wait_for("a force", [&] { return is_pushed(3); });
+  take_part(answer, [&] { return is_pushed(3); });
   close_windows();  // whatever happens to the program: the session's thread ends with it
   EXPECT_EQ(stored_outcomes(),
             (Outcomes{"1/1 answered", "2/1 answered", "3/1 aborted, not valid"}));

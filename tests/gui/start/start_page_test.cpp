@@ -421,6 +421,59 @@ TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
   EXPECT_TRUE(page->order().inputs.mirrored);
 }
 
+/// A session of P001 that was stopped long ago, with a masking noise that was measured elsewhere.
+void store_old_session(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  const Protocol protocol = load_protocol(file, built_in_models(), folder);
+  Study study = Study::open(folder, Access::read_write);
+  study.add_participant({.label = "P001", .created_utc = "2026-01-01T00:00:00.000Z"});
+  const OpenSession session = begin_session(study, protocol, "P001",
+                                            {.mode = SessionMode::pilot,
+                                             .seed = 5,
+                                             .pacing = "real_time",
+                                             .scheduling = "none",
+                                             .started_utc = "2026-01-01T00:00:00.000Z",
+                                             .clock_zero_ns = 1},
+                                            this_program());
+  study.add_event(session.row.id, {.time_ns = 2, .kind = "session_began"});
+  study.add_event(session.row.id,
+                  {.time_ns = 3, .kind = "masking_noise", .data_json = R"({"kind": "pink", "heard":
+                   false, "measured_dBA": 64.5, "verified_by": "M. Wu"})"});
+  study.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+}
+
+TEST_F(TheStartPage, AsksForAReasonToResumeWhatIsOlderThanTheProtocolHasIt) {
+  std::string text = protocol_with_questions();
+  text.insert(text.find("\"flow\""), R"("resume": {"maximum_age_hours": 24}, )");
+  write_protocol(text);
+  store_old_session(folder, protocol);
+  page->show();
+  choose(protocol, "P001");
+  EXPECT_FALSE(is_shown("late_reason"));
+  click("go_on");
+  ASSERT_TRUE(is_shown("late_reason"));
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(has_reason("The session last ran")) << shown_reason();
+  EXPECT_FALSE(can_start());
+  type("late_reason", "was ill");
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  EXPECT_EQ(page->order().inputs.late_reason, "was ill");
+}
+
+TEST_F(TheStartPage, KeepsTheNoiseThatWasMeasuredBeforeTheInterruption) {
+  std::string text = protocol_with_questions();
+  text.insert(text.find("\"flow\""),
+              R"("environment": {"masking_noise": {"kind": "pink", "level_dBA": 65}}, )");
+  write_protocol(text);
+  store_old_session(folder, protocol);
+  page->show();
+  choose(protocol, "P001");
+  EXPECT_FALSE(page->order().noise.measured_dBA);
+  click("go_on");
+  EXPECT_EQ(page->order().noise.measured_dBA, 64.5);
+  EXPECT_EQ(page->order().noise.verified_by, "M. Wu");
+}
+
 TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
