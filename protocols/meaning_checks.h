@@ -76,6 +76,7 @@ class Meaning final {
   void check_textures();
   void check_path(const std::optional<std::string>& path, const std::string& pointer);
   void check_factors();
+  void check_hed(const Factor& factor);
   void check_explorations();
   void check_band(const Band& band, const std::string& pointer);
   void check_guidance(const Exploration& exploration, const std::string& pointer);

@@ -1,7 +1,9 @@
 // Whether head, textures, factors, explorations and questions make sense.
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "protocols/device_limit.h"
 #include "protocols/meaning_checks.h"
@@ -89,6 +91,43 @@ void Meaning::check_textures() {
   }
 }
 
+namespace {
+
+/// What is wrong with the form of a HED string; empty where nothing is.
+std::string hed_problem(const std::string& tags) {
+  int depth = 0;
+  bool wants_tag = true;  // before the first one, after a comma and after an opening parenthesis
+  for (const char letter : tags) {
+    if (letter == ' ') continue;
+    if (std::string_view("[]{}~\"\n\t").find(letter) != std::string_view::npos) {
+      return std::string("a HED tag cannot contain ") +
+             (letter < ' ' ? "line breaks" : in_quotes(std::string(1, letter)));
+    }
+    if (letter == ',' || letter == ')') {
+      if (wants_tag) return "a HED tag is missing before " + in_quotes(std::string(1, letter));
+      if (letter == ')' && --depth < 0) return "a parenthesis is closed that was not opened";
+      wants_tag = letter == ',';
+    } else {
+      wants_tag = letter == '(';
+      if (wants_tag) ++depth;
+    }
+  }
+  if (depth > 0) return "a parenthesis is not closed";
+  return wants_tag ? "a HED tag is missing at the end" : "";
+}
+
+/// A number may be written in any digits.
+bool is_name_of(const Level& level, const std::string& name) {
+  const double* const number = std::get_if<double>(&level);
+  if (number == nullptr) return std::get<std::string>(level) == name;
+  double named = 0.0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data(), end, named);
+  return error == std::errc() && rest == end && named == *number;
+}
+
+}  // namespace
+
 void Meaning::check_factors() {
   for (const auto& [name, factor] : protocol_.factors) {
     const std::string pointer = pointer_to("/factors", name) + "/levels";
@@ -104,6 +143,32 @@ void Meaning::check_factors() {
         report(pointer_to(pointer, i), "a level cannot be empty");
       }
     }
+    check_hed(factor);
+  }
+}
+
+/// Whether tags exist is for a validator of HED, whose vocabulary has thousands of them.
+void Meaning::check_hed(const Factor& factor) {
+  const auto& declared = document_.root().at("factors").at(factor.name);
+  const auto hed = declared.find("hed");
+  if (hed == declared.end()) return;
+  std::vector<std::string> names{};
+  for (const Level& level : factor.levels) names.push_back(text_of(level));
+  for (const auto& [name, tags] : hed->items()) {
+    const std::string pointer = pointer_to(pointer_to("/factors", factor.name) + "/hed", name);
+    const bool is_level =
+        std::any_of(factor.levels.begin(), factor.levels.end(),
+                    [&name = name](const Level& level) { return is_name_of(level, name); });
+    if (!is_level) {
+      report_key(pointer, in_quotes(name) + " is not a level of the factor " +
+                              in_quotes(factor.name) + "; its levels are " + one_of(names) +
+                              did_you_mean(name, names));
+    }
+    const std::string problem = hed_problem(tags.get<std::string>());
+    if (problem.empty()) continue;
+    report(pointer, problem +
+                        "; HED tags are separated by commas and grouped by parentheses, as "
+                        "\"Sensory-event, (Rough, Large)\"");
   }
 }
 

@@ -165,7 +165,13 @@ StoredProtocol stored_protocol(const std::string& source) {
                       .estimation = estimation_declared_in(root),
                       .compared_parameter = parameter_compared_in(root)};
   for_each_object(member_of(root, "factors"), [&](const std::string& name, const Json& factor) {
-    read.factors[name] = {.meaning = text_in(factor, "meaning"), .unit = text_in(factor, "unit")};
+    StoredProtocol::Factor& declared = read.factors[name];
+    declared = {.meaning = text_in(factor, "meaning"), .unit = text_in(factor, "unit")};
+    const Json& hed = member_of(factor, "hed");
+    if (!hed.is_object()) return;
+    for (const auto& [level, tags] : hed.items()) {
+      if (tags.is_string()) declared.hed[level] = tags.get<std::string>();
+    }
   });
   for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
     read.questions[name] = {.prompt = text_in(asked, "prompt"),

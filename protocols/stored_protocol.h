@@ -17,6 +17,7 @@ struct StoredProtocol {
   struct Factor {
     std::string meaning{};
     std::string unit{};
+    std::map<std::string, std::string> hed{};  ///< level → its HED tags
   };
   /// Of a questionnaire.
   struct Question {

@@ -15,7 +15,8 @@ using testing::Pair;
 TEST(StoredProtocol, ReadsWhatIsSpecified) {
   const StoredProtocol read = stored_protocol(R"({
       "format": "asperity.protocol/9", "title": "Roughness", "unknown": [1, {}],
-      "factors": {"tip": {"levels": ["small", "large"], "meaning": "diameter", "unit": "m"}, "bad": 3},
+      "factors": {"tip": {"levels": ["small", "large"], "meaning": "diameter", "unit": "m",
+                          "hed": {"small": "Item", "large": 3}}, "bad": 3},
       "questions": {"hand": {"prompt": "Which hand?", "form": "choice", "options": ["left", 2, "right"],
                              "minimum": 1, "maximum": "2"}},
       "blocks": {"main": {"question": {"name": "rough", "prompt": "How rough?"}}, "rest": {}},
@@ -25,6 +26,7 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   ASSERT_EQ(read.factors.size(), 1U);
   EXPECT_EQ(read.factors.at("tip").meaning, "diameter");
   EXPECT_EQ(read.factors.at("tip").unit, "m");
+  EXPECT_THAT(read.factors.at("tip").hed, ElementsAre(Pair("small", "Item")));
   const StoredProtocol::Question& hand = read.questions.at("hand");
   EXPECT_EQ(hand.prompt, "Which hand?");
   EXPECT_EQ(hand.form, "choice");
