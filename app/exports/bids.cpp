@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/sidecar.h"
 #include "app/program.h"
 #include "app/tasks/attempt_detail.h"
 #include "protocols/stored_protocol.h"
@@ -18,44 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kBidsVersion = "1.8.0";
+constexpr const char* kBidsVersion = "1.10.0";
+constexpr const char* kResponseTime = "from_cue_s";
 
 std::string two_digits(std::int64_t number) {
   const std::string digits = std::to_string(number);
   return digits.size() < 2 ? "0" + digits : digits;
 }
-
-/// As BIDS wants units spelt: a product with a point, a power with a caret [BIDS 1.8.0, units].
-std::string unit_of(const std::string& unit) {
-  std::string spelt{};
-  for (const char letter : unit) {
-    const bool is_power = std::isdigit(static_cast<unsigned char>(letter)) != 0 && !spelt.empty() &&
-                          std::isalpha(static_cast<unsigned char>(spelt.back())) != 0;
-    if (is_power) spelt += '^';
-    spelt += letter == ' ' ? '.' : letter;
-  }
-  return spelt;
-}
-
-/// What a sidecar says of a column.
-Json described(const ExportColumn& column) {
-  Json json{};
-  json["Description"] = column.description;
-  if (!column.unit.empty() && column.unit != "1") json["Units"] = unit_of(column.unit);
-  if (column.type == "boolean") {
-    json["Levels"] = Json{{"0", "no"}, {"1", "yes"}};
-  } else if (!column.levels.empty() && column.type == "text") {
-    Json levels = Json::object();
-    for (const std::string& level : column.levels) levels[level] = level;
-    json["Levels"] = std::move(levels);
-  }
-  if (column.minimum) json["Minimum"] = *column.minimum;
-  if (column.maximum) json["Maximum"] = *column.maximum;
-  if (column.missing != "never") json["MissingWhen"] = column.missing;
-  return json;
-}
-
-std::string indented_text(const Json& json) { return json.dump(2) + "\n"; }
 
 /// For each record the row of a regular stream that it is, counted from the first record: the one
 /// that is nearest in time. Rows rise, and no record is left out: where the nearest row is taken,
@@ -97,6 +67,11 @@ std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabu
                                                    std::vector<std::string>& left_out) {
   std::vector<ExportColumn> columns =
       columns_for(audience, answered_trial_columns(vocabulary), left_out);
+  ExportColumn time = *std::find_if(columns.begin(), columns.end(), [](const ExportColumn& each) {
+    return each.name == kResponseTime;
+  });
+  time.name = "response_time";
+  columns.push_back(std::move(time));
   if (recordings == Recordings::left_out) return columns;
   ExportColumn run{};
   run.name = "run";
@@ -141,7 +116,13 @@ BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::stri
       audience_(audience),
       recordings_(recordings),
       columns_(beh_columns(vocabulary, audience, recordings, left_out_)),
-      participant_columns_(participant_columns(vocabulary, audience, participants_left_out_)) {}
+      event_columns_(bids_event_columns(vocabulary, audience, events_left_out_)),
+      participant_columns_(participant_columns(vocabulary, audience, participants_left_out_)) {
+  const auto time = std::find_if(columns_.begin(), columns_.end(), [](const ExportColumn& column) {
+    return column.name == kResponseTime;
+  });
+  response_time_ = static_cast<std::size_t>(time - columns_.begin());
+}
 
 std::string BidsDataset::task_of(const std::string& protocol) {
   const auto known = tasks_.find(protocol);
@@ -176,18 +157,37 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   run_ = 0;
   const std::string name = start_ + "_beh.tsv";
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
-  Json sidecar{};
-  sidecar["TaskName"] = task_name_;
+  Json sidecar{{"TaskName", task_name_}};
   const std::string title = stored_protocol(at.protocol->source).title;
   if (!title.empty()) sidecar["TaskDescription"] = title;
-  // Its release tells machines apart; what it is called is told to everybody.
+  sidecar.update(session_sidecar(at, columns_));
+  folder_.write(start_ + "_beh.json", indented_text(sidecar));
+}
+
+Json BidsDataset::session_sidecar(const ExportPlace& at,
+                                  const std::vector<ExportColumn>& columns) const {
+  Json sidecar{};
+  // The release of a kernel can identify a machine; the system's name cannot.
   const std::string& os = at.session->os;
   sidecar["StimulusPresentation"] = Json{
       {"OperatingSystem", audience_ == ExportAudience::published ? os.substr(0, os.find(' ')) : os},
       {"SoftwareName", "Asperity"},
       {"SoftwareVersion", at.session->program_version}};
-  for (const ExportColumn& column : columns_) sidecar[column.name] = described(column);
-  folder_.write(start_ + "_beh.json", indented_text(sidecar));
+  for (const ExportColumn& column : columns) sidecar[column.name] = sidecar_of(column);
+  return sidecar;
+}
+
+void BidsDataset::add_events(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
+                             const std::vector<AttemptRow>& attempts,
+                             const std::vector<TimedEvent>& timeline) {
+  const std::string name = start_ + "_events.tsv";
+  TableFile file(folder_.path_of(name), TableFile::Format::tsv, column_names(event_columns_));
+  for (const std::vector<Cell>& row :
+       bids_event_rows(event_columns_, audience_, at, plan, attempts, timeline)) {
+    file.add(row);
+  }
+  folder_.add(name, file.finish(), events_left_out_);
+  folder_.write(start_ + "_events.json", indented_text(session_sidecar(at, event_columns_)));
 }
 
 void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
@@ -203,7 +203,7 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
   for (const RecordingColumn& column : recording.header.columns) {
     columns.push_back(column.name);
     described_columns[column.name] =
-        Json{{"Description", column.meaning}, {"Units", unit_of(column.unit)}};
+        Json{{"Description", column.meaning}, {"Units", bids_unit(column.unit)}};
   }
   TableFile file(folder_.path_of(name + ".tsv.gz"), TableFile::Format::bare_tsv_gz, columns);
   const double rate_Hz = recording.header.rate_Hz;
@@ -236,13 +236,12 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
 }
 
 void BidsDataset::add_row(const std::vector<Cell>& row) {
-  if (recordings_ == Recordings::left_out) {
-    beh_->add(row);
-    return;
+  std::vector<Cell> cells = row;
+  cells.push_back(row[response_time_]);
+  if (recordings_ == Recordings::written) {
+    cells.push_back(attempt_is_recorded_ ? Cell{run_} : Cell{});
   }
-  std::vector<Cell> with_run = row;
-  with_run.push_back(attempt_is_recorded_ ? Cell{run_} : Cell{});
-  beh_->add(with_run);
+  beh_->add(cells);
 }
 
 void BidsDataset::end_session() {
@@ -255,7 +254,7 @@ void BidsDataset::finish() {
                          column_names(participant_columns_));
   Json sidecar{};
   for (const ExportColumn& column : participant_columns_) {
-    sidecar[column.name] = described(column);
+    sidecar[column.name] = sidecar_of(column);
     if (column.name == "age") sidecar[column.name]["Units"] = "year";
   }
   for (const std::vector<Cell>& row : participants_) participants.add(row);

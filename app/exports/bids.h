@@ -1,4 +1,4 @@
-// The answers of one kind of sessions as a dataset of the Brain Imaging Data Structure (BIDS 1.8.0).
+// The answers of one kind of sessions as a dataset of the Brain Imaging Data Structure (BIDS 1.10.0).
 
 #pragma once
 
@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/exports/bids_events.h"
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/made_by.h"
@@ -15,14 +18,14 @@
 namespace asperity {
 
 /// Writes below `root` of an export: dataset_description.json, README, participants.tsv and .json,
-/// per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and .json, and, where recordings are
-/// wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
+/// per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and `…_events.tsv`, each with its .json,
+/// and, where recordings are wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
 ///
 /// BIDS wants one regular stream of a recording. An attempt is one, at the rate of the servo loop;
 /// between attempts there is none. So an attempt is a run. A tick is in the row nearest to its
 /// time, or in the next one to it where ticks came so unevenly that two would be in one; rows
 /// without a tick are n/a. The first column has the time of each tick as it was, since the session
-/// began: what StartTime and `_beh.tsv` count from.
+/// began: what StartTime, `_beh.tsv` and `_events.tsv` count from.
 ///
 /// The task is the protocol's name without what is no letter or digit.
 class BidsDataset final {
@@ -34,7 +37,8 @@ class BidsDataset final {
               const StudyVocabulary& vocabulary, ExportAudience audience, Recordings recordings,
               const MadeBy& made_by);
 
-  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, and `run`.
+  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, `response_time` as BIDS
+  /// names it, and `run`.
   static std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary,
                                                ExportAudience audience, Recordings recordings,
                                                std::vector<std::string>& left_out);
@@ -44,6 +48,9 @@ class BidsDataset final {
 
   void add_participant(const ExportPlace& at);
   void begin_session(const ExportPlace& at);
+  /// Everything that happened in the session.
+  void add_events(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
+                  const std::vector<AttemptRow>& attempts, const std::vector<TimedEvent>& timeline);
   /// The cells of answered_trial_columns, as this audience gets them; of an attempt without a response
   /// there is one row as well.
   void add_row(const std::vector<Cell>& row);
@@ -54,7 +61,9 @@ class BidsDataset final {
 
  private:
   std::string task_of(const std::string& protocol);
-  std::string session_start(const ExportPlace& at);
+  /// How the session was presented, and every column.
+  nlohmann::ordered_json session_sidecar(const ExportPlace& at,
+                                         const std::vector<ExportColumn>& columns) const;
 
   ExportFolder& folder_;
   std::string root_{};
@@ -64,7 +73,10 @@ class BidsDataset final {
   Recordings recordings_;
   std::vector<std::string> left_out_{};
   std::vector<std::string> participants_left_out_{};
+  std::vector<std::string> events_left_out_{};
   std::vector<ExportColumn> columns_{};
+  std::vector<ExportColumn> event_columns_{};
+  std::size_t response_time_ = 0;  ///< which of the cells of an answered trial is the response time
   std::vector<ExportColumn> participant_columns_{};
   std::vector<std::vector<Cell>> participants_{};
   std::map<std::string, std::string> tasks_{};  ///< protocol → label

@@ -9,130 +9,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/column_making.h"
+#include "app/exports/event_columns.h"
 #include "results_schema/analysis_use.h"
 
 namespace asperity {
 
+using namespace export_columns;
+
 namespace {
 
-using Columns = std::vector<ExportColumn>;
 using Place = ExportPlace;
-
-Cell boolean(bool value) { return std::int64_t{value ? 1 : 0}; }
-
-Cell optional_boolean(const std::optional<bool>& value) { return value ? boolean(*value) : Cell{}; }
-
-template <class Value>
-Cell optional_cell(const std::optional<Value>& value) {
-  return value ? Cell{*value} : Cell{};
-}
-
-Cell integer(std::int64_t value) { return value; }
 
 constexpr const char* kMissedInContact =
     "ticks that came too late while a surface was touched: on these an attempt is judged";
 constexpr const char* kNotCountedApart =
     "the attempt was made by version 0.1, which did not count them apart";
-
-/// On the clock of the session, whose zero is at started_utc.
-Cell seconds_in_session(const Place& at, std::int64_t time_ns) {
-  return static_cast<double>(time_ns - at.session->clock_zero_ns) / 1e9;
-}
-
-Cell seconds_in_session(const Place& at, const std::optional<std::int64_t>& time_ns) {
-  return time_ns ? seconds_in_session(at, *time_ns) : Cell{};
-}
-
-Cell json_cell(const nlohmann::json& value) {
-  if (value.is_null()) return {};
-  if (value.is_boolean()) return boolean(value.get<bool>());
-  if (value.is_number_integer()) return value.get<std::int64_t>();
-  if (value.is_number()) return value.get<double>();
-  if (value.is_string()) return value.get<std::string>();
-  return value.dump();
-}
-
-Cell member_of(const nlohmann::json* object, const std::string& name) {
-  const auto found = object->find(name);
-  return found == object->end() ? Cell{} : json_cell(*found);
-}
-
-ExportColumn column(std::string name, std::string type, std::string unit, std::string description,
-                    std::function<Cell(const Place&)> cell) {
-  ExportColumn made{};
-  made.name = std::move(name);
-  made.type = std::move(type);
-  made.unit = std::move(unit);
-  made.description = std::move(description);
-  made.cell = std::move(cell);
-  if (made.type == "boolean") made.levels = {"0", "1"};
-  return made;
-}
-
-ExportColumn with_levels(ExportColumn made, std::vector<std::string> levels) {
-  made.levels = std::move(levels);
-  return made;
-}
-
-ExportColumn at_least(double minimum, ExportColumn made) {
-  made.minimum = minimum;
-  return made;
-}
-
-ExportColumn fraction(ExportColumn made) {
-  made.minimum = 0.0;
-  made.maximum = 1.0;
-  return made;
-}
-
-ExportColumn missing(std::string when, ExportColumn made) {
-  made.missing = std::move(when);
-  return made;
-}
-
-ExportColumn dropped(ExportColumn made) {
-  made.publication = Publication::dropped;
-  return made;
-}
-
-enum class Key { participant, session, trial, attempt };
-
-/// The keys down to `last`, then what no table may be without: who is virtual, and in which mode.
-Columns keys_to(Key last) {
-  Columns columns{};
-  columns.push_back(column("participant", "text", "", "label of the participant",
-                           [](const Place& at) { return at.participant->label; }));
-  if (last >= Key::session) {
-    columns.push_back(
-        at_least(1, column("session", "integer", "", "number of the session within the participant",
-                           [](const Place& at) { return integer(at.session->session); })));
-  }
-  if (last >= Key::trial) {
-    columns.push_back(at_least(
-        1, column("trial", "integer", "", "number of the trial within the plan of the session",
-                  [](const Place& at) { return at.trial ? integer(at.trial->trial) : Cell{}; })));
-  }
-  if (last >= Key::attempt) {
-    columns.push_back(at_least(1, column("attempt", "integer", "",
-                                         "number of the attempt at the trial", [](const Place& at) {
-                                           return at.attempt ? integer(at.attempt->attempt)
-                                                             : Cell{};
-                                         })));
-  }
-  columns.push_back(
-      column("virtual", "boolean", "",
-             "1: a simulated participant, whose rows are not data of human participants",
-             [](const Place& at) { return boolean(at.participant->is_virtual); }));
-  columns.push_back(with_levels(column("mode", "text", "", "what the session was run for",
-                                       [](const Place& at) -> Cell {
-                                         if (at.session) return text_of(at.session->mode);
-                                         return at.participant_mode->empty()
-                                                    ? Cell{}
-                                                    : Cell{*at.participant_mode};
-                                       }),
-                                {"run", "pilot", "simulate"}));
-  return columns;
-}
 
 Columns participant_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::participant);
@@ -305,6 +197,7 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
                factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
                [name = name](const Place& at) { return member_of(at.factors, name); }));
     made.levels = factor.levels;
+    made.level_meanings = factor.level_meanings;
     made.source = factor.source;
     if (factor.numeric && !factor.levels.empty()) {
       made.minimum = number_in(factor.levels.front());
@@ -643,6 +536,8 @@ const char* publication_text(Publication publication) {
       return "kept";
     case Publication::without_questionnaires:
       return "without answers to questionnaires";
+    case Publication::without_free_text:
+      return "without free text";
     case Publication::dropped_unless_named:
       return "dropped unless named";
     case Publication::dropped:
@@ -690,7 +585,8 @@ std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
           {"presentations", presentation_columns(vocabulary)},
           {"responses", response_columns(vocabulary)},
           {"servo_quality", servo_columns()},
-          {"compliance", compliance_columns()}};
+          {"compliance", compliance_columns()},
+          {"events", event_columns()}};
 }
 
 Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
@@ -760,7 +656,8 @@ std::string left_out_answers_to(const std::string& question) { return "answer(" 
 Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at) {
   const bool hidden = audience == ExportAudience::published && at.response_is_withheld &&
                       column.publication == Publication::without_questionnaires;
-  Cell cell = hidden ? Cell{} : column.cell(at);
+  const bool is_published = audience == ExportAudience::published && column.published_cell;
+  Cell cell = hidden ? Cell{} : is_published ? column.published_cell(at) : column.cell(at);
   const auto* text = std::get_if<std::string>(&cell);
   return text != nullptr && text->empty() ? Cell{} : cell;
 }

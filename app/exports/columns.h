@@ -18,6 +18,8 @@
 
 namespace asperity {
 
+struct TimedEvent;
+
 /// Where in a study a row of an exported table stands. What does not apply to a table is null.
 struct ExportPlace {
   const ParticipantRow* participant = nullptr;
@@ -39,6 +41,7 @@ struct ExportPlace {
   const nlohmann::json* parameters = nullptr;  ///< of the presentation
   const ServoQualityRow* servo = nullptr;
   const ComplianceRow* compliance = nullptr;
+  const TimedEvent* event = nullptr;
 };
 
 /// `published`: without dates, without anything that somebody typed freely, and without answers to
@@ -49,8 +52,15 @@ enum class ExportAudience { own, published };
 enum class Publication {
   kept,
   without_questionnaires,  ///< kept, but n/a where the answer is one to a questionnaire
+  without_free_text,       ///< kept, but without what somebody typed and what identifies a machine
   dropped_unless_named,    ///< answers to a questionnaire
   dropped,                 ///< dates, free text, what tells one machine from others
+};
+
+/// What one level of a column stands for.
+struct LevelMeaning {
+  std::string description{};
+  std::string hed{};  ///< its tags (www.hedtags.org), where there are any
 };
 
 /// One column: what the codebook says of it, and how to get a cell.
@@ -60,12 +70,15 @@ struct ExportColumn {
   std::string type{};  ///< "text", "integer", "number", "boolean", "utc_time", "json"
   std::string unit{};  ///< SI; empty for what is no quantity, "1" for a pure number
   std::vector<std::string> levels{};
+  std::map<std::string, LevelMeaning> level_meanings{};  ///< of those that have more than a name
   std::optional<double> minimum{};
   std::optional<double> maximum{};
   std::string missing = "never";   ///< when the cell is n/a
   std::string source = "program";  ///< who says so: the program, a protocol, a force model
   Publication publication = Publication::kept;
   std::function<Cell(const ExportPlace&)> cell{};
+  /// What the public gets instead, where that differs.
+  std::function<Cell(const ExportPlace&)> published_cell{};
 };
 
 std::vector<std::string> column_names(const std::vector<ExportColumn>& columns);
@@ -83,6 +96,7 @@ struct StudyVocabulary {
     std::string unit{};
     std::string source = "plans of the trials";
     std::vector<std::string> levels{};
+    std::map<std::string, LevelMeaning> level_meanings{};
     bool numeric = true;
   };
   struct ParameterMeaning {

@@ -42,6 +42,15 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   }
 }
 
+/// A number may be written in other digits in the protocol than in a table.
+std::string tags_of(const std::string& level, const std::map<std::string, std::string>& hed) {
+  for (const auto& [declared, tags] : hed) {
+    const std::optional<double> number = number_in(declared);
+    if (declared == level || (number && number == number_in(level))) return tags;
+  }
+  return {};
+}
+
 void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabulary) {
   StoredProtocol specified = stored_protocol(protocol.source);
   for (const auto& [name, declared] : specified.factors) {
@@ -50,6 +59,10 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     factor->second.meaning = declared.meaning;
     factor->second.unit = declared.unit;
     factor->second.source = place_in(protocol, "/factors/" + name);
+    for (const std::string& level : factor->second.levels) {
+      const std::string tags = tags_of(level, declared.hed);
+      if (!tags.empty()) factor->second.level_meanings[level].hed = tags;
+    }
   }
   learn_questions(protocol, specified, vocabulary);
   if (specified.estimation) {

@@ -18,9 +18,11 @@
 #include "app/exports/import_scripts.h"
 #include "app/exports/psych_ds.h"
 #include "app/exports/sav_table.h"
+#include "app/exports/sidecar.h"
 #include "app/exports/vocabulary.h"
 #include "app/exports/wide_table.h"
 #include "app/study_condition.h"
+#include "app/tasks/session_timeline.h"
 #include "protocols/protocol.h"
 
 namespace asperity {
@@ -166,8 +168,13 @@ class GroupFiles final {
     if (bids_) bids_->add_participant(at);
   }
 
-  void begin_session(const ExportPlace& at) {
-    if (bids_) bids_->begin_session(at);
+  void begin_session(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
+                     const std::vector<AttemptRow>& attempts,
+                     const std::vector<TimedEvent>& timeline) {
+    if (bids_) {
+      bids_->begin_session(at);
+      bids_->add_events(at, plan, attempts, timeline);
+    }
     if (psych_) psych_->begin_session(at);
   }
 
@@ -212,6 +219,8 @@ class GroupFiles final {
                    BidsDataset::participant_columns(vocabulary, options_.audience, ignored));
       codebook.add(root_ + "bids/sub-*/ses-*/beh/*_beh.tsv",
                    BidsDataset::beh_columns(vocabulary, options_.audience, recordings_, ignored));
+      codebook.add(root_ + "bids/sub-*/ses-*/beh/*_events.tsv",
+                   bids_event_columns(vocabulary, options_.audience, ignored));
     }
     if (psych_) {
       psych_->finish();
@@ -354,9 +363,20 @@ class StudyExport final {
     }
     for (auto& [group, files] : groups_) files->finish(vocabulary_, codebook_);
     codebook_.write(folder_);
+    write_event_sidecar();
   }
 
  private:
+  /// The codebook has the names of the kinds of events; what each is would not fit into a cell.
+  void write_event_sidecar() {
+    nlohmann::ordered_json sidecar{};
+    for (const GrowingTable& table : tables_) {
+      if (table.name != "events") continue;
+      for (const ExportColumn& column : table.columns) sidecar[column.name] = sidecar_of(column);
+    }
+    folder_.write("events.json", indented_text(sidecar));
+  }
+
   std::vector<std::string> questionnaire() const {
     std::vector<std::string> names{};
     for (const auto& [name, question] : vocabulary_.questions) {
@@ -407,7 +427,11 @@ class StudyExport final {
 
   void add_session(ExportPlace at, GroupFiles& files) {
     add("sessions", at);
-    files.begin_session(at);
+    std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
+    const std::vector<PlannedTrialRow> plan = study_.plan(at.session->id);
+    const std::vector<TimedEvent> timeline =
+        session_timeline(study_.events(at.session->id), attempts);
+    files.begin_session(at, plan, attempts, timeline);
     std::vector<ResponseRow> answers = study_.session_answers(at.session->id);
     sort_responses(answers);
     for (const ResponseRow& answer : answers) {
@@ -417,30 +441,30 @@ class StudyExport final {
       add("responses", here);
       files.add_session_answer(here);
     }
-    doubts_.clear();
     own_scale_ = own_scales_.of(*at.participant, *at.session, *at.protocol);
-    if (at.protocol->kind == text_of(ProtocolKind::magnitude)) {
-      for (const EventRow& event : study_.events(at.session->id)) {
-        if (event.kind == "estimate_doubted") doubts_.push_back(event);
-      }
-    }
-    std::map<int, std::vector<AttemptRow>> attempts_by_trial{};
-    for (AttemptRow& attempt : study_.attempts(at.session->id)) {
-      attempts_by_trial[attempt.trial].push_back(std::move(attempt));
-    }
-    for (const PlannedTrialRow& trial : study_.plan(at.session->id)) {
+    std::map<int, std::vector<AttemptRow*>> attempts_by_trial{};
+    for (AttemptRow& attempt : attempts) attempts_by_trial[attempt.trial].push_back(&attempt);
+    std::map<int, const PlannedTrialRow*> trials{};
+    for (const PlannedTrialRow& trial : plan) {
+      trials[trial.trial] = &trial;
       at.trial = &trial;
       at.factors = &factors_.of(trial.factors_json);
       add("trials", at);
-      for (AttemptRow& attempt : attempts_by_trial[trial.trial]) add_attempt(at, attempt, files);
+      for (AttemptRow* attempt : attempts_by_trial[trial.trial]) add_attempt(at, *attempt, files);
+    }
+    for (const TimedEvent& event : timeline) {
+      at.event = &event;
+      at.attempt = event.attempt;
+      at.trial = event.attempt == nullptr ? nullptr : trials[event.attempt->trial];
+      add("events", at);
     }
     files.end_session();
   }
 
   /// The first number of an attempt that was asked for a second one.
-  std::optional<double> doubted_in(const AttemptRow& attempt) const {
-    for (const EventRow& event : doubts_) {
-      if (event.time_ns < attempt.onset_ns || event.time_ns > attempt.offset_ns) continue;
+  static std::optional<double> doubted_in(const AttemptRow& attempt) {
+    for (const EventRow& event : attempt.events) {
+      if (event.kind != "estimate_doubted") continue;
       return nlohmann::json::parse(event.data_json).at("estimate").get<double>();
     }
     return {};
@@ -484,8 +508,7 @@ class StudyExport final {
 
   const Study& study_;
   const OwnScales& own_scales_;
-  std::vector<EventRow> doubts_{};     ///< of the session
-  std::optional<double> own_scale_{};  ///< likewise
+  std::optional<double> own_scale_{};  ///< of the session
   ExportFolder& folder_;
   ExportOptions options_;
   StudyVocabulary vocabulary_;

@@ -503,11 +503,11 @@ TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
   EXPECT_EQ(trials.rows.back().at("from_cue_s"), ".");
 }
 
-// [BIDS 1.8.0]: names of entities in their order, columns that have to come first, sidecars.
+// [BIDS 1.10.0]: names of entities in their order, columns that have to come first, sidecars.
 TEST_F(ExportFormats, FollowTheRulesOfBids) {
   const std::regex beh(
       "sub-([0-9A-Za-z]+)/ses-([0-9A-Za-z]+)/beh/sub-\\1_ses-\\2_task-[0-9A-Za-z]+"
-      "(_beh\\.(tsv|json)|(_run-[0-9]+)_recording-[0-9A-Za-z]+_physio\\.(tsv\\.gz|json))");
+      "(_(beh|events)\\.(tsv|json)|(_run-[0-9]+)_recording-[0-9A-Za-z]+_physio\\.(tsv\\.gz|json))");
   const std::set<std::string> at_top{"README", "dataset_description.json", "participants.json",
                                      "participants.tsv"};
   for (const char* const root : {"bids", "pilot/bids", "virtual/bids"}) {
@@ -522,7 +522,7 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
                 std::string(root).starts_with(whom))
           << root << ": whoever has this folder alone is told whose answers these are";
     }
-    EXPECT_EQ(description.at("BIDSVersion"), "1.8.0");
+    EXPECT_EQ(description.at("BIDSVersion"), "1.10.0");
     EXPECT_EQ(description.at("DatasetType"), "raw");
     const Table participants = table_in(bids, "participants.tsv");
     ASSERT_EQ(participants.columns.front(), "participant_id");

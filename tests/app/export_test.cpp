@@ -35,12 +35,12 @@ TEST(Export, WritesTheFilesThatAreDocumented) {
   MadeUpStudy made;
   fill(made);
   export_to(made, made.beside("out"));
-  EXPECT_THAT(
-      names_in(made.beside("out")),
-      ElementsAre("MANIFEST.tsv", "README.txt", "attempts.tsv", "bids", "codebook.tsv",
-                  "compliance.tsv", "import.R", "import.py", "participants.tsv",
-                  "presentations.tsv", "psychds", "responses.tsv", "servo_quality.tsv",
-                  "sessions.tsv", "trials.sav", "trials.tsv", "virtual", "wide.csv", "wide.sav"));
+  EXPECT_THAT(names_in(made.beside("out")),
+              ElementsAre("MANIFEST.tsv", "README.txt", "attempts.tsv", "bids", "codebook.tsv",
+                          "compliance.tsv", "events.json", "events.tsv", "import.R", "import.py",
+                          "participants.tsv", "presentations.tsv", "psychds", "responses.tsv",
+                          "servo_quality.tsv", "sessions.tsv", "trials.sav",
+                          "trials.tsv", "virtual", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("out") / "virtual"),
               ElementsAre("bids", "psychds", "trials.sav", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
@@ -50,7 +50,7 @@ TEST(Export, WritesWhatIsAskedForBesideTheTables) {
   MadeUpStudy made;
   fill(made);
   const Exported tables(made);
-  EXPECT_EQ(names_in(tables.folder()).size(), 13U);
+  EXPECT_EQ(names_in(tables.folder()).size(), 15U);
   EXPECT_THAT(names_in(tables.folder()), Not(Contains("wide.csv")));
   ExportOptions wide{};
   wide.formats = {ExportFormat::wide};
@@ -118,8 +118,9 @@ TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
   const Exported tables(made);
   const std::vector<std::string> keys{"participant", "session", "trial", "attempt"};
   const std::map<std::string, std::size_t> depth{
-      {"participants", 1},  {"sessions", 2},  {"trials", 3},        {"attempts", 4},
-      {"presentations", 4}, {"responses", 4}, {"servo_quality", 4}, {"compliance", 4}};
+      {"participants", 1},  {"sessions", 2},      {"trials", 3},
+      {"attempts", 4},      {"presentations", 4}, {"responses", 4},
+      {"servo_quality", 4}, {"compliance", 4},    {"events", 4}};
   for (const auto& [name, keys_of_table] : depth) {
     std::vector<std::string> expected(keys.begin(),
                                       keys.begin() + static_cast<std::ptrdiff_t>(keys_of_table));
@@ -140,8 +141,9 @@ TEST(Export, HasOneRowPerThing) {
   fill(made);
   const Exported tables(made);
   const std::map<std::string, std::size_t> expected{
-      {"participants", 2},  {"sessions", 2},  {"trials", 3},        {"attempts", 3},
-      {"presentations", 6}, {"responses", 5}, {"servo_quality", 0}, {"compliance", 0}};
+      {"participants", 2},  {"sessions", 2},      {"trials", 3},
+      {"attempts", 3},      {"presentations", 6}, {"responses", 5},
+      {"servo_quality", 0}, {"compliance", 0},    {"events", 0}};
   for (const auto& [name, rows] : expected) EXPECT_EQ(tables.table(name).rows.size(), rows) << name;
 }
 
@@ -263,12 +265,11 @@ TEST(Export, TellsTheNumberThatAnEstimateTookThePlaceOf) {
   trial.factors_json = R"({"spacing": 0.001})";
   trial.answers = {"7"};
   trial.number = 7.0;
-  const std::int64_t session = made.add_session("anna", protocol, {trial, trial});
-  const std::vector<AttemptRow> attempts = made.study().attempts(session);
-  made.study().add_event(session, {.time_ns = attempts.at(1).onset_ns,
-                                   .kind = "estimate_doubted",
-                                   .text = "70",
-                                   .data_json = R"({"estimate": 70, "earlier_estimate": 7})"});
+  MadeUpTrial doubted = trial;
+  doubted.events = {{.kind = "estimate_doubted",
+                     .text = "70",
+                     .data_json = R"({"estimate": 70, "earlier_estimate": 7})"}};
+  made.add_session("anna", protocol, {trial, doubted});
   ExportOptions options{};
   options.formats = {ExportFormat::wide};
   const std::filesystem::path out = made.beside("out");

@@ -25,6 +25,7 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
   attempt.onset_ns = kFirstTrial_ns + (trial - 1) * kTrial_ns;
   attempt.offset_ns = attempt.onset_ns + kTrial_ns / 2;
   attempt.recording = made.recording;
+  attempt.events = made.events;
   attempt.presentations = made.surfaces;
   int position = 0;
   for (PresentationRow& surface : attempt.presentations) surface.position = ++position;

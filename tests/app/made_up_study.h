@@ -29,6 +29,7 @@ struct MadeUpTrial {
   bool valid = true;
   bool flagged = false;
   std::optional<RecordingRow> recording{};
+  std::vector<EventRow> events{};
 };
 
 PresentationRow surface_of(const std::string& item, const std::string& model,

@@ -1,0 +1,92 @@
+#include "app/exports/event_columns.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/event_kinds.h"
+#include "app/exports/column_making.h"
+#include "app/tasks/session_timeline.h"
+
+namespace asperity {
+
+using namespace export_columns;
+
+namespace {
+
+/// Of the members of the data those that may be published; missing where none is left.
+Cell published_data(const EventRow& event) {
+  const EventKind* const kind = event_kind(event.kind);
+  const auto data = nlohmann::ordered_json::parse(event.data_json, nullptr, false);
+  if (kind == nullptr || !data.is_object()) return {};
+  nlohmann::ordered_json kept = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : data.items()) {
+    const auto& names = kind->public_data;
+    if (std::find(names.begin(), names.end(), name) != names.end()) kept[name] = value;
+  }
+  return kept.empty() ? Cell{} : Cell{kept.dump()};
+}
+
+ExportColumn without_free_text(ExportColumn made,
+                               std::function<Cell(const ExportPlace&)> published) {
+  made.publication = Publication::without_free_text;
+  made.published_cell = std::move(published);
+  return made;
+}
+
+ExportColumn kind_column() {
+  ExportColumn kind = column("kind", "text", "", "what happened; events.json describes each kind",
+                             [](const ExportPlace& at) { return at.event->row.kind; });
+  for (const EventKind& known : event_kinds()) {
+    const std::string name(known.name);
+    kind.levels.push_back(name);
+    kind.level_meanings[name] = {std::string(known.meaning), hed_tags(known)};
+  }
+  return kind;
+}
+
+}  // namespace
+
+std::vector<ExportColumn> event_columns() {
+  Columns columns = keys_to(Key::attempt);
+  for (ExportColumn& made : columns) {
+    if (made.name == "trial" || made.name == "attempt") {
+      made.missing = "no attempt was under way";
+    }
+  }
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(at_least(1, column("event", "integer", "", "number of the event within the session, by time",
+                         [](const ExportPlace& at) { return integer(at.event->number); })));
+  add(column("onset_s", "number", "s", "when it happened or began, since the session began",
+             [](const ExportPlace& at) { return seconds_in_session(at, at.event->row.time_ns); }));
+  add(missing("its end was not recorded, as after a crash",
+              at_least(0, column("duration_s", "number", "s",
+                                 "time until the event that ended it, or the session's end; 0 for "
+                                 "what happens at a moment",
+                                 [](const ExportPlace& at) {
+                                   return optional_cell(at.event->duration_s);
+                                 }))));
+  add(kind_column());
+  add(missing("the event has none, or free text in an export for the public",
+              without_free_text(
+                  column("text", "text", "", "what the kind states it to be, as it was stored",
+                         [](const ExportPlace& at) { return at.event->row.text; }),
+                  [](const ExportPlace& at) -> Cell {
+                    const EventKind* const kind = event_kind(at.event->row.kind);
+                    if (kind == nullptr || !kind->text_is_public) return {};
+                    return at.event->row.text;
+                  })));
+  add(missing(
+      "the event has none, or none that an export for the public has",
+      without_free_text(column("data_json", "json", "", "what the kind states it to be",
+                               [](const ExportPlace& at) -> Cell {
+                                 const std::string& json = at.event->row.data_json;
+                                 return json == "null" ? Cell{} : Cell{json};
+                               }),
+                        [](const ExportPlace& at) { return published_data(at.event->row); })));
+  return columns;
+}
+
+}  // namespace asperity
