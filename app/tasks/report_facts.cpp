@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/tasks/session_timeline.h"
 #include "app/tasks/study_overview.h"
 #include "protocols/protocol.h"
 
@@ -148,6 +149,21 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   }
 }
 
+/// Whether the experimenter wrote the text of such an event.
+bool is_in_own_words(const std::string& kind) {
+  return kind == "note" || kind == "unblinded" || kind == "trial_repeated";
+}
+
+/// The trial that an event is about: the one that was repeated, or the one under way.
+std::optional<int> trial_of(const TimedEvent& event) {
+  const auto data = nlohmann::json::parse(event.row.data_json, nullptr, false);
+  if (data.is_object() && data.contains("trial") && data["trial"].is_number_integer()) {
+    return data["trial"].get<int>();
+  }
+  if (event.attempt == nullptr) return {};
+  return event.attempt->trial;
+}
+
 void count_session(const Study& study, const SessionOverview& overview, ReportFacts& facts) {
   const SessionRow& row = overview.row;
   ReportedSession& session = facts.sessions.emplace_back();
@@ -178,6 +194,14 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     count_attempt(attempt, plan[attempt.trial], facts);
   }
   session.stretches = recorded_stretches(row, events, attempts);
+  for (const TimedEvent& event : session_timeline(events, attempts)) {
+    if (!is_in_own_words(event.row.kind)) continue;
+    session.notes.push_back(
+        {.kind = event.row.kind,
+         .text = event.row.text,
+         .time_s = static_cast<double>(event.row.time_ns - row.clock_zero_ns) * 1e-9,
+         .trial = trial_of(event)});
+  }
 }
 
 }  // namespace

@@ -19,6 +19,14 @@
 
 namespace asperity {
 
+/// An event in the experimenter's words.
+struct ReportedNote {
+  std::string kind{};
+  std::string text{};
+  double time_s = 0.0;         ///< since the session began
+  std::optional<int> trial{};  ///< that was under way, or that it is about
+};
+
 struct ReportedSession {
   SessionRow row{};
   int planned_trials = 0;
@@ -30,6 +38,7 @@ struct ReportedSession {
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
   std::vector<EventRow> late_resumes{};  ///< see kResumedLate
+  std::vector<ReportedNote> notes{};  ///< by time
 };
 
 /// Something counted in ticks or records, over attempts or presentations.

@@ -32,6 +32,9 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
 ReportSection making_section(const ReportFacts& facts);
 /// To look up: every session.
 ReportSection sessions_section(const ReportFacts& facts);
+/// To look up: notes, reasons of unblinding, of repeated trials and of decisions. Without parts where
+/// there are none.
+ReportSection notes_section(const ReportFacts& facts);
 /// To look up: the other tables of the analysis with their figures.
 ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
 /// To look up: tests and numbers that no table has, and where the rest is.

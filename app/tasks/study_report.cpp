@@ -141,6 +141,8 @@ ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outco
     chapter.sections.push_back(numbers_section(*outcome));
   }
   chapter.sections.push_back(sessions_section(facts));
+  ReportSection notes = notes_section(facts);
+  if (!notes.parts.empty()) chapter.sections.push_back(std::move(notes));
   return chapter;
 }
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "app/analyses/analyze_study.h"
 #include "app/analyses/reading_number.h"
 #include "app/tasks/report_numbers.h"
@@ -75,6 +76,37 @@ MadeUpTrial choice(const std::string& chosen) {
   }
   trial.answers = {chosen};
   return trial;
+}
+
+/// A choice that was answered between 6 s and 7 s of the clock, with a reason to repeat it.
+TEST(ReportNotes, HaveSessionTimeAndTrial) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  const std::int64_t protocol = made.add_protocol("choose", "selection");
+  const std::int64_t session =
+      made.add_session("anna", protocol, {choice("height_map"), choice("sinusoid")});
+  const std::vector<AttemptRow> attempts = made.study().attempts(session);
+  const std::int64_t second_ns = attempts.at(1).onset_ns;
+  made.study().add_event(session, {second_ns, "note", "looked away, 2 s"});
+  made.study().add_event(session, {5'250'000'000, "unblinded", "safety"});
+  made.study().add_event(session, {66'000'000'000, "trial_repeated",
+                                   "The participant was distracted", R"({"trial":2,"attempt":1})"});
+  made.study().add_decision(session, {.trial = 1,
+                                      .attempt = 1,
+                                      .verdict = Verdict::exclude,
+                                      .reason = "wrong hand",
+                                      .decided_by = "MK"});
+  const Report report = study_report(made.study(), {});
+  const ReportSection& notes = section(report.chapters.back(), "Notes and decisions");
+  ASSERT_EQ(notes.parts.size(), 1U);
+  const std::string time = fixed(static_cast<double>(second_ns - 5'000'000'000) * 1e-9, 1);
+  EXPECT_THAT(std::get<ReportTable>(notes.parts.front()).rows,
+              ElementsAre(ElementsAre("anna", "1", "0:00.3", "–", "unblinded", "safety"),
+                          ElementsAre("anna", "1", "0:" + time, "2", "note", "looked away, 2 s"),
+                          ElementsAre("anna", "1", "1:01.0", "2", "trial repeated",
+                                      "The participant was distracted"),
+                          ElementsAre("anna", "1", "–", "1", "excluded afterwards",
+                                      "wrong hand (decided by MK)")));
 }
 
 std::vector<MadeUpTrial> choices(int hits, int of) {
