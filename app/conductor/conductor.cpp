@@ -378,6 +378,7 @@ void Conductor::ask(const Protocol::Ask& questions) {
     row.time_ns = respondent_.answered_ns().value_or(course_.now_ns());
     row.from_cue_s = seconds_between(cue_ns, row.time_ns);
     row.source = respondent_.source();
+    row.options_json = nlohmann::json(question.options).dump();
     study_.add_session_answer(session_.row.id, row);
   }
 }

@@ -841,6 +841,7 @@ TEST_F(ConductorTest, AnswersTheQuestionsOfTheSessionOnce) {
   ASSERT_EQ(answers.size(), 1U);  // the optional one was left out
   EXPECT_EQ(answers[0].question, "comfort");
   EXPECT_EQ(answers[0].answer, "well");
+  EXPECT_EQ(answers[0].options_json, R"(["well","tired"])");
 }
 
 TEST_F(ConductorTest, GivesTheRespondentWhatEachSurfaceFeltLike) {
