@@ -25,8 +25,9 @@ std::set<ExportFormat> formats_in(const std::vector<std::string>& names) {
   std::set<ExportFormat> formats{};
   for (const std::string& name : names) {
     if (name == "none") continue;
-    for (const ExportFormat format : {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids,
-                                      ExportFormat::psychds, ExportFormat::physio}) {
+    for (const ExportFormat format :
+         {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids, ExportFormat::psychds,
+          ExportFormat::physio, ExportFormat::stimuli, ExportFormat::fit}) {
       if (name == "all" || name == name_of(format)) formats.insert(format);
     }
   }
@@ -83,10 +84,13 @@ void add_export(CLI::App& program, Job& job) {
   command
       ->add_option("--formats", options->formats,
                    "What to write beside the tables, with commas between: wide (CSV, one row per "
-                   "participant), sav (SPSS, JASP), bids, psychds, physio (the recordings, in the "
-                   "BIDS dataset); all; none. Without it all but physio")
+                   "participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
+                   "factor), bids, psychds, "
+                   "stimuli (the height fields), physio "
+                   "(the recordings, in the BIDS dataset); all; none. Without it all but physio")
       ->delimiter(',')
-      ->check(CLI::IsMember({"wide", "sav", "bids", "psychds", "physio", "all", "none"}));
+      ->check(CLI::IsMember(
+          {"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}));
   command->callback([options, &job] {
     job = [options] {
       const Study study = Study::open(options->study, Access::read_only);

@@ -79,6 +79,10 @@ void WideTable::begin_participant(const ExportPlace& at) {
   }
 }
 
+void WideTable::begin_session(const ExportPlace& at) {
+  if (at.session->state != SessionState::completed) ++people_.back().unfinished;
+}
+
 void WideTable::add_answer(const ExportPlace& at) {
   const AnalysisUse use = use_in_analyses(*at.trial, *at.attempt);
   if (use == AnalysisUse::practice || use == AnalysisUse::anchor) return;
@@ -158,6 +162,11 @@ WideTable::Made WideTable::make() const {
           &Person::doubted);
   }
 
+  count("sessions_unfinished",
+        "sessions that were not completed, whose counted responses are in the columns of "
+        "conditions; fit.tsv leaves them out",
+        &Person::unfinished);
+
   // Every condition that anybody met, and what its answers are.
   std::map<Asked, std::map<Condition, Tally>> met{};
   std::map<Asked, bool> said_is_number{};
@@ -224,6 +233,32 @@ WideTable::Made WideTable::make() const {
     const std::string prompt = meaning == vocabulary_.questions.end()
                                    ? asked.question
                                    : "\"" + meaning->second.prompt + "\"";
+    if (judged && !numbers && conditions.size() > 1) {
+      const std::string name = protocol_in_name + "_" + asked.question;
+      const std::string of =
+          " of " + protocol_in_words + ", " + prompt + ", all conditions together";
+      const auto total_of = [asked = asked](const Person& person) {
+        Tally total{};
+        const auto of_question = person.tallies.find(asked);
+        if (of_question == person.tallies.end()) return total;
+        for (const auto& [condition, tally] : of_question->second) {
+          total.answers += tally.answers;
+          total.judged += tally.judged;
+          total.right += tally.right;
+        }
+        return total;
+      };
+      add(number_column(name + "_correct", "number", "proportion correct" + of, 0.0, 1.0,
+                        "no such answer"),
+          [&](const Person& person) {
+            const Tally total = total_of(person);
+            if (total.judged == 0) return Cell{};
+            return Cell{static_cast<double>(total.right) / static_cast<double>(total.judged)};
+          });
+      add(number_column(name + "_n", "integer", "number of answers" + of, 0.0, std::nullopt,
+                        "never"),
+          [&](const Person& person) { return Cell{total_of(person).answers}; });
+    }
     for (const auto& condition_and_tally : conditions) {
       const Condition& condition = condition_and_tally.first;
       std::string name = protocol_in_name + "_" + asked.question;

@@ -33,6 +33,8 @@ class WideTable final {
 
   /// `at` with participant.
   void begin_participant(const ExportPlace& at);
+  /// `at` with a session of that participant.
+  void begin_session(const ExportPlace& at);
   /// `at` with session, trial, attempt and one of its responses.
   void add_answer(const ExportPlace& at);
   /// `at` with session and an answer to one of its own questions; the last one stays.
@@ -72,6 +74,7 @@ class WideTable final {
     std::int64_t flagged = 0;
     std::int64_t left_out = 0;
     std::int64_t doubted = 0;
+    std::int64_t unfinished = 0;
   };
 
   ExportAudience audience_;

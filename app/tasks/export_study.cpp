@@ -15,10 +15,12 @@
 
 #include "app/analyses/own_scales.h"
 #include "app/exports/bids.h"
+#include "app/exports/fit_table.h"
 #include "app/exports/import_scripts.h"
 #include "app/exports/psych_ds.h"
 #include "app/exports/sav_table.h"
 #include "app/exports/sidecar.h"
+#include "app/exports/stimulus_table.h"
 #include "app/exports/vocabulary.h"
 #include "app/exports/wide_table.h"
 #include "app/study_condition.h"
@@ -149,6 +151,7 @@ class GroupFiles final {
     if (wants(ExportFormat::wide) || wants(ExportFormat::sav)) {
       wide_.emplace(vocabulary, options.audience);
     }
+    if (wants(ExportFormat::fit)) fit_.emplace();
     columns_ = columns_for(options.audience, answered_trial_columns(vocabulary), left_out_);
     if (wants(ExportFormat::sav)) trials_.emplace(columns_, folder.path_of(""));
     recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
@@ -171,6 +174,7 @@ class GroupFiles final {
   void begin_session(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
                      const std::vector<AttemptRow>& attempts,
                      const std::vector<TimedEvent>& timeline) {
+    if (wide_) wide_->begin_session(at);
     if (bids_) {
       bids_->begin_session(at);
       bids_->add_events(at, plan, attempts, timeline);
@@ -194,6 +198,7 @@ class GroupFiles final {
   /// With a response, or without where the attempt has none.
   void add_row(const ExportPlace& at) {
     if (wide_ && at.response != nullptr) wide_->add_answer(at);
+    if (fit_ && at.response != nullptr) fit_->add(at);
     if (!bids_ && !psych_ && !trials_) return;
     std::vector<Cell> row{};
     row.reserve(columns_.size());
@@ -207,6 +212,11 @@ class GroupFiles final {
 
   void finish(const StudyVocabulary& vocabulary, Codebook& codebook) {
     if (wide_) finish_wide(codebook);
+    if (fit_ && !fit_->is_empty()) {
+      const std::string name = root_ + "fit.tsv";
+      fit_->write(folder_, name);
+      codebook.add(name, FitTable::columns());
+    }
     if (trials_) {
       const std::string name = root_ + "trials.sav";
       folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);
@@ -261,6 +271,7 @@ class GroupFiles final {
   std::vector<std::string> left_out_{};
   BidsDataset::Recordings recordings_ = BidsDataset::Recordings::left_out;
   std::optional<WideTable> wide_{};
+  std::optional<FitTable> fit_{};
   std::optional<SavTable> trials_{};
   std::optional<BidsDataset> bids_{};
   std::optional<PsychDataset> psych_{};
@@ -301,7 +312,8 @@ class StudyExport final {
         folder_(folder),
         options_(options),
         vocabulary_(vocabulary_of(study, models)),
-        study_name_(study.name()) {
+        study_name_(study.name()),
+        stimuli_(folder, study.folder(), options.formats.contains(ExportFormat::stimuli)) {
     take_questions_for_public();
     for (ExportFile& file : export_files(vocabulary_)) {
       std::vector<std::string> left_out{};
@@ -362,6 +374,8 @@ class StudyExport final {
       folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
     }
     for (auto& [group, files] : groups_) files->finish(vocabulary_, codebook_);
+    stimuli_.finish();
+    codebook_.add("stimuli.tsv", StimulusTable::columns());
     codebook_.write(folder_);
     write_event_sidecar();
   }
@@ -427,6 +441,7 @@ class StudyExport final {
 
   void add_session(ExportPlace at, GroupFiles& files) {
     add("sessions", at);
+    stimuli_.begin_session(at);
     std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
     const std::vector<PlannedTrialRow> plan = study_.plan(at.session->id);
     const std::vector<TimedEvent> timeline =
@@ -480,6 +495,7 @@ class StudyExport final {
       here.presentation = &presentation;
       here.parameters = &parameters_.of(presentation.parameters_json);
       add("presentations", here);
+      stimuli_.add(here);
     }
     files.begin_attempt(study_, at);
     sort_responses(attempt.responses);
@@ -514,6 +530,7 @@ class StudyExport final {
   StudyVocabulary vocabulary_;
   std::string study_name_;
   std::map<std::int64_t, ProtocolRow> protocols_{};
+  StimulusTable stimuli_;
   std::vector<GrowingTable> tables_{};
   std::map<Group, std::unique_ptr<GroupFiles>> groups_{};
   Codebook codebook_{};
@@ -581,12 +598,17 @@ const char* name_of(ExportFormat format) noexcept {
       return "psychds";
     case ExportFormat::physio:
       return "physio";
+    case ExportFormat::stimuli:
+      return "stimuli";
+    case ExportFormat::fit:
+      return "fit";
   }
   return "";
 }
 
 std::set<ExportFormat> usual_export_formats() {
-  return {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids, ExportFormat::psychds};
+  return {ExportFormat::wide,    ExportFormat::sav,     ExportFormat::bids,
+          ExportFormat::psychds, ExportFormat::stimuli, ExportFormat::fit};
 }
 
 std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,

@@ -23,6 +23,8 @@ enum class ExportFormat {
   bids,     ///< Brain Imaging Data Structure
   psychds,  ///< Psych-DS
   physio,   ///< the recordings, tick by tick, in the BIDS dataset
+  fit,      ///< fit.tsv: counts at the levels of a numeric factor, as fits take them
+  stimuli,  ///< the height fields that sessions used, with their sidecars
 };
 
 /// "wide", "sav", …, as the command line spells them.

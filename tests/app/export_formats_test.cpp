@@ -258,6 +258,28 @@ TEST_F(ExportFormats, CountInTheWideTableWhatEachConditionGave) {
   EXPECT_EQ(same.rows[0].at("recognition_which_correct"), "1");
 }
 
+// One of two correct with one texture, both with the other: three of four in all.
+TEST(WideExport, HasTheProportionCorrectOfAllConditionsTogether) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  std::vector<MadeUpTrial> trials(4, some_trial());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].factors_json = i < 2 ? R"({"texture": "metal"})" : R"({"texture": "wood"})";
+  }
+  trials[0].answers = {"wood"};
+  made.set_state(SessionState::stopped);
+  made.add_session("anna", made.add_protocol("recognition", "recognition"), trials);
+  export_to(made, made.beside("out"));
+  const Rows rows = csv(read_file(made.beside("out") / "wide.csv"));
+  std::map<std::string, std::string> anna{};
+  for (std::size_t i = 0; i < rows.at(0).size(); ++i) anna[rows[0][i]] = rows.at(1).at(i);
+  EXPECT_EQ(anna.at("recognition_which_correct"), "0.75");
+  EXPECT_EQ(anna.at("recognition_which_n"), "4");
+  EXPECT_EQ(anna.at("recognition_which_metal_correct"), "0.5");
+  EXPECT_EQ(anna.at("recognition_which_wood_correct"), "1");
+  EXPECT_EQ(anna.at("sessions_unfinished"), "1");
+}
+
 /// A session of anna's by a protocol of this version, whose source differs by `title`.
 void add_version(MadeUpStudy& made, const std::string& version, const std::string& title,
                  const std::vector<MadeUpTrial>& trials) {

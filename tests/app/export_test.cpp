@@ -39,7 +39,7 @@ TEST(Export, WritesTheFilesThatAreDocumented) {
               ElementsAre("MANIFEST.tsv", "README.txt", "attempts.tsv", "bids", "codebook.tsv",
                           "compliance.tsv", "events.json", "events.tsv", "import.R", "import.py",
                           "participants.tsv", "presentations.tsv", "psychds", "responses.tsv",
-                          "servo_quality.tsv", "sessions.tsv", "trials.sav",
+                          "servo_quality.tsv", "sessions.tsv", "stimuli.tsv", "trials.sav",
                           "trials.tsv", "virtual", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("out") / "virtual"),
               ElementsAre("bids", "psychds", "trials.sav", "wide.csv", "wide.sav"));
@@ -50,7 +50,7 @@ TEST(Export, WritesWhatIsAskedForBesideTheTables) {
   MadeUpStudy made;
   fill(made);
   const Exported tables(made);
-  EXPECT_EQ(names_in(tables.folder()).size(), 15U);
+  EXPECT_EQ(names_in(tables.folder()).size(), 16U);
   EXPECT_THAT(names_in(tables.folder()), Not(Contains("wide.csv")));
   ExportOptions wide{};
   wide.formats = {ExportFormat::wide};
@@ -280,7 +280,7 @@ TEST(Export, TellsTheNumberThatAnEstimateTookThePlaceOf) {
   EXPECT_EQ(cell_of(responses, 1, "answer"), Cell{"7"});
   EXPECT_THAT(read_file(out / "wide.csv"),
               HasSubstr("answers,answers_flagged,answers_left_out,answers_doubted,"));
-  EXPECT_THAT(read_file(out / "wide.csv"), HasSubstr(",2,0,0,1,7,2"));
+  EXPECT_THAT(read_file(out / "wide.csv"), HasSubstr(",2,0,0,1,0,7,2"));
   EXPECT_THAT(read_file(out / "codebook.tsv"), HasSubstr("\tdoubted_estimate\t"));
 }
 

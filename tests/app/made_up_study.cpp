@@ -116,6 +116,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   session.started_utc = "2001-02-03T04:05:06Z";
   session.clock_zero_ns = kClockZero_ns;
   session.observer_json = observer_json_;
+  session.files = files_;
   std::vector<PlannedTrialRow> plan{};
   for (const MadeUpTrial& trial : trials) {
     PlannedTrialRow row{};
@@ -133,7 +134,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   for (const MadeUpTrial& made : trials)
     study_->add_attempt(id, attempt_of(made, ++trial, segment));
   study_->end_segment(id, segment, kFirstTrial_ns + trial * kTrial_ns, "completed");
-  study_->end_session(id, SessionState::completed, "2001-02-03T05:05:06Z");
+  study_->end_session(id, state_, "2001-02-03T05:05:06Z");
   return id;
 }
 

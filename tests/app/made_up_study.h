@@ -53,8 +53,10 @@ class MadeUpStudy final {
   /// Of the sessions added from now on.
   void set_observer(const std::string& observer_json) { observer_json_ = observer_json; }
   void set_device(const std::string& device_json) { device_json_ = device_json; }
+  void set_files(const std::vector<StimulusFileRow>& files) { files_ = files; }
+  void set_state(SessionState state) { state_ = state; }
 
-  /// One completed session with one attempt per trial. Returns its id.
+  /// One session, completed unless another state was set, with one attempt per trial. Returns its id.
   std::int64_t add_session(const std::string& participant, std::int64_t protocol,
                            const std::vector<MadeUpTrial>& trials,
                            SessionMode mode = SessionMode::run);
@@ -64,6 +66,8 @@ class MadeUpStudy final {
   std::optional<Study> study_{};
   std::string observer_json_ = "null";
   std::string device_json_ = "{}";
+  std::vector<StimulusFileRow> files_{};
+  SessionState state_ = SessionState::completed;
 };
 
 }  // namespace asperity

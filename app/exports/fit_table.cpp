@@ -1,0 +1,113 @@
+#include "app/exports/fit_table.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exports/column_making.h"
+#include "results_schema/analysis_use.h"
+#include "results_schema/table_file.h"
+
+namespace asperity {
+
+using namespace export_columns;
+
+namespace {
+
+constexpr const char* kCorrect = "correct";
+
+std::string level_text(const nlohmann::json& level) {
+  return level.is_string() ? level.get<std::string>() : level.dump();
+}
+
+/// "order = first, texture = stone": all factors but one.
+std::string others_text(const nlohmann::json& factors, const std::string& but) {
+  std::string text{};
+  for (const auto& [name, level] : factors.items()) {
+    if (name == but) continue;
+    text += (text.empty() ? "" : ", ") + name + " = " + level_text(level);
+  }
+  return text;
+}
+
+}  // namespace
+
+Columns FitTable::columns() {
+  Columns columns{};
+  const auto add = [&columns](const char* name, const char* type, const char* description) {
+    columns.push_back(column(name, type, "", description, {}));
+  };
+  add("condition", "text",
+      "what one psychometric function is fitted to: participant, protocol, question, what is "
+      "counted, and the levels of all factors but x");
+  add("x", "number", "level of the numeric factor that the column factor names, in its unit");
+  add("k", "integer",
+      "responses at this level that the column counted names, of completed sessions: sessions that "
+      "were not completed are left out, since they have a selection of the conditions");
+  add("n", "integer", "responses at this level, of completed sessions");
+  add("participant", "text", "label of the participant");
+  add("protocol", "text", "name of the protocol");
+  add("protocol_version", "text", "version of the protocol");
+  add("question", "text", "name of the question");
+  add("factor", "text", "the numeric factor whose level x is");
+  add("counted", "text", "what k counts: correct responses, or those with this answer");
+  columns[2].minimum = 0.0;
+  columns[3].minimum = 1.0;
+  return columns;
+}
+
+void FitTable::add(const ExportPlace& at) {
+  const ResponseRow& response = *at.response;
+  if (at.session->state != SessionState::completed || response.answer_number ||
+      use_in_analyses(*at.trial, *at.attempt) != AnalysisUse::counted) {
+    return;
+  }
+  for (const auto& [name, level] : at.factors->items()) {
+    if (!level.is_number()) continue;
+    Count& count = curves_[{at.participant->label, at.protocol->name, at.protocol->version,
+                            at.protocol->source_sha256, response.question, name,
+                            others_text(*at.factors, name)}][level.get<double>()];
+    ++count.responses;
+    ++count.chosen[response.answer];
+    if (response.correct) {
+      ++count.judged;
+      count.correct += *response.correct ? 1 : 0;
+    }
+  }
+}
+
+bool FitTable::is_empty() const {
+  return std::none_of(curves_.begin(), curves_.end(),
+                      [](const auto& curve) { return curve.second.size() > 1; });
+}
+
+void FitTable::write(ExportFolder& folder, const std::string& name) const {
+  TableFile file(folder.path_of(name), TableFile::Format::tsv, column_names(columns()));
+  for (const auto& [curve, levels] : curves_) {
+    if (levels.size() < 2) continue;
+    std::set<std::string> counted{};
+    bool is_judged = false;
+    for (const auto& [x, count] : levels) {
+      is_judged = is_judged || count.judged > 0;
+      for (const auto& [answer, times] : count.chosen) counted.insert(answer);
+    }
+    if (is_judged) counted = {kCorrect};
+    for (const std::string& what : counted) {
+      const std::string condition = curve.participant + ": " + curve.protocol + ' ' +
+                                    curve.version + ", " + curve.question + ", " + what +
+                                    (curve.others.empty() ? "" : ", " + curve.others);
+      for (const auto& [x, count] : levels) {
+        const auto chosen = count.chosen.find(what);
+        const std::int64_t k = is_judged                      ? count.correct
+                               : chosen == count.chosen.end() ? 0
+                                                              : chosen->second;
+        file.add({condition, x, k, is_judged ? count.judged : count.responses, curve.participant,
+                  curve.protocol, curve.version, curve.question, curve.factor, what});
+      }
+    }
+  }
+  folder.add(name, file.finish());
+}
+
+}  // namespace asperity

@@ -1,0 +1,167 @@
+#include "app/exports/stimulus_table.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "analysis/spectrum.h"
+#include "analysis/summary.h"
+#include "app/exports/column_making.h"
+#include "app/height_field_files.h"
+#include "results_schema/analysis_use.h"
+#include "results_schema/table_file.h"
+
+namespace asperity {
+
+using namespace export_columns;
+
+namespace {
+
+constexpr const char* kSidecarEnding = ".png.json";
+
+std::optional<double> mean_if_any(const std::vector<double>& values) {
+  const std::optional<Summary> summary = summary_of(values);
+  return summary ? std::optional(summary->mean) : std::nullopt;
+}
+
+std::optional<double> sd_if_any(const std::vector<double>& values) {
+  if (values.size() < 2) return {};
+  return summary_of(values)->sd;
+}
+
+}  // namespace
+
+StimulusTable::StimulusTable(ExportFolder& folder, std::filesystem::path study,
+                             bool copies_height_fields)
+    : folder_(folder), study_(std::move(study)), copies_height_fields_(copies_height_fields) {}
+
+Columns StimulusTable::columns() {
+  Columns columns{};
+  const auto add = [&columns](const char* name, const char* type, const char* unit,
+                              const char* description, const char* when = "never") {
+    columns.push_back(missing(when, column(name, type, unit, description, {})));
+  };
+  constexpr const char* kNoField = "no height field is involved";
+  constexpr const char* kNoFile =
+      "no height field is involved, or its file is no longer in the study as it was used";
+  add("protocol", "text", "", "name of the protocol");
+  add("protocol_version", "text", "", "version of the protocol");
+  add("virtual", "boolean", "", "1: presented to simulated participants");
+  add("mode", "text", "", "what the sessions were run for");
+  columns.back().levels = {"run", "pilot", "simulate"};
+  add("stimulus", "text", "", "stimulus of the protocol");
+  add("model", "text", "", "force model");
+  add("model_version", "text", "", "version of the force model");
+  add("texture", "text", "", "texture of the protocol", "no texture is involved");
+  add("parameters_json", "json", "", "parameters of the force model, as rendered");
+  add("height_field_sha256", "text", "",
+      "SHA-256 of the height field's sidecar, as in presentations.tsv", kNoField);
+  add("height_field", "text", "",
+      "file of the height field in the study, and in this folder where it holds stimuli/; its "
+      "sidecar, with pitch and range of the heights, has .json at the end of the name",
+      kNoFile);
+  add("height_field_width_m", "number", "m", "width of the height field", kNoFile);
+  add("height_field_rms_m", "number", "m", "RMS of the heights about their mean", kNoFile);
+  add("height_field_range_m", "number", "m", "greatest less smallest height", kNoFile);
+  add("height_field_dominant_wavelength_m", "number", "m",
+      "wavelength with the greatest power per third of an octave, whatever its direction",
+      "no height field is involved, its file is no longer in the study as it was used, or it is a "
+      "plane");
+  add("presentations", "integer", "1", "how often it was presented");
+  add("matched_texture_force_N", "number", "N",
+      "RMS of the texture force that was aimed at on the prescribed path",
+      "no equal force was asked for");
+  add("achieved_presentations", "integer", "1",
+      "presentations that the following two are of: touched for long enough, in attempts that "
+      "analyses count");
+  add("achieved_texture_force_mean_N", "number", "N",
+      "RMS of the texture force along the participants' own paths: mean over presentations",
+      "no such presentation");
+  add("achieved_texture_force_sd_N", "number", "N",
+      "the same: standard deviation over presentations", "fewer than two such presentations");
+  for (ExportColumn& made : columns) {
+    if (made.type == "number" || made.type == "integer") made.minimum = 0.0;
+  }
+  return columns;
+}
+
+void StimulusTable::begin_session(const ExportPlace& at) {
+  for (const StimulusFileRow& file : at.session->files) {
+    if (!file.path.ends_with(kSidecarEnding)) continue;
+    paths_[file.sha256] = file.path.substr(0, file.path.size() - std::string(".json").size());
+  }
+}
+
+void StimulusTable::add(const ExportPlace& at) {
+  const PresentationRow& surface = *at.presentation;
+  Presented& row = rows_[{at.protocol->name, at.protocol->version, at.participant->is_virtual,
+                          text_of(at.session->mode), surface.stimulus, surface.model,
+                          surface.model_version, surface.texture, surface.parameters_json,
+                          surface.height_field_sha256, surface.matched_texture_force_N}];
+  ++row.presentations;
+  if (surface.achieved_texture_force_N &&
+      use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted) {
+    row.achieved_N.push_back(*surface.achieved_texture_force_N);
+  }
+}
+
+StimulusTable::Relief StimulusTable::relief_of(const std::string& sidecar_sha256) {
+  const auto path = paths_.find(sidecar_sha256);
+  if (path == paths_.end()) return {};
+  try {
+    const std::filesystem::path png = study_ / path->second;
+    const LoadedHeightField loaded = load_height_field(png);
+    if (loaded.sha256 != sidecar_sha256) return {};
+    const HeightField& field = *loaded.field;
+    if (copies_height_fields_) {
+      folder_.write(path->second, read_file(png));
+      folder_.write(path->second + ".json", read_file(sidecar_of(png)));
+    }
+    return {.path = path->second,
+            .width_m = field.width_m(),
+            .rms_m = field.rms_m(),
+            .range_m = field.maximum_m() - field.minimum_m(),
+            .dominant_wavelength_m = dominant_wavelength_m({.heights_m = field.heights_m(),
+                                                            .rows = field.grid().rows,
+                                                            .columns = field.grid().columns,
+                                                            .pitch_m = field.grid().pitch_m})};
+  } catch (const std::exception&) {
+    return {};  // `asperity verify` states what is wrong with the file
+  }
+}
+
+void StimulusTable::finish() {
+  std::map<std::string, Relief> reliefs{};
+  TableFile file(folder_.path_of("stimuli.tsv"), TableFile::Format::tsv, column_names(columns()));
+  for (const auto& [key, row] : rows_) {
+    Relief relief{};
+    if (const auto& sha256 = key.height_field_sha256) {
+      if (!reliefs.contains(*sha256)) reliefs[*sha256] = relief_of(*sha256);
+      relief = reliefs[*sha256];
+    }
+    const auto text = [](const std::string& value) { return value.empty() ? Cell{} : Cell{value}; };
+    file.add({key.protocol,
+              key.version,
+              boolean(key.is_virtual),
+              key.mode,
+              text(key.stimulus),
+              key.model,
+              key.model_version,
+              text(key.texture),
+              key.parameters_json,
+              optional_cell(key.height_field_sha256),
+              text(relief.path),
+              optional_cell(relief.width_m),
+              optional_cell(relief.rms_m),
+              optional_cell(relief.range_m),
+              optional_cell(relief.dominant_wavelength_m),
+              row.presentations,
+              optional_cell(key.matched_texture_force_N),
+              integer(static_cast<std::int64_t>(row.achieved_N.size())),
+              optional_cell(mean_if_any(row.achieved_N)),
+              optional_cell(sd_if_any(row.achieved_N))});
+  }
+  folder_.add("stimuli.tsv", file.finish());
+}
+
+}  // namespace asperity
