@@ -12,6 +12,7 @@
 #include "app/cli/command.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/study_metadata.h"
 #include "app/tasks/export_study.h"
 #include "app/tasks/study_outputs.h"
 
@@ -113,6 +114,10 @@ void add_export(CLI::App& program, Job& job) {
       }
       say_what_was_written(options->out, files);
       say_condition(study);
+      if (const auto missing = missing_metadata(study.metadata())) {
+        say("asperity: warning: " + missing->english() + " Enter them with: asperity metadata " +
+            options->study + " --author \"Family, Given\" --license CC-BY-4.0");
+      }
       say_unrecorded(
           record_output(study, options->published ? OutputKind::public_export : OutputKind::export_,
                         options->out));

@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
   add_report(program, job);
 #endif
   add_export(program, job);
+  add_metadata(program, job);
   add_devices(program, job);
   add_device_test(program, job);
   add_models(program, job);

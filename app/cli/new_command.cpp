@@ -6,8 +6,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/metadata_options.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -18,6 +20,7 @@ void add_new(CLI::App& program, Job& job) {
     std::string group{};
     bool demo = false;
     bool shared = false;
+    MetadataOptions metadata{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("new", "Make a study.");
@@ -33,6 +36,7 @@ void add_new(CLI::App& program, Job& job) {
       ->add_option("--group", options->group,
                    "With --shared: the group, one that you are a member of")
       ->needs(shared);
+  add_metadata_options(*command, options->metadata);
   command->callback([options, &job] {
     job = [options] {
       require_group(options->group);
@@ -41,6 +45,10 @@ void add_new(CLI::App& program, Job& job) {
         new_demo_study(options->folder, [&progress](double fraction) { progress.show(fraction); });
       } else {
         new_study(options->folder);
+      }
+      if (options->metadata.is_any()) {
+        Study study = Study::open(options->folder, Access::read_write);
+        study.set_metadata(options->metadata.applied_to({}));
       }
       std::cout << "made the study " << options->folder.string();
       if (options->shared) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/event_kinds.h"
 #include "app/exports/sidecar.h"
 #include "app/program.h"
 #include "app/tasks/attempt_detail.h"
@@ -107,11 +108,12 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
 }
 
 BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
-                         const StudyVocabulary& vocabulary, ExportAudience audience,
-                         Recordings recordings, const MadeBy& made_by)
+                         const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
+                         ExportAudience audience, Recordings recordings, const MadeBy& made_by)
     : folder_(folder),
       root_(std::move(root)),
       study_name_(study_name),
+      metadata_(metadata),
       made_by_(made_by),
       audience_(audience),
       recordings_(recordings),
@@ -154,6 +156,7 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   start_ = root_ + participant + "/" + session + "/beh/" + participant + "_" + session + "_task-" +
            task_of(at.protocol->name);
   task_name_ = at.protocol->name;
+  last_ended_utc_ = std::max(last_ended_utc_, at.session->ended_utc.value_or(""));
   run_ = 0;
   const std::string name = start_ + "_beh.tsv";
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
@@ -260,22 +263,53 @@ void BidsDataset::finish() {
   for (const std::vector<Cell>& row : participants_) participants.add(row);
   folder_.add(root_ + "participants.tsv", participants.finish(), participants_left_out_);
   folder_.write(root_ + "participants.json", indented_text(sidecar));
+  folder_.write(root_ + "dataset_description.json", indented_text(description()));
+  folder_.write(root_ + "README", readme());
+  folder_.write(root_ + "CHANGES", changes());
+}
+
+Json BidsDataset::description() const {
   Json description{};
   description["Name"] = study_name_ + made_by_.in_title;
   description["BIDSVersion"] = kBidsVersion;
+  description["HEDVersion"] = kHedVersion;
   description["DatasetType"] = "raw";
+  if (metadata_.license) description["License"] = *metadata_.license;
+  if (!metadata_.authors.empty()) description["Authors"] = metadata_.authors;
+  if (metadata_.ethics_approval) {
+    description["EthicsApprovals"] = Json::array({*metadata_.ethics_approval});
+  }
   description["GeneratedBy"] =
       Json::array({Json{{"Name", "Asperity"}, {"Version", this_program().version}}});
-  folder_.write(root_ + "dataset_description.json", indented_text(description));
-  folder_.write(
-      root_ + "README",
-      (made_by_.sentence.empty() ? "" : made_by_.sentence + "\n\n") +
-          "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
-          "column in the .json file next to it.\n\n"
-          "An analysis counts the rows with counts_in_analyses 1; one with flagged 1 is worth a "
-          "look.\n"
-          "A text that a spreadsheet would take for a formula has an apostrophe before it, "
-          "and so has a text that begins with an apostrophe: take one away.\n");
+  return description;
+}
+
+std::string BidsDataset::readme() const {
+  std::string text = study_name_ + made_by_.in_title + "\n\n";
+  if (!made_by_.sentence.empty()) text += made_by_.sentence + "\n\n";
+  std::string authors{};
+  for (const std::string& author : metadata_.authors) {
+    authors += (authors.empty() ? "" : "; ") + author;
+  }
+  if (!authors.empty()) text += "Authors: " + authors + "\n";
+  if (metadata_.license) text += "License: " + *metadata_.license + "\n";
+  if (metadata_.ethics_approval) text += "Ethics approval: " + *metadata_.ethics_approval + "\n";
+  if (!authors.empty() || metadata_.license || metadata_.ethics_approval) text += "\n";
+  return text +
+         "Responses about haptic textures by session (_beh.tsv), and what was presented and what "
+         "happened (_events.tsv), with the meaning of every column in the .json file next to it. "
+         "Onsets count from the beginning of the session.\n\n"
+         "An analysis counts the rows of _beh.tsv with counts_in_analyses 1; one with flagged 1 is "
+         "worth a look.\n"
+         "A text that a spreadsheet would take for a formula has an apostrophe before it, "
+         "and so has a text that begins with an apostrophe: take one away.\n";
+}
+
+/// In the form of CPAN changelogs, which BIDS asks for. Dates are not for the public.
+std::string BidsDataset::changes() const {
+  const bool is_dated = audience_ == ExportAudience::own && !last_ended_utc_.empty();
+  return "1.0.0" + (is_dated ? " " + last_ended_utc_.substr(0, 10) : "") +
+         "\n  - Exported by Asperity " + this_program().version + ".\n";
 }
 
 }  // namespace asperity

@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-/// Writes below `root` of an export: dataset_description.json, README, participants.tsv and .json,
+/// Writes below `root` of an export: dataset_description.json, README, CHANGES, participants.tsv and .json,
 /// per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and `…_events.tsv`, each with its .json,
 /// and, where recordings are wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
 ///
@@ -34,8 +34,8 @@ class BidsDataset final {
 
   /// `made_by`: who gave the answers, where they do not count as people's.
   BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
-              const StudyVocabulary& vocabulary, ExportAudience audience, Recordings recordings,
-              const MadeBy& made_by);
+              const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
+              ExportAudience audience, Recordings recordings, const MadeBy& made_by);
 
   /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, `response_time` as BIDS
   /// names it, and `run`.
@@ -61,6 +61,9 @@ class BidsDataset final {
 
  private:
   std::string task_of(const std::string& protocol);
+  nlohmann::ordered_json description() const;
+  std::string readme() const;
+  std::string changes() const;
   /// How the session was presented, and every column.
   nlohmann::ordered_json session_sidecar(const ExportPlace& at,
                                          const std::vector<ExportColumn>& columns) const;
@@ -68,7 +71,9 @@ class BidsDataset final {
   ExportFolder& folder_;
   std::string root_{};
   std::string study_name_{};
+  StudyMetadata metadata_{};
   MadeBy made_by_{};
+  std::string last_ended_utc_{};  ///< of the sessions of the dataset; empty where none has ended
   ExportAudience audience_;
   Recordings recordings_;
   std::vector<std::string> left_out_{};

@@ -145,7 +145,8 @@ Group folder_group_of(const ParticipantRow& participant, const SessionRow& sessi
 class GroupFiles final {
  public:
   GroupFiles(ExportFolder& folder, Group group, const std::string& study_name,
-             const StudyVocabulary& vocabulary, const ExportOptions& options)
+             const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
+             const ExportOptions& options)
       : folder_(folder), root_(folder_of(group)), title_(study_name), options_(options) {
     const auto wants = [&](ExportFormat format) { return options.formats.contains(format); };
     if (wants(ExportFormat::wide) || wants(ExportFormat::sav)) {
@@ -157,8 +158,8 @@ class GroupFiles final {
     recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
                                               : BidsDataset::Recordings::left_out;
     if (wants(ExportFormat::bids) || wants(ExportFormat::physio)) {
-      bids_.emplace(folder, root_ + "bids/", study_name, vocabulary, options.audience, recordings_,
-                    made_by(group));
+      bids_.emplace(folder, root_ + "bids/", study_name, metadata, vocabulary, options.audience,
+                    recordings_, made_by(group));
     }
     if (wants(ExportFormat::psychds)) {
       psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience,
@@ -313,6 +314,7 @@ class StudyExport final {
         options_(options),
         vocabulary_(vocabulary_of(study, models)),
         study_name_(study.name()),
+        metadata_(study.metadata()),
         stimuli_(folder, study.folder(), options.formats.contains(ExportFormat::stimuli)) {
     take_questions_for_public();
     for (ExportFile& file : export_files(vocabulary_)) {
@@ -423,7 +425,8 @@ class StudyExport final {
   GroupFiles& files_of(Group group) {
     std::unique_ptr<GroupFiles>& files = groups_[group];
     if (!files) {
-      files = std::make_unique<GroupFiles>(folder_, group, study_name_, vocabulary_, options_);
+      files = std::make_unique<GroupFiles>(folder_, group, study_name_, metadata_, vocabulary_,
+                                           options_);
     }
     return *files;
   }
@@ -529,6 +532,7 @@ class StudyExport final {
   ExportOptions options_;
   StudyVocabulary vocabulary_;
   std::string study_name_;
+  StudyMetadata metadata_;
   std::map<std::int64_t, ProtocolRow> protocols_{};
   StimulusTable stimuli_;
   std::vector<GrowingTable> tables_{};
@@ -545,7 +549,7 @@ std::string readme(const ExportOptions& options, const std::optional<Phrase>& re
   if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
   text +=
       "codebook.tsv says what every column of every file means; MANIFEST.tsv has the "
-      "SHA-256 of every file.\n"
+      "SHA-256 of every file; events.json describes each kind of event.\n"
       "import.R and import.py load everything with the right types.\n\n";
   if (options.audience == ExportAudience::published) {
     std::string named{};

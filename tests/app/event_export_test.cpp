@@ -203,6 +203,30 @@ TEST(ExportedEvents, StandInBidsAmongWhatWasPresented) {
   EXPECT_EQ(cell_of(answers, 0, "response_time"), cell_of(answers, 0, "from_cue_s"));
 }
 
+TEST(ExportedBids, StatesWhoItIsBy) {
+  MadeUpStudy made;
+  fill_with_events(made);
+  const auto description = [](const fs::path& out) {
+    return nlohmann::json::parse(read_file(out / "bids/dataset_description.json"));
+  };
+  export_to(made, made.beside("bare"));
+  EXPECT_FALSE(description(made.beside("bare")).contains("Authors"));
+  EXPECT_FALSE(description(made.beside("bare")).contains("License"));
+  EXPECT_EQ(description(made.beside("bare")).at("HEDVersion"), "8.3.0");
+  made.study().set_metadata({.authors = {"Doe, Jane", "Roe, Richard"},
+                             .license = "CC-BY-4.0",
+                             .ethics_approval = "Board, 12/2026"});
+  const fs::path out = made.beside("out");
+  export_to(made, out);
+  EXPECT_EQ(description(out).at("Authors"), (nlohmann::json{"Doe, Jane", "Roe, Richard"}));
+  EXPECT_EQ(description(out).at("License"), "CC-BY-4.0");
+  EXPECT_EQ(description(out).at("EthicsApprovals"), nlohmann::json::array({"Board, 12/2026"}));
+  EXPECT_THAT(read_file(out / "bids/README"), HasSubstr("Authors: Doe, Jane; Roe, Richard\n"));
+  EXPECT_THAT(read_file(out / "bids/CHANGES"), testing::StartsWith("1.0.0 2001-02-03\n"));
+  export_to(made, made.beside("public"), options_of(ExportAudience::published));
+  EXPECT_THAT(read_file(made.beside("public") / "bids/CHANGES"), testing::StartsWith("1.0.0\n"));
+}
+
 // Tags of levels are the protocol's; a number may be written in other digits than in the table.
 TEST(ExportedLevels, HaveTheTagsOfTheProtocol) {
   MadeUpStudy made;

@@ -530,8 +530,8 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
   const std::regex beh(
       "sub-([0-9A-Za-z]+)/ses-([0-9A-Za-z]+)/beh/sub-\\1_ses-\\2_task-[0-9A-Za-z]+"
       "(_(beh|events)\\.(tsv|json)|(_run-[0-9]+)_recording-[0-9A-Za-z]+_physio\\.(tsv\\.gz|json))");
-  const std::set<std::string> at_top{"README", "dataset_description.json", "participants.json",
-                                     "participants.tsv"};
+  const std::set<std::string> at_top{"CHANGES", "README", "dataset_description.json",
+                                     "participants.json", "participants.tsv"};
   for (const char* const root : {"bids", "pilot/bids", "virtual/bids"}) {
     const std::filesystem::path bids = out_ / root;
     const nlohmann::json description = json_in(bids / "dataset_description.json");

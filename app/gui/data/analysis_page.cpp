@@ -19,6 +19,7 @@
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
+#include "app/study_metadata.h"
 #include "app/tasks/export_study.h"
 #include "app/tasks/study_outputs.h"
 #include "app/tasks/study_overview.h"
@@ -30,6 +31,7 @@ namespace {
 struct Exported {
   std::size_t files = 0;               ///< none: it was cancelled
   std::optional<Phrase> unrecorded{};  ///< why the study does not list it
+  std::optional<Phrase> missing{};     ///< what archives of data will ask for
 };
 
 QString group_text(AnswerGroup group) {
@@ -228,6 +230,10 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
           const bool is_public = options.audience == ExportAudience::published;
           exported.unrecorded =
               record_output(own, is_public ? OutputKind::public_export : OutputKind::export_, to);
+          if (const auto missing = missing_metadata(own.metadata())) {
+            exported.missing =
+                phrase("AnalysisPage", "%1 Enter them with Study → Metadata…").with(*missing);
+          }
         }
         return exported;
       },
@@ -240,11 +246,13 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
           return;
         }
         banner_->show_news(
-            exported.unrecorded ? State::look : State::fine,
-            with_remark(tr("%n files are in %1; codebook.tsv says what every column means.",
-                           nullptr, static_cast<int>(exported.files))
-                            .arg(folder),
-                        exported.unrecorded));
+            exported.unrecorded || exported.missing ? State::look : State::fine,
+            with_remark(
+                with_remark(tr("%n files are in %1; codebook.tsv says what every column means.",
+                               nullptr, static_cast<int>(exported.files))
+                                .arg(folder),
+                            exported.unrecorded),
+                exported.missing));
       },
       [this](const QString& what) { banner_->show_news(State::stop, what); });
 }

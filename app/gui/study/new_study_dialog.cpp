@@ -41,6 +41,7 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   place_row->addWidget(place_, 1);
   place_row->addWidget(browse);
   form->addRow(tr("In the folder"), place_row);
+  metadata_ = new MetadataFields(*form, this);
   layout->addLayout(form);
 
   what_follows_ = make_text({}, this, true);
@@ -63,7 +64,7 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   connect(place_, &QLineEdit::textChanged, this, &NewStudyDialog::show_what_follows);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(create_, &QPushButton::clicked, this, [this] {
-    emit wanted(folder());
+    emit wanted(folder(), metadata_->metadata());
     accept();
   });
   connect(browse, &QPushButton::clicked, this, [this] {

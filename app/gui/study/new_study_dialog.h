@@ -7,6 +7,8 @@
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLabel>
 
+#include "app/gui/study/metadata_fields.h"
+
 class QLineEdit;
 
 namespace asperity {
@@ -19,7 +21,7 @@ class NewStudyDialog final : public QDialog {
   NewStudyDialog(const std::filesystem::path& place, QWidget* parent = nullptr);
 
  signals:
-  void wanted(const std::filesystem::path& folder);
+  void wanted(const std::filesystem::path& folder, const StudyMetadata& metadata);
 
  private:
   std::filesystem::path folder() const;
@@ -29,6 +31,7 @@ class NewStudyDialog final : public QDialog {
 
   QLineEdit* name_ = nullptr;
   QLineEdit* place_ = nullptr;
+  MetadataFields* metadata_ = nullptr;
   QLabel* what_follows_ = nullptr;
   QPushButton* create_ = nullptr;
 };

@@ -24,6 +24,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/about_dialog.h"
+#include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/navigation_list.h"
 #include "app/gui/study/new_study_dialog.h"
 #include "app/gui/study/settings.h"
@@ -133,6 +134,7 @@ void StudyWindow::make_pages() {
   line_->setVisible(open);
   close_action_->setEnabled(open);
   share_action_->setEnabled(open && Study::can_be_written(study_->folder()));
+  metadata_action_->setEnabled(share_action_->isEnabled());
   if (!open) {
     setWindowTitle(tr("Asperity"));
     pages_->setCurrentWidget(welcome_);
@@ -336,6 +338,8 @@ void StudyWindow::make_study_menu() {
   QMenu* recent = menu->addMenu(tr("&Recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent_menu(*recent); });
   menu->addSeparator();
+  metadata_action_ = menu->addAction(tr("&Metadata…"), this, &StudyWindow::ask_for_metadata);
+  metadata_action_->setObjectName("menu_metadata");
   share_action_ = menu->addAction(tr("S&hare…"), this, &StudyWindow::ask_whom_to_share_with);
   share_action_->setObjectName("menu_share_study");
   close_action_ = menu->addAction(tr("&Close"), QKeySequence::Close, this, [this] {
@@ -425,6 +429,26 @@ void StudyWindow::ask_whom_to_share_with() {
   dialog->open();
 }
 
+void StudyWindow::ask_for_metadata() {
+  if (study_ == nullptr || refuse_to_cover()) return;
+  auto* dialog = new MetadataDialog(study_->study().metadata(), this);
+  connect(dialog, &MetadataDialog::wanted, this, &StudyWindow::store_metadata);
+  dialog->open();
+}
+
+void StudyWindow::store_metadata(const StudyMetadata& metadata) {
+  if (study_ == nullptr) return;
+  try {
+    Study::open(study_->folder(), Access::read_write).set_metadata(metadata);
+    study_->announce_change();
+    banner_->show_news(State::fine, tr("The metadata of the study are stored."));
+  } catch (const std::exception& error) {
+    banner_->show_news(
+        State::stop,
+        tr("The metadata could not be stored: %1").arg(QString::fromStdString(error.what())));
+  }
+}
+
 void StudyWindow::share_with(const QString& group) {
   if (study_ == nullptr) return;
   try {
@@ -447,11 +471,15 @@ void StudyWindow::share_with(const QString& group) {
   }
 }
 
-void StudyWindow::make_new_study(const std::filesystem::path& folder) {
+void StudyWindow::make_new_study(const std::filesystem::path& folder,
+                                 const StudyMetadata& metadata) {
   make_task_.run<bool>(
-      [folder](const std::stop_token&, const BackgroundTask::Progress&) {
+      [folder, metadata](const std::stop_token&, const BackgroundTask::Progress&) {
         std::filesystem::create_directories(folder.parent_path());
         new_study(folder);
+        if (metadata != StudyMetadata{}) {
+          Study::open(folder, Access::read_write).set_metadata(metadata);
+        }
         return true;
       },
       [this, folder](bool) { open_study(folder); },

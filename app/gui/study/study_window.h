@@ -104,7 +104,9 @@ class StudyWindow final : public QMainWindow {
   void open_demo();
   void ask_whom_to_share_with();
   void share_with(const QString& group);
-  void make_new_study(const std::filesystem::path& folder);
+  void make_new_study(const std::filesystem::path& folder, const StudyMetadata& metadata);
+  void ask_for_metadata();
+  void store_metadata(const StudyMetadata& metadata);
   void watch_folder();
   void look_whether_changed();
   void show_about();
@@ -117,6 +119,7 @@ class StudyWindow final : public QMainWindow {
   WelcomePage* welcome_ = nullptr;
   QAction* close_action_ = nullptr;
   QAction* share_action_ = nullptr;
+  QAction* metadata_action_ = nullptr;
   QFileSystemWatcher* watcher_ = nullptr;
   std::unique_ptr<OpenStudy> study_{};
   BackgroundTask make_task_{};

@@ -1265,6 +1265,13 @@
     </message>
 </context>
 <context>
+    <name>AnalysisPage</name>
+    <message>
+        <source>%1 Enter them with Study → Metadata…</source>
+        <translation>%1 Eintragen lassen sie sich mit Studie → Angaben…</translation>
+    </message>
+</context>
+<context>
     <name>AnalysisWords</name>
     <message>
         <source>achieved, maximum, N</source>
@@ -4613,6 +4620,21 @@
     </message>
 </context>
 <context>
+    <name>StudyMetadata</name>
+    <message>
+        <source>The study states neither authors nor a license, which archives of data ask for.</source>
+        <translation>Die Studie nennt weder Autorinnen und Autoren noch eine Lizenz; Datenarchive verlangen beides.</translation>
+    </message>
+    <message>
+        <source>The study states no authors, which archives of data ask for.</source>
+        <translation>Die Studie nennt keine Autorinnen und Autoren; Datenarchive verlangen sie.</translation>
+    </message>
+    <message>
+        <source>The study states no license, which archives of data ask for.</source>
+        <translation>Die Studie nennt keine Lizenz; Datenarchive verlangen eine.</translation>
+    </message>
+</context>
+<context>
     <name>StudyOutputs</name>
     <message>
         <source>The study is of an older version of Asperity and was not changed: it does not list %1 among what was made of it. Keep a note of it for the case that a participant withdraws.</source>
@@ -6644,6 +6666,52 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>not counted</source>
         <translation>nicht gezählt</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MetadataDialog</name>
+    <message>
+        <source>Metadata of the study</source>
+        <translation>Angaben zur Studie</translation>
+    </message>
+    <message>
+        <source>Exports state them: archives of data ask for authors and a license.</source>
+        <translation>Exporte enthalten sie: Datenarchive verlangen Autorinnen und Autoren und eine Lizenz.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MetadataFields</name>
+    <message>
+        <source>Family, Given; Family, Given</source>
+        <translation>Nachname, Vorname; Nachname, Vorname</translation>
+    </message>
+    <message>
+        <source>Authors</source>
+        <translation>Autorinnen und Autoren</translation>
+    </message>
+    <message>
+        <source>for example: CC-BY-4.0</source>
+        <translation>zum Beispiel: CC-BY-4.0</translation>
+    </message>
+    <message>
+        <source>License of the data</source>
+        <translation>Lizenz der Daten</translation>
+    </message>
+    <message>
+        <source>committee and number of the approval</source>
+        <translation>Kommission und Nummer des Votums</translation>
+    </message>
+    <message>
+        <source>Ethics approval</source>
+        <translation>Ethikvotum</translation>
     </message>
 </context>
 <context>
@@ -9266,6 +9334,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>The study could not be shared: %1</source>
         <translation>Die Studie konnte nicht freigegeben werden: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Metadata…</source>
+        <translation>&amp;Angaben…</translation>
+    </message>
+    <message>
+        <source>The metadata of the study are stored.</source>
+        <translation>Die Angaben zur Studie sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>The metadata could not be stored: %1</source>
+        <translation>Die Angaben zur Studie konnten nicht gespeichert werden: %1</translation>
     </message>
 </context>
 <context>

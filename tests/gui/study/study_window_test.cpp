@@ -101,6 +101,7 @@ TEST_F(StudyWindowTest, MakesAStudyOfTheNameThatIsTyped) {
   EXPECT_FALSE(create.isEnabled());
   child<QLineEdit>(dialog, "new_study_place")
       .setText(QString::fromStdString((home() / "studies").string()));
+  child<QLineEdit>(dialog, "metadata_authors").setText("Doe, Jane");
   QTest::keyClicks(&child<QLineEdit>(dialog, "new_study_name"), "Rough surfaces");
   ASSERT_TRUE(create.isEnabled());
   QTest::keyClick(&child<QLineEdit>(dialog, "new_study_name"), Qt::Key_Return);
@@ -259,6 +260,29 @@ TEST_F(StudyWindowTest, SharesTheStudyWithAGroup) {
             perms::owner_all | perms::group_all | perms::set_gid);
   EXPECT_EQ(std::filesystem::status(folder / "study.sqlite").permissions(),
             perms::owner_read | perms::owner_write | perms::group_read | perms::group_write);
+}
+
+TEST_F(StudyWindowTest, StoresTheMetadataOfTheStudy) {
+  new_study(home() / "study");
+  StudyWindow window{};
+  auto& metadata = child<QAction>(window, "menu_metadata");
+  EXPECT_FALSE(metadata.isEnabled());
+  window.show();
+  ASSERT_TRUE(window.open_study(home() / "study"));
+  metadata.trigger();
+  child<QLineEdit>(window, "metadata_authors").setText("Doe, Jane; Roe, Richard ;");
+  child<QComboBox>(window, "metadata_license").setCurrentText("CC-BY-4.0");
+  click(window, "metadata_save");
+  const StudyMetadata expected{.authors = {"Doe, Jane", "Roe, Richard"}, .license = "CC-BY-4.0"};
+  EXPECT_EQ(window.study()->study().metadata(), expected);
+  ASSERT_TRUE(eventually([&] { return window.findChild<QDialog*>("metadata_dialog") == nullptr; }));
+  metadata.trigger();
+  EXPECT_EQ(child<QLineEdit>(window, "metadata_authors").text(), "Doe, Jane; Roe, Richard");
+  child<QComboBox>(window, "metadata_license").setCurrentText("");
+  child<QLineEdit>(window, "metadata_ethics").setText("Board, 12/2026");
+  click(window, "metadata_save");
+  EXPECT_EQ(window.study()->study().metadata().license, std::nullopt);
+  EXPECT_EQ(window.study()->study().metadata().ethics_approval, "Board, 12/2026");
 }
 
 TEST_F(StudyWindowTest, SaysWhenTheStudyDisappears) {

@@ -1,0 +1,93 @@
+// asperity metadata: who a study is by, under which license, and who approved it.
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/metadata_options.h"
+#include "app/cli/terminal.h"
+#include "app/study_metadata.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+std::optional<std::string> stated(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::string shown(const std::optional<std::string>& text) { return text.value_or("not stated"); }
+
+void print(const Study& study, bool as_json) {
+  const StudyMetadata metadata = study.metadata();
+  if (as_json) {
+    nlohmann::ordered_json json{{"format", "asperity.metadata/1"},
+                                {"name", study.name()},
+                                {"authors", metadata.authors},
+                                {"license", nullptr},
+                                {"ethics_approval", nullptr}};
+    if (metadata.license) json["license"] = *metadata.license;
+    if (metadata.ethics_approval) json["ethics_approval"] = *metadata.ethics_approval;
+    std::cout << json.dump(2) << '\n';
+    return;
+  }
+  std::string authors{};
+  for (const std::string& author : metadata.authors) {
+    authors += (authors.empty() ? "" : "; ") + author;
+  }
+  std::cout << "name             " << study.name() << "\nauthors          "
+            << (authors.empty() ? "not stated" : authors) << "\nlicense          "
+            << shown(metadata.license) << "\nethics approval  " << shown(metadata.ethics_approval)
+            << '\n';
+}
+
+}  // namespace
+
+StudyMetadata MetadataOptions::applied_to(StudyMetadata metadata) const {
+  if (!authors.empty()) {
+    metadata.authors = authors;
+    std::erase(metadata.authors, "");
+  }
+  if (license) metadata.license = stated(*license);
+  if (ethics) metadata.ethics_approval = stated(*ethics);
+  return metadata;
+}
+
+void add_metadata_options(CLI::App& command, MetadataOptions& options) {
+  command.add_option("--author", options.authors,
+                     "An author, \"Family, Given\"; once for each, in the order of a byline");
+  command.add_option("--license", options.license, "License of the data, such as CC-BY-4.0");
+  command.add_option("--ethics", options.ethics,
+                     "Ethics approval: committee and number of the approval");
+}
+
+void add_metadata(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    MetadataOptions metadata{};
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "metadata", "Show or change the authors, the license and the ethics approval of a study.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  add_metadata_options(*command, options->metadata);
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->callback([options, &job] {
+    job = [options] {
+      const bool changes = options->metadata.is_any();
+      Study study = Study::open(options->study, changes ? Access::read_write : Access::read_only);
+      if (changes) study.set_metadata(options->metadata.applied_to(study.metadata()));
+      print(study, options->json);
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#include "app/gui/study/metadata_dialog.h"
+
+#include <QtWidgets/QFormLayout>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+MetadataDialog::MetadataDialog(const StudyMetadata& metadata, QWidget* parent) : QDialog(parent) {
+  setObjectName("metadata_dialog");
+  setWindowTitle(tr("Metadata of the study"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(640);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Metadata of the study"), this));
+  layout->addWidget(make_text(
+      tr("Exports state them: archives of data ask for authors and a license."), this, true));
+  auto* form = new QFormLayout();
+  form->setSpacing(kGrid);
+  form->setHorizontalSpacing(kMargin);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  fields_ = new MetadataFields(*form, this);
+  fields_->fill(metadata);
+  layout->addLayout(form);
+  layout->addStretch(1);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  QPushButton* save = make_button(tr("Save"), ButtonRole::primary, this);
+  save->setObjectName("metadata_save");
+  save->setDefault(true);
+  buttons->addStretch(1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(save);
+  layout->addLayout(buttons);
+
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(save, &QPushButton::clicked, this, [this] {
+    emit wanted(fields_->metadata());
+    accept();
+  });
+}
+
+}  // namespace asperity
+
+#include "moc_metadata_dialog.cpp"

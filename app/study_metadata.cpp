@@ -1,0 +1,20 @@
+#include "app/study_metadata.h"
+
+namespace asperity {
+
+std::optional<Phrase> missing_metadata(const StudyMetadata& metadata) {
+  if (metadata.authors.empty() && !metadata.license) {
+    return phrase(
+        "StudyMetadata",
+        "The study states neither authors nor a license, which archives of data ask for.");
+  }
+  if (metadata.authors.empty()) {
+    return phrase("StudyMetadata", "The study states no authors, which archives of data ask for.");
+  }
+  if (!metadata.license) {
+    return phrase("StudyMetadata", "The study states no license, which archives of data ask for.");
+  }
+  return std::nullopt;
+}
+
+}  // namespace asperity

@@ -1,0 +1,16 @@
+// What archives of data ask of a study apart from its data: authors, license, ethics approval.
+
+#pragma once
+
+#include <optional>
+
+#include "app/phrase.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// "The study has no authors and no license, …", for whoever exports it; nothing where both are there.
+/// What to do about it depends on the place: a command, or an entry of a menu.
+std::optional<Phrase> missing_metadata(const StudyMetadata& metadata);
+
+}  // namespace asperity

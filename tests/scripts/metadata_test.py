@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""A study's authors, license and ethics approval: stated when it is made, changed later, exported, and asked for where they are
+missing. Argument: the program asperity."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROGRAM = sys.argv[1]
+WARNING = "asperity: warning: The study states"
+
+
+def asperity(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], text=True, capture_output=True, check=True)
+
+
+def stated(study):
+    told = json.loads(asperity("metadata", study, "--json").stdout)
+    return told["authors"], told["license"], told["ethics_approval"]
+
+
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    study, bare = folder / "study", folder / "bare"
+    asperity("new", study, "--author", "Doe, Jane", "--author", "Roe, Richard", "--license", "CC0-1.0", "--ethics", "Board, 12/2026")
+    assert stated(study) == (["Doe, Jane", "Roe, Richard"], "CC0-1.0", "Board, 12/2026")
+    assert "Doe, Jane; Roe, Richard" in asperity("metadata", study).stdout
+    asperity("metadata", study, "--license", "CC-BY-4.0", "--ethics", "")
+    assert stated(study) == (["Doe, Jane", "Roe, Richard"], "CC-BY-4.0", None)
+    assert WARNING not in asperity("export", study, "--out", folder / "stated", "--formats", "none").stderr
+
+    asperity("new", bare)
+    assert stated(bare) == ([], None, None)
+    told = asperity("export", bare, "--out", folder / "not_stated", "--formats", "none").stderr
+    assert f"{WARNING} neither authors nor a license" in told and f"asperity metadata {bare} --author" in told, told
+    asperity("metadata", bare, "--license", "CC0-1.0")
+    told = asperity("export", bare, "--out", folder / "no_authors", "--formats", "none").stderr
+    assert f"{WARNING} no authors" in told, told
