@@ -216,6 +216,78 @@ std::vector<CheckedTest> selection_tests(const CoverageSetting& setting) {
           {.quantity = "subj.t.p.two", .key = "A"}};
 }
 
+/// What the counts of a participant are like.
+struct MomentsOfCounts {
+  double difference = 0.0;  ///< mean of the count of A minus that of B
+  double square = 0.0;      ///< mean of its square
+  ThreeItems ranks{};  ///< means of the counts' ranks about the middle, equal counts in the middle
+  double rank_squares = 0.0;
+};
+
+/// By all counts that a participant can have, and a grid of utilities.
+MomentsOfCounts moments_of_counts(const CoverageSetting& setting) {
+  MomentsOfCounts sum{};
+  double all = 0.0;
+  const int steps = setting.spread > 0.0 ? 30 : 0;
+  constexpr double kFurthest = 5.0;
+  const auto place = [steps](int i) {
+    return steps == 0 ? 0.0 : kFurthest * (2.0 * i / steps - 1.0);
+  };
+  const auto above = [](int count, int other) {
+    return count > other ? 0.5 : count < other ? -0.5 : 0.0;
+  };
+  const auto trials = static_cast<int>(setting.trials);
+  const ThreeItems means = mean_utilities(setting);
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps; ++j) {
+      for (int k = 0; k <= steps; ++k) {
+        const ThreeItems z{place(i), place(j), place(k)};
+        ThreeItems own{};
+        for (std::size_t item = 0; item < own.size(); ++item) {
+          own[item] = std::exp(means[item] + setting.spread * z[item]);
+        }
+        const double total = own[0] + own[1] + own[2];
+        const double density = std::exp(-0.5 * (z[0] * z[0] + z[1] * z[1] + z[2] * z[2]));
+        all += density;
+        double of_a = density * std::pow(own[2] / total, trials);  // of a times A, the rest C
+        for (int a = 0; a <= trials; ++a) {
+          double weight = of_a;
+          for (int b = 0; a + b <= trials; ++b) {
+            const int c = trials - a - b;
+            const ThreeItems ranks{above(a, b) + above(a, c), above(b, a) + above(b, c),
+                                   above(c, a) + above(c, b)};
+            sum.difference += weight * (a - b);
+            sum.square += weight * (a - b) * (a - b);
+            for (std::size_t item = 0; item < ranks.size(); ++item) {
+              sum.ranks[item] += weight * ranks[item];
+              sum.rank_squares += weight * ranks[item] * ranks[item];
+            }
+            weight *= own[1] / own[2] * c / (b + 1.0);
+          }
+          of_a *= own[0] / own[2] * (trials - a) / (a + 1.0);
+        }
+      }
+    }
+  }
+  sum.difference /= all;
+  sum.square /= all;
+  sum.rank_squares /= all;
+  for (double& rank : sum.ranks) rank /= all;
+  return sum;
+}
+
+/// W of n participants whose mean rank correlation is that of two participants' expected ranks.
+std::vector<CheckedInterval> choice_effect_intervals(const CoverageSetting& setting) {
+  const MomentsOfCounts moments = moments_of_counts(setting);
+  double of_means = 0.0;
+  for (const double rank : moments.ranks) of_means += rank * rank;
+  const auto n = static_cast<double>(setting.participants);
+  const double variance = moments.square - moments.difference * moments.difference;
+  return {
+      {.quantity = "relabel.W", .truth = (1.0 + (n - 1.0) * of_means / moments.rank_squares) / n},
+      {.quantity = "signflip.d", .key = "A|B", .truth = moments.difference / std::sqrt(variance)}};
+}
+
 // --- two groups ------------------------------------------------------------------------------------
 
 TidyInput draw_groups(const CoverageSetting& setting, Random& random) {
@@ -256,53 +328,62 @@ std::span<const CoveragePart> choice_parts() {
   static const auto kOfAdvantages = all_designs(kAdvantages, kSpreads);
   static const std::array kParts{
       CoveragePart{.name = "recognition",
-                   .family = "recognition",
                    .model = "one of four pictures; a participant's logit of a correct answer is "
                             "normal, wrong answers are equally likely",
                    .effect = "mean proportion correct",
                    .spread = "SD of the logits",
                    .settings = kOfProportions,
                    .draw = draw_recognition,
+                   .findings = recognition_findings,
                    .intervals = recognition_intervals,
                    .tests = recognition_tests},
       CoveragePart{.name = "matching",
-                   .family = "matching",
                    .model = "four pictures to four surfaces by Mallows' model (Hamming distance); "
                             "a participant's theta is normal",
                    .effect = "mean theta",
                    .spread = "SD of theta",
                    .settings = kOfThetas,
                    .draw = draw_matching,
+                   .findings = matching_findings,
                    .intervals = matching_intervals,
                    .tests = matching_tests},
       CoveragePart{.name = "matching_kept",
-                   .family = "matching",
                    .model = "four pictures to four surfaces; each participant guesses one "
                             "assignment and keeps it in all trials",
                    .effect = "always 0",
                    .spread = "always 0",
                    .settings = kOfGuessing,
                    .draw = draw_kept_matching,
+                   .findings = matching_findings,
                    .intervals = no_intervals,
                    .tests = tests_of_guessing},
       CoveragePart{.name = "selection",
-                   .family = "selection",
                    .model = "the best of three; a participant's utilities are normal, and the "
                             "choice follows Luce",
                    .effect = "mean utility of the target above the others",
                    .spread = "SD of the utilities",
                    .settings = kOfAdvantages,
                    .draw = draw_selection,
+                   .findings = selection_findings,
                    .intervals = selection_intervals,
                    .tests = selection_tests},
+      CoveragePart{.name = "choice_effects",
+                   .model = "choices as in `selection`; the effect sizes of its tests",
+                   .effect = "mean utility of the target above the others",
+                   .spread = "SD of the utilities",
+                   .settings = kOfAdvantages,
+                   .draw = draw_selection,
+                   .findings = selection_findings,
+                   .intervals = choice_effect_intervals,
+                   .tests = no_tests},
       CoveragePart{.name = "groups",
-                   .family = "group",
                    .model = "two groups of half the participants each, alike; a participant's "
                             "logit of a correct answer is normal",
                    .effect = "mean proportion correct in both groups",
                    .spread = "SD of the logits",
                    .settings = kOfProportions,
                    .draw = draw_groups,
+                   .findings = group_findings,
                    .intervals = group_intervals,
                    .tests = group_tests}};
   return kParts;

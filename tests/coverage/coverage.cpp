@@ -22,19 +22,6 @@ namespace {
 
 constexpr double kLevel = 0.05;
 
-std::optional<ConfidenceInterval> interval_in(const FoundNumbers& found,
-                                              const CheckedInterval& checked) {
-  if (checked.lower.empty()) {
-    const Finding* const finding = found.find(checked.quantity, checked.key);
-    if (finding == nullptr || !finding->low || !finding->high) return {};
-    return ConfidenceInterval{.low = *finding->low, .high = *finding->high};
-  }
-  const auto low = found.value(checked.lower, checked.key);
-  const auto high = found.value(checked.upper, checked.key);
-  if (!low || !high) return {};
-  return ConfidenceInterval{.low = *low, .high = *high};
-}
-
 void add_to(CoverageCount& sum, const CoverageCount& more) {
   sum.tables += more.tables;
   sum.given += more.given;
@@ -95,20 +82,33 @@ void count_table(const std::vector<Finding>& findings,
 
 }  // namespace
 
+std::optional<ConfidenceInterval> interval_in(const FoundNumbers& found,
+                                              const CheckedInterval& checked) {
+  if (checked.lower.empty()) {
+    const Finding* const finding = found.find(checked.quantity, checked.key);
+    if (finding == nullptr || !finding->low || !finding->high) return {};
+    return ConfidenceInterval{.low = *finding->low, .high = *finding->high};
+  }
+  const auto low = found.value(checked.lower, checked.key);
+  const auto high = found.value(checked.upper, checked.key);
+  if (!low || !high) return {};
+  return ConfidenceInterval{.low = *low, .high = *high};
+}
+
 std::vector<CoverageCount> counts_in(const CoveragePart& part, const CoverageSetting& setting,
                                      const CoverageRun& run) {
-  const TidyFamily& family = tidy_family(std::string(part.family));
   const std::vector<CheckedInterval> intervals = part.intervals(setting);
   const std::vector<CheckedTest> tests = part.tests(setting);
   std::vector<CoverageCount> sum = counts_of_nothing(part, setting);
   const Random of_setting = Random(run.seed).split(name_of(part, setting));
+  const std::size_t tables = run.tables.value_or(part.tables);
   std::atomic<std::size_t> next{0};
   std::mutex summing;
   const auto work = [&] {
     std::vector<CoverageCount> counts = counts_of_nothing(part, setting);
-    for (std::size_t table = next++; table < run.tables; table = next++) {
+    for (std::size_t table = next++; table < tables; table = next++) {
       Random random = of_setting.split(static_cast<std::uint64_t>(table));
-      count_table(family.findings(part.draw(setting, random)), intervals, tests, counts);
+      count_table(part.findings(part.draw(setting, random)), intervals, tests, counts);
     }
     const std::lock_guard lock(summing);
     for (std::size_t i = 0; i < sum.size(); ++i) add_to(sum[i], counts[i]);

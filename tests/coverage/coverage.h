@@ -5,9 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/proportion.h"
+#include "app/analyses/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {
@@ -28,13 +31,17 @@ struct CoverageCount {
   double smallest_p = 1.0;
 };
 
+/// Nothing where the findings have none.
+std::optional<ConfidenceInterval> interval_in(const FoundNumbers& found,
+                                              const CheckedInterval& checked);
+
 struct CoverageRun {
   std::uint64_t seed = 1;
-  std::size_t tables = 4000;
+  std::optional<std::size_t> tables{};  ///< of each setting, instead of the part's own number
   std::size_t jobs = 1;
 };
 
-/// Draws the tables of a setting and analyses each by the part's family. Table i is drawn from a stream of its own, so
+/// Draws the tables of a setting and analyses each. Table i is drawn from a stream of its own, so
 /// that the counts are the same for any number of jobs.
 std::vector<CoverageCount> counts_in(const CoveragePart& part, const CoverageSetting& setting,
                                      const CoverageRun& run);

@@ -36,9 +36,9 @@ int main(int count, char** arguments) try {
     const std::string_view argument = arguments[i];
     if (argument == "--list") {
       for (const CoveragePart& part : all) {
-        std::printf("%s\t%s\t%s\t%s\n", std::string(part.name).c_str(),
+        std::printf("%s\t%s\t%s\t%s\t%zu\n", std::string(part.name).c_str(),
                     std::string(part.model).c_str(), std::string(part.effect).c_str(),
-                    std::string(part.spread).c_str());
+                    std::string(part.spread).c_str(), part.settings.size());
       }
       return 0;
     }

@@ -7,8 +7,11 @@
 namespace asperity {
 
 std::vector<CoveragePart> coverage_parts() {
-  std::vector<CoveragePart> parts(choice_parts().begin(), choice_parts().end());
-  parts.insert(parts.end(), scale_parts().begin(), scale_parts().end());
+  std::vector<CoveragePart> parts{};
+  for (const auto of_subject :
+       {choice_parts, scale_parts, time_parts, agreement_parts, difference_parts, model_parts}) {
+    parts.insert(parts.end(), of_subject().begin(), of_subject().end());
+  }
   return parts;
 }
 
@@ -28,7 +31,7 @@ std::vector<CoverageSetting> all_designs(std::span<const double> effects,
   return settings;
 }
 
-double mean_of_logistic(double mu, double spread) {
+double mean_over_normal(const std::function<double(double)>& of) {
   // The trapezium rule converges geometrically for a smooth integrand that vanishes at both ends.
   constexpr int kSteps = 200;
   constexpr double kFurthest = 9.0;
@@ -37,10 +40,15 @@ double mean_of_logistic(double mu, double spread) {
   for (int i = 0; i <= kSteps; ++i) {
     const double z = kFurthest * (2.0 * i / kSteps - 1.0);
     const double weight = std::exp(-0.5 * z * z);
-    sum += weight / (1.0 + std::exp(-(mu + spread * z)));
+    sum += weight * of(z);
     weights += weight;
   }
   return sum / weights;
+}
+
+double mean_of_logistic(double mu, double spread) {
+  return mean_over_normal(
+      [mu, spread](double z) { return 1.0 / (1.0 + std::exp(-(mu + spread * z))); });
 }
 
 double mu_of_mean(double mean, double spread) {
@@ -90,6 +98,7 @@ ThreeItems mean_choices(const ThreeItems& mean_utilities, double spread) {
 }
 
 std::vector<CheckedInterval> no_intervals(const CoverageSetting&) { return {}; }
+std::vector<CheckedTest> no_tests(const CoverageSetting&) { return {}; }
 
 void DrawnTable::add(std::initializer_list<std::string_view> cells) {
   const char* between = "";

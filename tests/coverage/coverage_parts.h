@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,19 +39,21 @@ struct CheckedTest {
   std::string key{};
 };
 
-/// A model that tables are drawn from, the family that analyses them, and what must hold of its findings.
+/// A model that tables are drawn from, what analyses them, and what must hold of its findings.
 ///
 /// To add one: its functions in one of the files *_parts.cpp, its row in that file's array.
 struct CoveragePart {
   std::string_view name{};
-  std::string_view family{};
   std::string_view model{};   ///< a sentence for the documentation
   std::string_view effect{};  ///< what CoverageSetting::effect is
   std::string_view spread{};  ///< what CoverageSetting::spread is
   std::span<const CoverageSetting> settings{};
   TidyInput (*draw)(const CoverageSetting&, Random&) = nullptr;
+  /// A family's; or, of numbers that only a study's analysis gives, a function that hands it the table's rows.
+  std::vector<Finding> (*findings)(const TidyInput&) = nullptr;
   std::vector<CheckedInterval> (*intervals)(const CoverageSetting&) = nullptr;
   std::vector<CheckedTest> (*tests)(const CoverageSetting&) = nullptr;
+  std::size_t tables = 4000;  ///< of each setting: fewer where an analysis takes long
 };
 
 /// In the order of the documentation.
@@ -60,11 +63,21 @@ std::vector<CoveragePart> coverage_parts();
 std::span<const CoveragePart> choice_parts();
 /// Of scales: worths of compared items, estimated magnitudes.
 std::span<const CoveragePart> scale_parts();
+/// Of response times, and of what changes over the trials.
+std::span<const CoveragePart> time_parts();
+/// Of reliability over repetitions, and of agreement between participants.
+std::span<const CoveragePart> agreement_parts();
+/// Of differences, their equivalence and their effect sizes.
+std::span<const CoveragePart> difference_parts();
+/// Of psychometric functions and mixed models.
+std::span<const CoveragePart> model_parts();
 
 /// All combinations: the designs are 20 × 3, 12 × 12, 6 × 20 and 2 to 5 participants × 12.
 std::vector<CoverageSetting> all_designs(std::span<const double> effects,
                                          std::span<const double> spreads);
 
+/// The mean of `of` over a standard normal variable.
+double mean_over_normal(const std::function<double(double)>& of);
 /// The mean of 1/(1 + exp(−(μ + spread·z))) over standard normal z.
 double mean_of_logistic(double mu, double spread);
 /// The μ with that mean. Throws std::invalid_argument where `mean` is not between 0 and 1.
@@ -77,8 +90,9 @@ ThreeItems own_weights(const ThreeItems& mean_utilities, double spread, Random& 
 /// The probabilities that a participant drawn so chooses each of them.
 ThreeItems mean_choices(const ThreeItems& mean_utilities, double spread);
 
-/// For a part that checks tests alone.
+/// For a part that checks tests alone, or intervals alone.
 std::vector<CheckedInterval> no_intervals(const CoverageSetting& setting);
+std::vector<CheckedTest> no_tests(const CoverageSetting& setting);
 
 /// Text of a table: a line of column names, then rows.
 class DrawnTable {

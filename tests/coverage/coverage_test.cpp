@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/analyses/found_numbers.h"
 #include "results_schema/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -110,6 +111,31 @@ TEST(CoverageParts, FindEveryNumberThatTheyLookFor) {
     }
     for (const auto& [quantity, times] : given) {
       EXPECT_GT(times, 0U) << part.name << ' ' << quantity;
+    }
+  }
+}
+
+// One and a half widths of a 95 % interval are six standard errors.
+TEST(CoverageParts, HaveTrueValuesWhereManyParticipantsAre) {
+  constexpr std::size_t kMany = 60;
+  for (const std::string name :
+       {"response_times", "learning_times", "learning_correct", "ratings", "repetitions",
+        "repeated_estimates", "scores", "choice_effects", "equivalence", "differences", "effects",
+        "psychometric", "crossed_textures", "crossed_ten_textures"}) {
+    const CoveragePart part = part_named(name);
+    for (CoverageSetting setting : part.settings) {
+      if (setting.participants != 12) continue;
+      setting.participants = kMany;
+      Random random = Random(1).split(name_of(part, setting));
+      const std::vector<Finding> findings = part.findings(part.draw(setting, random));
+      const FoundNumbers found(findings);
+      for (const CheckedInterval& checked : part.intervals(setting)) {
+        const auto interval = interval_in(found, checked);
+        if (!interval) continue;
+        const double middle = 0.5 * (interval->low + interval->high);
+        EXPECT_LE(std::abs(checked.truth - middle), 1.5 * (interval->high - interval->low) + 1e-9)
+            << name_of(part, setting) << checked.quantity << ' ' << checked.key;
+      }
     }
   }
 }
