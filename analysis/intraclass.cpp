@@ -73,8 +73,13 @@ Forms agreement_forms(const MeanSquares& ms, const IntraclassCorrelation& test, 
   Forms forms{.single = test, .mean = test};
   const double raters = (ms.raters - ms.rest) / n;
   const double icc = (ms.targets - ms.rest) / (ms.targets + (k - 1.0) * ms.rest + k * raters);
+  // Spearman and Brown. It falls to −∞ at −1/(k − 1), and ICC2 and its limits can lie below that.
+  const auto of_mean = [k](double one) {
+    const double variance = 1.0 + (k - 1.0) * one;
+    return variance > 0.0 ? k * one / variance : -std::numeric_limits<double>::infinity();
+  };
   forms.single.value = icc;
-  forms.mean.value = (ms.targets - ms.rest) / (ms.targets + raters);
+  forms.mean.value = of_mean(icc);
   if (std::isinf(test.F) || test.F == 0.0) return forms;
   const double ratio = ms.raters / ms.rest;
   const double sum = n * (1.0 + (k - 1.0) * icc) - k * icc;
@@ -87,9 +92,9 @@ Forms agreement_forms(const MeanSquares& ms, const IntraclassCorrelation& test, 
   const ConfidenceInterval limits{
       .low = n * (ms.targets - above * ms.rest) / (above * errors + n * ms.targets),
       .high = n * (below * ms.targets - ms.rest) / (errors + n * below * ms.targets)};
-  const auto of_mean = [k](double one) { return k * one / (1.0 + (k - 1.0) * one); };
   forms.single.interval = limits;
-  forms.mean.interval = {.low = of_mean(limits.low), .high = of_mean(limits.high)};
+  const double high = of_mean(limits.high);
+  if (std::isfinite(high)) forms.mean.interval = {.low = of_mean(limits.low), .high = high};
   return forms;
 }
 

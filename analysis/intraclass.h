@@ -23,7 +23,8 @@ namespace asperity {
 /// and of the mean of the k ratings ICC1k = (MSB − MSW)/MSB, ICC2k = (MSB − MSE)/(MSB + (MSJ − MSE)/n),
 /// ICC3k = (MSB − MSE)/MSB, which is Cronbach's α. F = MSB/MSW with n − 1 and n(k − 1) degrees of freedom,
 /// or MSB/MSE with n − 1 and (n − 1)(k − 1), tests that it is 0. The limits are exact but for those of
-/// ICC2 and ICC2k, which rest on Satterthwaite's degrees of freedom.
+/// ICC2 and ICC2k, which rest on Satterthwaite's degrees of freedom. ICC2k and
+/// its lower limit are −∞ where the estimated variance of the mean of the ratings is not above 0.
 ///
 /// [Shrout 1979] Shrout, Fleiss: Intraclass correlations: uses in assessing rater reliability.
 struct IntraclassCorrelation {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -45,6 +46,24 @@ TEST(Reliability, OfJudgesWhoDifferByAConstantIsConsistentAndNotInAgreement) {
   EXPECT_FALSE(reliability->correlations[2].interval);
   EXPECT_LT(reliability->correlations[1].value, 1.0);
   EXPECT_EQ(reliability->standard_error_of_measurement, 0.0);
+}
+
+// The raters have equal means, and contradict each other on the targets. ICC2 and its lower limit are below −1/2, where
+// Spearman's and Brown's formula would give a correlation of 6 for the mean of three ratings.
+TEST(Reliability, OfTheMeanOfRatingsThatContradictEachOtherIsMinusInfinity) {
+  Eigen::MatrixXd ratings(4, 3);
+  ratings << 1, 2, 3, 2, 3, 1, 3, 1, 2, 2, 2, 3;
+  const auto reliability = reliability_of(ratings);
+  ASSERT_TRUE(reliability);
+  const IntraclassCorrelation& one = reliability->correlations[1];
+  const IntraclassCorrelation& mean = reliability->correlations[4];
+  ASSERT_TRUE(one.interval);
+  EXPECT_LT(one.value, -0.5);
+  EXPECT_EQ(mean.value, -std::numeric_limits<double>::infinity());
+  ASSERT_TRUE(mean.interval);
+  EXPECT_EQ(mean.interval->low, -std::numeric_limits<double>::infinity());
+  const double high = one.interval->high;
+  EXPECT_NEAR(mean.interval->high, 3.0 * high / (1.0 + 2.0 * high), 1e-12);
 }
 
 TEST(Reliability, IsThereOnlyWhereSomethingDiffers) {
