@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kCorrect = "correct";
 
-std::string level_text(const nlohmann::json& level) {
+std::string factor_level_text(const nlohmann::json& level) {
   return level.is_string() ? level.get<std::string>() : level.dump();
 }
 
@@ -26,7 +26,7 @@ std::string others_text(const nlohmann::json& factors, const std::string& but) {
   std::string text{};
   for (const auto& [name, level] : factors.items()) {
     if (name == but) continue;
-    text += (text.empty() ? "" : ", ") + name + " = " + level_text(level);
+    text += (text.empty() ? "" : ", ") + name + " = " + factor_level_text(level);
   }
   return text;
 }
