@@ -267,7 +267,8 @@ std::span<const CoveragePart> agreement_parts() {
                    .draw = draw_repeated_estimates,
                    .findings = reliability_of_estimates,
                    .intervals = repeated_estimate_intervals,
-                   .tests = no_tests},
+                   .tests = no_tests,
+                   .tables = 2000},
       CoveragePart{.name = "scores",
                    .model = "a score of each of four items, the mean over the trials; utilities "
                             "and scores are normal",

@@ -375,7 +375,8 @@ std::span<const CoveragePart> choice_parts() {
                    .draw = draw_selection,
                    .findings = selection_findings,
                    .intervals = choice_effect_intervals,
-                   .tests = no_tests},
+                   .tests = no_tests,
+                   .tables = 2000},
       CoveragePart{.name = "groups",
                    .model = "two groups of half the participants each, alike; a participant's "
                             "logit of a correct answer is normal",

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "analysis/effect_size.h"
 #include "analysis/number_text.h"
@@ -54,7 +55,6 @@ double variance_of_proportion(double mean, const CoverageSetting& setting) {
 std::vector<CheckedInterval> two_group_intervals(const CoverageSetting& setting) {
   const auto first = static_cast<double>((setting.participants + 1) / 2);
   const auto second = static_cast<double>(setting.participants / 2);
-  if (second < 2.0) return {};
   const double pooled =
       ((first - 1.0) * variance_of_proportion(setting.effect, setting) +
        (second - 1.0) * variance_of_proportion(setting.effect - kMargin, setting)) /
@@ -68,8 +68,7 @@ std::vector<CheckedInterval> two_group_intervals(const CoverageSetting& setting)
           {.quantity = "hedges.g", .truth = bias * d}};
 }
 
-std::vector<CheckedTest> equivalence_tests(const CoverageSetting& setting) {
-  if (setting.participants < 4) return {};
+std::vector<CheckedTest> equivalence_tests(const CoverageSetting&) {
   return {{.quantity = "tost.p"}};
 }
 
@@ -110,8 +109,8 @@ std::vector<CheckedTest> measured_pair_tests(const CoverageSetting& setting) {
 
 // --- effect sizes of the analysis of variance --------------------------------------------------------
 
-constexpr std::array<std::string_view, 5> kMeasured{"1", "2", "3", "4", "5"};
-constexpr std::array kLevelSteps{0.0, 0.1, 0.3};
+constexpr std::array<std::string_view, 3> kMeasured{"1", "2", "3"};
+constexpr std::array kLevelSteps{0.0, 0.2, 0.5};
 constexpr std::array kOwnLevelSpreads{0.0, 1.0};
 constexpr double kOwnDeviation = 0.3;  // SD of a participant's own deviation at a level
 
@@ -131,7 +130,7 @@ TidyInput draw_effects(const CoverageSetting& setting, Random& random) {
     }
   }
   TidyInput input = std::move(table).as_input();
-  input.options.add("within", R"({"spacing": [1, 2, 3, 4, 5]})");
+  input.options.add("within", R"({"spacing": [1, 2, 3]})");
   return input;
 }
 
@@ -147,10 +146,10 @@ std::vector<CheckedInterval> effect_intervals(const CoverageSetting& setting) {
   const double odds = noncentrality / ((k - 1.0) * n + 1.0);
   return {{.quantity = "pes", .key = "spacing", .truth = odds / (odds + 1.0)},
           {.quantity = "ges", .key = "spacing", .truth = odds / (odds + all_errors)},
-          {.quantity = "cell.mean", .key = "all|5", .truth = (k - 1.0) * setting.effect},
-          {.quantity = "pair.diff", .key = "spacing|1|5", .truth = -(k - 1.0) * setting.effect},
+          {.quantity = "cell.mean", .key = "all|3", .truth = (k - 1.0) * setting.effect},
+          {.quantity = "pair.diff", .key = "spacing|1|3", .truth = -(k - 1.0) * setting.effect},
           {.quantity = "pair.dz",
-           .key = "spacing|1|5",
+           .key = "spacing|1|3",
            .truth = -(k - 1.0) * setting.effect / std::sqrt(2.0 * own_error)}};
 }
 
@@ -158,13 +157,17 @@ std::vector<CheckedTest> effect_tests(const CoverageSetting& setting) {
   if (setting.effect != 0.0) return {};
   return {{.quantity = "p", .key = "spacing"},
           {.quantity = "p.GG", .key = "spacing"},
-          {.quantity = "pair.p", .key = "spacing|1|5"}};
+          {.quantity = "pair.p", .key = "spacing|1|3"}};
 }
 
 }  // namespace
 
 std::span<const CoveragePart> difference_parts() {
-  static const auto kOfProportions = all_designs(kGroupProportions, kGroupSpreads);
+  static const auto kOfProportions = [] {  // a group of one participant has no variance
+    std::vector<CoverageSetting> settings = all_designs(kGroupProportions, kGroupSpreads);
+    std::erase_if(settings, [](const CoverageSetting& one) { return one.participants < 4; });
+    return settings;
+  }();
   static const auto kOfShifts = all_designs(kShifts, kShiftSpreads);
   static const auto kOfSteps = all_designs(kLevelSteps, kOwnLevelSpreads);
   static const std::array kParts{
@@ -190,7 +193,7 @@ std::span<const CoveragePart> difference_parts() {
                    .intervals = measured_pair_intervals,
                    .tests = measured_pair_tests},
       CoveragePart{.name = "effects",
-                   .model = "five levels, each the mean over the trials, normal; a participant's "
+                   .model = "three levels, each the mean over the trials, normal; a participant's "
                             "deviation at each level has an SD of 0.3",
                    .effect = "difference of neighbouring levels",
                    .spread = "SD of the participants' levels",
