@@ -76,6 +76,35 @@ TEST(ReliabilityOfPlannedRepetitions, IsAskedWithoutAFactorForThem) {
               StartsWith("Intraclass correlations of the participants' proportions correct in "));
 }
 
+// The second repetition has twice as many trials, and the same proportions.
+TEST(ReliabilityOfPlannedRepetitions, IsOfProportionsWhereNumbersOfTrialsDiffer) {
+  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const int repetition : {1, 2}) {
+      for (int k = 0; k < 4 * repetition; ++k) {
+        trials.push_back(recognised(repetition, k < i * repetition));
+      }
+    }
+    return trials;
+  });
+  EXPECT_NEAR(*reliability_in(outcome, "icc", "ICC2").value, 1.0, 1e-12);
+}
+
+// Trials of no column are not its repetitions.
+TEST(ReliabilityOfPlannedRepetitions, IsNotAskedWhereOnlySomeTrialsHaveAColumn) {
+  const AnalysisOutcome outcome = analysed_study("recognition", "{}", 4, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const int repetition : {1, 2}) {
+      for (int k = 0; k < 4; ++k) {
+        trials.push_back(recognised(repetition, k < i));
+        if (repetition == 1) trials.back().factors_json = R"({"column": 1})";
+      }
+    }
+    return trials;
+  });
+  EXPECT_EQ(asked(outcome), nullptr);
+}
+
 MadeUpTrial selected(int repetition, const std::string& chosen) {
   MadeUpTrial trial{};
   trial.repetition = repetition;
@@ -114,16 +143,16 @@ TEST(ReliabilityOfSelections, HasAStatusWithoutATarget) {
   EXPECT_EQ(none.status, "the protocol declares no target whose choices could be compared");
 }
 
-/// Estimates of two surfaces in two repetitions, as logarithms.
-AnalysisOutcome estimated_twice(int people,
-                                const std::function<double(int, int, int)>& logarithm_of) {
+/// Estimates of two surfaces in repetitions from 1 on, as logarithms.
+AnalysisOutcome estimated(int people, int repetitions,
+                          const std::function<double(int, int, int)>& logarithm_of) {
   constexpr const char* kSource = R"({
     "estimation": {"spacing": "texture"},
     "factors": {"texture": {"levels": ["fine", "coarse"]}},
     "textures": {"fine": {"spacing_m": 0.001}, "coarse": {"spacing_m": 0.002}}})";
   return analysed_study("magnitude", kSource, people, [&](int i) {
     std::vector<MadeUpTrial> trials{};
-    for (const int repetition : {1, 2}) {
+    for (int repetition = 1; repetition <= repetitions; ++repetition) {
       for (const int surface : {0, 1}) {
         MadeUpTrial trial{};
         trial.repetition = repetition;
@@ -140,7 +169,7 @@ AnalysisOutcome estimated_twice(int people,
 // Of p10 and p11 both repetitions order the surfaces alike, of p12 and p13 the other way round: correlations 1, 1,
 // −1 and −1. Their scales, a decade apart, do not matter.
 TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
-  const AnalysisOutcome outcome = estimated_twice(4, [](int i, int surface, int repetition) {
+  const AnalysisOutcome outcome = estimated(4, 2, [](int i, int surface, int repetition) {
     return i + 0.25 * (i < 2 || repetition == 1 ? surface : 1 - surface);
   });
   const Finding& mean = reliability_in(outcome, "icc.mean", "ICC3");
@@ -155,9 +184,27 @@ TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
             "[−1.00, 1.00]. N = 4 participants.");
 }
 
+// The second repetition is a fifth of a decade higher: consistent in logarithms alone.
+TEST(ReliabilityOfMagnitudes, IsThatOfLogarithms) {
+  const AnalysisOutcome outcome = estimated(
+      2, 2, [](int i, int surface, int repetition) { return i + surface + 0.2 * repetition; });
+  EXPECT_NEAR(*reliability_in(outcome, "icc.mean", "ICC3").value, 1.0, 1e-9);
+}
+
+// Correlations 1 and, with the surfaces alike on average, −1/2: the interval of three repetitions ends there.
+TEST(ReliabilityOfMagnitudes, HasAnIntervalWithinWhatCorrelationsCanBe) {
+  const AnalysisOutcome outcome = estimated(2, 3, [](int i, int surface, int repetition) {
+    return i == 0 ? 0.1 * surface : 0.1 * (surface == 0 ? repetition : 4 - repetition);
+  });
+  const Finding& mean = reliability_in(outcome, "icc.mean", "ICC3");
+  EXPECT_NEAR(*mean.value, 0.25, 1e-9);
+  EXPECT_EQ(mean.low.value(), -0.5);
+  EXPECT_EQ(mean.high.value(), 1.0);
+}
+
 TEST(ReliabilityOfMagnitudes, LeavesOutWhoEstimatesNoDifference) {
-  const AnalysisOutcome outcome = estimated_twice(
-      3, [](int i, int surface, int /*repetition*/) { return i == 0 ? 1.0 : 0.1 * surface; });
+  const AnalysisOutcome outcome = estimated(
+      3, 2, [](int i, int surface, int /*repetition*/) { return i == 0 ? 1.0 : 0.1 * surface; });
   EXPECT_EQ(reliability_in(outcome, "icc.mean", "ICC3").n, 2U);
   EXPECT_NEAR(*reliability_in(outcome, "icc.mean", "ICC3").value, 1.0, 1e-9);
 }

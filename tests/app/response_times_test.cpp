@@ -87,6 +87,12 @@ TEST(ResponseTimes, AreGeometricMeansOverParticipantsByCondition) {
   EXPECT_NEAR(number(times_row(outcome, "texture", "stone")[4]), std::sqrt(32.0), 1e-12);
   EXPECT_EQ(times_row(outcome, "all", "")[3], Cell{std::int64_t{8}});
   EXPECT_EQ(times_in(outcome).table.rows.size(), 5U);
+  const auto is_time = [](const Finding& one) {
+    return one.analysis == kResponseTimes && one.quantity.ends_with("geomean");
+  };
+  EXPECT_EQ(std::count_if(outcome.findings.begin(), outcome.findings.end(), is_time), 15);
+  EXPECT_TRUE(std::all_of(outcome.findings.begin(), outcome.findings.end(),
+                          [&](const Finding& one) { return !is_time(one) || one.unit == "s"; }));
 }
 
 TEST(ResponseTimes, StateHowManyTrialsHaveNone) {

@@ -317,6 +317,15 @@ TEST(TidyFamilies, CompareOneSampleWithNothing) {
   EXPECT_NEAR(value_of(found, "dz", ""), 2.0, 1e-14);
 }
 
+TEST(TidyFamilies, LeaveOutTargetsThatNotAllRatersScored) {
+  const std::string complete = "target,rater,score\nx,A,1\nx,B,2\ny,A,4\ny,B,3\nz,A,6\nz,B,7\n";
+  const auto all = icc_findings(input_of(complete, "{}"));
+  const auto more = icc_findings(input_of(complete + "v,A,9\nw,A,5\nw,B,\n", "{}"));
+  EXPECT_EQ(value_of(more, "n.targets", ""), 3.0);
+  EXPECT_EQ(value_of(more, "n.incomplete", ""), 2.0);
+  EXPECT_EQ(value_of(more, "icc", "ICC2"), value_of(all, "icc", "ICC2"));
+}
+
 // The responses and numbers of crossed_binomial_test.cpp.
 TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
   const std::string hits = "1233231122333221121213113332332323333322232323223333333322112332";
@@ -334,6 +343,20 @@ TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
               1e-4);
   EXPECT_NEAR(value_of(found, "glmm.proportion", ""), 1.0 / (1.0 + std::exp(-1.200993899)), 1e-7);
   EXPECT_GT(value_of(found, "glmm.lr", "condition"), 0.0);
+  // Wald's: 1.959964 standard errors to either side, on the scale of the logits.
+  const auto interval_of = [&found](const std::string& quantity) {
+    const auto one = std::find_if(found.begin(), found.end(), [&quantity](const Finding& finding) {
+      return finding.quantity == quantity;
+    });
+    return std::pair(one->low.value(), one->high.value());
+  };
+  const double half = 1.959963985 * 0.4837842;
+  const auto [low, high] = interval_of("glmm.beta");
+  EXPECT_NEAR(low, 1.200993899 - half, 1e-5);
+  EXPECT_NEAR(high, 1.200993899 + half, 1e-5);
+  const auto [least, most] = interval_of("glmm.proportion");
+  EXPECT_NEAR(least, 1.0 / (1.0 + std::exp(-1.200993899 + half)), 1e-5);
+  EXPECT_NEAR(most, 1.0 / (1.0 + std::exp(-1.200993899 - half)), 1e-5);
   const auto probit = glmm_findings(
       input_of(table, R"({"fixed": {"condition": ["plain", "masked"]}, "link": "probit"})"));
   EXPECT_NEAR(value_of(probit, "glmm.beta", "intercept"), 0.718190575, 1e-7);
