@@ -133,7 +133,11 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
   }
   if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
   if (!has_cells(changes, "change_low")) return note;
-  add(phrase("Analysis", "95 % CI: t-based over participants, of times on the logarithmic scale."));
+  add(phrase(
+      "Analysis",
+      "95 % CI: t-based over participants, of times on the logarithmic scale; in simulations "
+      "with 2 to 20 participants it contained the true value in at least 93 % of the "
+      "studies."));
   const bool has_cut =
       std::any_of(changes.rows.begin(), changes.rows.end(), [](const std::vector<Cell>& row) {
         return (row.front() == Cell{"correct_of_halves"} ||
@@ -159,7 +163,8 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
   if (has_cells(course, "share_low")) {
     add(phrase("Analysis",
                "95 % CI: t-based over participants, of times on the logarithmic and of proportions "
-               "on the logit scale."));
+               "on the logit scale; in simulations with 2 to 20 participants and proportions of 5 "
+               "to 98 % it contained the true mean in at least 91 % of the studies."));
   } else if (has_cells(course, "time_s_low")) {
     add(phrase("Analysis", "95 % CI: t-based over participants, on the logarithmic scale."));
   }

@@ -98,11 +98,21 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
                 .with(correlation_text("ICC(3,1)", *one), correlation_text("ICC(2,1)", *agreement),
                       std::to_string(repetitions), correlation_text("ICC(3,k)", *all),
                       std::to_string(one->n));
+  const Phrase method =
+      phrase("Analysis",
+             "Intraclass correlations of %1 in each repetition. They are low also "
+             "where participants differ little from each other.")
+          .with(repeated.name);
+  const bool has_interval = one != nullptr && one->low && one->high;
   add_question(outcome, kReliability, reliability_question(), answer,
-               phrase("Analysis",
-                      "Intraclass correlations of %1 in each repetition. They are low also where "
-                      "participants differ little from each other.")
-                   .with(repeated.name),
+               has_interval
+                   ? phrase("Analysis",
+                            "%1 The CIs assume normal results. In simulations of proportions of 2 "
+                            "to 20 participants they contained the true value in at least 85 % of "
+                            "the studies with a mean of 25 to 71 %, and in at least 58 % with one "
+                            "of 87 or 95 %.")
+                         .with(method)
+                   : method,
                "", one != nullptr ? one : none);
 }
 

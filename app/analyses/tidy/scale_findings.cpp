@@ -89,7 +89,9 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     basis.method = method;
     return basis;
   };
-  const Basis iman = with_method("F of Iman and Davenport");
+  const Basis iman = with_method(
+      "F of Iman and Davenport; in simulations without differences p was at most .05 in up to 6 % "
+      "of the tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);
   findings.number("friedman.p", "", test.p, friedman);
@@ -97,7 +99,9 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
   if (rows.concordance) {
     concordance.interval = rows.concordance;
     concordance.confidence = rows.confidence;
-    concordance.method += "; interval by the jackknife of the mean rank correlation";
+    concordance.method +=
+        "; interval by the jackknife of the mean rank correlation, which covered 94 to 99.7 % "
+        "instead of 95 % in simulations";
   }
   findings.number("kendall.W", "", test.concordance, concordance);
   if (rows.concordance) {
