@@ -83,10 +83,15 @@ void save_height_field(const std::filesystem::path& png, const HeightField& fiel
       encode_height_field_sidecar(field, provenance, sha256_of(text_in(content)));
   std::vector<NewFile> files{{sidecar_of(png), text}};
   for (const PictureFile& one : pictures) {
-    files.push_back({one.png, std::string(text_in(encode_png(one.picture)))});
+    files.push_back({one.png, one.content});
   }
   files.push_back({png, std::string(text_in(content))});
   write_files_together(files, overwrite);
+}
+
+PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture) {
+  const std::vector<std::byte> content = encode_png(picture);
+  return {png, std::string(text_in(content))};
 }
 
 void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite) {

@@ -38,11 +38,13 @@ std::filesystem::path sidecar_of(const std::filesystem::path& png);
 /// Errors: ResultsError naming it.
 void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite);
 
-/// An 8-bit PNG for people.
+/// A PNG for people.
 struct PictureFile {
   std::filesystem::path png{};
-  GreyImage picture{};
+  std::string content{};  ///< the bytes of the file
 };
+/// In 8 bits.
+PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture);
 
 /// Writes FILE.png and FILE.png.json, and pictures of the same thing with them, as `write_files_together` does:
 /// FILE.png is there with all the others or not at all. The program's version is noted in the provenance.

@@ -208,6 +208,7 @@ struct Protocol {
 
   Vision vision = Vision::free;
   std::optional<VisualTexture> scene{};  ///< shown while feeling; absent: nothing is
+  bool shows_pictures_in_grey = false;
   /// Over headphones, so that the device is not heard.
   struct Noise {
     enum class Kind { none, white, pink };

@@ -354,6 +354,10 @@ void read_senses(const json& environment, Protocol& protocol) {
                  {"off", VisualTexture::off},
                  {"neutral", VisualTexture::neutral}});
   }
+  if (const auto pictures = environment.find("pictures"); pictures != environment.end()) {
+    read_choice(*pictures, "show", protocol.shows_pictures_in_grey,
+                {{"as_they_are", false}, {"grey", true}});
+  }
   if (const auto noise = environment.find("masking_noise"); noise != environment.end()) {
     using Kind = Protocol::Noise::Kind;
     read_choice(*noise, "kind", protocol.masking_noise.kind,

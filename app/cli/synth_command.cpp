@@ -91,7 +91,8 @@ void add_synth(CLI::App& program, Job& job) {
       const HeightField field = make_surface(surface->kind, values, options->canvas);
       std::vector<PictureFile> pictures{};
       if (photograph) {
-        pictures.push_back({options->photograph[1], synthetic_photograph(field, *photograph)});
+        pictures.push_back(
+            picture_file(options->photograph[1], synthetic_photograph(field, *photograph)));
       }
       save_height_field(options->out, field,
                         {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite,

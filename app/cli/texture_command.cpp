@@ -78,7 +78,7 @@ void add_texture(CLI::App& program, Job& job) {
           texture_from_photograph(loaded.photograph.grey, chosen, name);
       std::vector<PictureFile> pictures{};
       if (options->preview) {
-        pictures.push_back({*options->preview, texture_steps(texture, kPreviewRows)});
+        pictures.push_back(picture_file(*options->preview, texture_steps(texture, kPreviewRows)));
       }
       save_height_field(options->out, texture.field,
                         {"photograph",

@@ -193,6 +193,7 @@ void ParticipantView::look() {
   if (!facts_) {
     facts_ = monitor_.facts();
     if (facts_) {
+      if (facts_->protocol && facts_->protocol->shows_pictures_in_grey) shelf_.show_in_grey();
       prepare_pictures();
       arrange();
       emit scene_changed();

@@ -14,13 +14,14 @@ constexpr int kLargest_px = 1200;
 // A window that is being resized asks for every size on its way.
 constexpr std::size_t kKept = 96;
 
-QImage square_of(const QString& file) {
+QImage square_of(const QString& file, bool in_grey) {
   QImageReader reader(file);
   reader.setAutoTransform(true);
   const QImage whole = reader.read();
   if (whole.isNull()) return {};
   const int side = std::min(whole.width(), whole.height());
   QImage square = whole.copy((whole.width() - side) / 2, (whole.height() - side) / 2, side, side)
+                      .convertToFormat(in_grey ? QImage::Format_Grayscale8 : QImage::Format_RGB32)
                       .convertToFormat(QImage::Format_RGB32);
   if (side > kLargest_px) {
     square =
@@ -39,6 +40,14 @@ struct Fetched {
 
 PictureShelf::PictureShelf(std::filesystem::path study, QObject* parent)
     : QObject(parent), study_(std::move(study)) {}
+
+void PictureShelf::show_in_grey() {
+  in_grey_ = true;
+  task_.abandon();
+  squares_.clear();
+  scaled_.clear();
+  fetch();
+}
 
 QPixmap PictureShelf::picture(const QString& name, int side) {
   const auto found = scaled_.find({name, side});
@@ -63,8 +72,8 @@ void PictureShelf::fetch() {
   if (wanted_.empty() || task_.is_running()) return;
   // Images are shared, not copied: the worker reads, nobody writes.
   task_.run<Fetched>(
-      [study = study_, squares = squares_, wanted = wanted_](const std::stop_token& stop,
-                                                             const BackgroundTask::Progress&) {
+      [study = study_, squares = squares_, wanted = wanted_, in_grey = in_grey_](
+          const std::stop_token& stop, const BackgroundTask::Progress&) {
         Fetched fetched{};
         for (const auto& [name, side] : wanted) {
           if (stop.stop_requested()) break;
@@ -74,7 +83,8 @@ void PictureShelf::fetch() {
           } else if (const auto read = fetched.squares.find(name); read != fetched.squares.end()) {
             square = read->second;
           } else {
-            square = square_of(QString::fromStdString((study / name.toStdString()).string()));
+            square =
+                square_of(QString::fromStdString((study / name.toStdString()).string()), in_grey);
             if (square.isNull()) {
               fetched.unreadable.push_back(name);
               continue;

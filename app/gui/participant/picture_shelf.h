@@ -24,6 +24,8 @@ class PictureShelf final : public QObject {
  public:
   explicit PictureShelf(std::filesystem::path study, QObject* parent = nullptr);
 
+  /// From now on, and of those that are there.
+  void show_in_grey();
   /// The picture `side` pixels wide, or a null one: then it is being prepared, and `arrived` follows.
   /// What cannot be read stays null and is told once by `unreadable`.
   QPixmap picture(const QString& name, int side);
@@ -41,6 +43,7 @@ class PictureShelf final : public QObject {
   void fetch();
 
   std::filesystem::path study_;
+  bool in_grey_ = false;
   std::map<QString, QImage> squares_{};  ///< as large as they are ever shown
   std::map<Wanted, QPixmap> scaled_{};
   std::set<Wanted> wanted_{};

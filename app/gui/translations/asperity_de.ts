@@ -3129,6 +3129,10 @@
         <source>%1 does not fit into the memory of this computer. Scale it down or cut a piece out.</source>
         <translation>%1 passt nicht in den Speicher dieses Rechners. Verkleinern oder einen Ausschnitt nehmen.</translation>
     </message>
+    <message>
+        <source>%1 has changed since it was opened. Open it again.</source>
+        <translation>%1 hat sich geändert, seit es geöffnet wurde. Öffnen Sie es erneut.</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeWords</name>

@@ -4,12 +4,14 @@
 #include <new>
 #include <stdexcept>
 
+#include <QtCore/QBuffer>
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
 #include <QtGui/QImageReader>
 
 #include "app/gui/look/words.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -81,6 +83,30 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
 }
 
 }  // namespace
+
+std::string photograph_png(const OpenedPicture& opened) {
+  const std::string content = read_file(opened.file, kPictureFile);
+  if (sha256_of(content) != opened.loaded.sha256) {
+    refuse(OpeningWords::tr("%1 has changed since it was opened. Open it again.")
+               .arg(path_text(opened.file.filename())));
+  }
+  if (opened.loaded.photograph.facts.format == PictureFormat::png) return content;
+  QByteArray bytes =
+      QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size()));
+  QBuffer source(&bytes);
+  QImageReader reader(&source);
+  reader.setAutoTransform(false);
+  const QImage picture = reader.read();
+  if (picture.isNull()) {
+    return picture_file({}, opened.loaded.photograph.grey).content;
+  }
+  QByteArray png{};
+  QBuffer target(&png);
+  target.open(QIODevice::WriteOnly);
+  // A pixel counts with its colour, however transparent.
+  picture.convertToFormat(QImage::Format_RGB32).save(&target, "PNG");
+  return png.toStdString();
+}
 
 bool is_height_field(const std::filesystem::path& file) {
   std::error_code error{};

@@ -33,6 +33,12 @@ struct OpenedPicture {
   bool is_photograph() const noexcept { return resting != nullptr; }
 };
 
+/// The photograph as participants are to see it, as a PNG: a PNG as it is, another format with the same pixels, in
+/// colour where Qt reads it. Rows are those of the file, as the relief has them, whatever the camera noted.
+///
+/// Errors: a sentence, where the file has changed since it was opened.
+std::string photograph_png(const OpenedPicture& opened);
+
 /// A PNG that has a sidecar beside it.
 bool is_height_field(const std::filesystem::path& file);
 

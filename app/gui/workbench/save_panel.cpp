@@ -190,7 +190,7 @@ void SavePanel::save(Overwrite overwrite) {
         save_height_field(
             files.png, texture.field,
             {"photograph", parameter_values(recipe), {}, source, opened->loaded.sha256, ""},
-            overwrite, {{files.photo, grey}});
+            overwrite, {{files.photo, photograph_png(*opened)}});
         return true;
       },
       [this, shown, opened = opened_, recipe = recipe_()](bool written) {

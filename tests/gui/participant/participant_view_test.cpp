@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/participant/live_guide.h"
+#include "app/gui/participant/picture_shelf.h"
 #include "app/gui/participant/response_keys.h"
 #include "app/gui/participant/type_size.h"
 #include "renderers/servo_thread.h"
@@ -537,6 +538,24 @@ TEST(ParticipantView, ShowsPicturesTogetherOnceAllAreThere) {
     EXPECT_EQ(drawn.pixelColor(inside).rgb(), QColor::fromHsv(22 * number, 120, 160).rgb())
         << number;
   }
+}
+
+TEST(PictureShelf, ShowsColoursUnlessTheProtocolWantsGrey) {
+  const QTemporaryDir study{};
+  QImage red(8, 8, QImage::Format_RGB32);
+  red.fill(qRgb(200, 20, 40));
+  ASSERT_TRUE(red.save(study.filePath("red.png")));
+  PictureShelf shelf(study.path().toStdString());
+  const auto pixel = [&] {
+    shelf.picture("red.png", 4);
+    EXPECT_TRUE(eventually([&] { return !shelf.picture("red.png", 4).isNull(); }));
+    return shelf.picture("red.png", 4).toImage().pixel(1, 1);
+  };
+  EXPECT_EQ(pixel(), qRgb(200, 20, 40));
+  shelf.show_in_grey();
+  const QRgb grey = pixel();
+  EXPECT_EQ(qRed(grey), qBlue(grey));
+  EXPECT_EQ(qRed(grey), qGreen(grey));
 }
 
 TEST(ParticipantView, SaysWhichPictureCannotBeReadAndShowsTheOthers) {

@@ -246,8 +246,29 @@ TEST_F(Workbench, SavesFilesThatAreReadBackAndTellsTheStudy) {
   for (std::size_t i = 0; i < loaded.field->heights_m().size(); ++i) {
     ASSERT_NEAR(loaded.field->heights_m()[i], page_->field()->heights_m()[i], step_m);
   }
-  EXPECT_EQ(load_photograph(stimuli / "old_wall_photo.png").photograph.grey.values,
-            load_photograph(file).photograph.grey.values);
+  EXPECT_EQ(read_file(stimuli / "old_wall_photo.png", kPictureFile), read_file(file, kPictureFile));
+}
+
+TEST_F(Workbench, SavesAPhotographInItsColours) {
+  const QImage brick(QString::fromStdString(photograph("brick", 128).string()));
+  QImage coloured = brick.convertToFormat(QImage::Format_RGB32);
+  for (int row = 0; row < coloured.height(); ++row) {
+    for (int column = 0; column < coloured.width(); ++column) {
+      const int grey = qGray(coloured.pixel(column, row));
+      coloured.setPixel(column, row, qRgb(grey, grey / 2, grey / 4));
+    }
+  }
+  const std::filesystem::path file = folder() / "wall.jpg";
+  ASSERT_TRUE(coloured.save(QString::fromStdString(file.string()), "JPG", 95));
+  drop(file);
+  click("save");
+  settle();
+  const QImage saved(
+      QString::fromStdString((study_folder() / "stimuli" / "wall_photo.png").string()));
+  ASSERT_EQ(saved.size(), coloured.size());
+  EXPECT_EQ(saved, QImage(QString::fromStdString(file.string())).convertToFormat(saved.format()));
+  const QRgb pixel = saved.pixel(64, 64);
+  EXPECT_GT(qRed(pixel), qBlue(pixel) + 20);
 }
 
 TEST_F(Workbench, SavesALargePhotographWhole) {
