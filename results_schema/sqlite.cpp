@@ -111,7 +111,9 @@ void Database::execute(const std::string& sql) {
 std::int64_t Database::last_row_id() const noexcept { return sqlite3_last_insert_rowid(handle_); }
 
 void Database::fail(int code, const std::string& what) const {
-  const char* detail = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+  // What SQLite remembers may be of another call: of one that succeeded it says "not an error".
+  const bool remembers = handle_ != nullptr && sqlite3_errcode(handle_) != SQLITE_OK;
+  const char* detail = remembers ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
   throw ResultsError("the study " + folder_.string() + " " + what + ": " + meaning_of(code) +
                          " (SQLite: " + detail + ")",
                      folder_, code);

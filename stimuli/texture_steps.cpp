@@ -18,6 +18,8 @@ namespace asperity {
 
 namespace {
 
+// A wider one is a length in millimetres, given in metres by mistake.
+constexpr double kWidestPhotograph_m = 5.0;
 constexpr std::size_t kSmallestSide = 16;  // below, there is nothing between pixel and picture
 constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
 // RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
@@ -88,6 +90,12 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
        {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
         std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
     if (wavelength_m < 2.0 * pitch_m) {
+      if (recipe.width_m > kWidestPhotograph_m) {
+        throw std::invalid_argument("width_m is " + number_text(recipe.width_m) + ": " + name +
+                                    " would show " + number_text(recipe.width_m) +
+                                    " metres of a surface; did you mean " +
+                                    number_text(recipe.width_m * 1e-3) + "?");
+      }
       throw std::invalid_argument(std::string(field) + " is " + number_text(wavelength_m) +
                                   " m; over " + number_text(recipe.width_m) + " m " + name +
                                   " shows nothing shorter than two pixels, " +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
@@ -24,7 +25,55 @@ constexpr double kTerminalPoll_s = 0.05;
 constexpr const char* kAfterFault =
     "When it is mended and safe, press Return to go on; to end the session here, type: end\n";
 
+/// Of a terminal, as far as lines are read with ease.
+std::size_t columns_of(int terminal) {
+  constexpr std::size_t kUsual = 80;
+  constexpr std::size_t kMost = 100;
+  winsize size{};
+  if (::ioctl(terminal, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsual;
+  return std::min<std::size_t>(size.ws_col, kMost);
+}
+
 }  // namespace
+
+std::string wrapped(const std::string& text, std::size_t columns) {
+  std::string lines{};
+  std::size_t used = 0;  // characters of the line, each one column wide
+  std::string word{};
+  const auto width_of = [](const std::string& utf8) {
+    return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // no continuation of another
+    }));
+  };
+  const auto end_word = [&] {
+    if (word.empty()) return;
+    const std::size_t width = width_of(word);
+    if (used > 0 && used + 1 + width > columns) {
+      lines += '\n';
+      used = 0;
+    }
+    if (used > 0) {
+      lines += ' ';
+      ++used;
+    }
+    lines += word;
+    used += width;
+    word.clear();
+  };
+  for (const char character : text) {
+    if (character == ' ' || character == '\n') {
+      end_word();
+    } else {
+      word += character;
+    }
+    if (character == '\n') {
+      lines += '\n';
+      used = 0;
+    }
+  }
+  end_word();
+  return lines;
+}
 
 TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
                                        std::filesystem::path sheet)
@@ -68,9 +117,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
 }
 
 void TerminalRespondent::hear_of_fault(const std::string& what) {
-  // What was typed before is no answer to this.
-  ::tcflush(input_, TCIFLUSH);
-  buffer_.clear();
+  forget_typed();  // what was typed before is no answer to this
   output_ << "\n\n" << what << '\n' << kAfterFault << std::flush;
 }
 
@@ -83,11 +130,20 @@ Respondent::AfterFault TerminalRespondent::after_fault() {
   return AfterFault::nothing;
 }
 
+void TerminalRespondent::forget_typed() {
+  ::tcflush(input_, TCIFLUSH);
+  buffer_.clear();
+}
+
 void TerminalRespondent::read(const std::string& text, double minimum_s, const Wait& wait) {
-  output_ << '\n' << text << '\n';
+  output_ << '\n' << wrapped(text, columns_of(input_)) << '\n';
   if (minimum_s > 0.0) {
     output_ << "(at least " << static_cast<int>(minimum_s) << " s)\n" << std::flush;
     wait(minimum_s);
+    // A Return during the break ends neither it nor what follows.
+    while (typed_line()) {
+    }
+    forget_typed();
   }
   output_ << "Press Return to go on. " << std::flush;
   line(wait);
@@ -103,12 +159,10 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
 
 Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
                               std::optional<double> deadline_s, const Wait& wait) {
-  // What was typed while the surfaces were felt is no answer to the question that comes now.
-  ::tcflush(input_, TCIFLUSH);
-  buffer_.clear();
+  forget_typed();  // while the surfaces were felt: it is no answer to the question that comes now
   const TrialQuestion& question = trial.question;
   const bool assignment = question.form == TrialQuestion::Form::assignment;
-  output_ << '\n' << question.prompt << '\n';
+  output_ << '\n' << wrapped(question.prompt, columns_of(input_)) << '\n';
   std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
@@ -198,7 +252,10 @@ void TerminalRespondent::tell(const std::string& text, const Wait&) {
 }
 
 std::string TerminalRespondent::answer(const Question& question, const Wait& wait) {
-  output_ << '\n' << question.prompt << (question.optional ? " (may be left empty)" : "") << '\n';
+  output_ << '\n'
+          << wrapped(question.prompt + (question.optional ? " (may be left empty)" : ""),
+                     columns_of(input_))
+          << '\n';
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     output_ << "  " << i + 1 << "  " << question.options[i] << '\n';
   }

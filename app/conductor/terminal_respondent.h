@@ -11,6 +11,9 @@
 
 namespace asperity {
 
+/// The text in lines of at most so many characters, broken between words; breaks of its own stay.
+std::string wrapped(const std::string& text, std::size_t columns);
+
 /// Asks on a terminal. While it waits for a line the session goes on ticking.
 ///
 /// What it shows are prompts, codes and option numbers, never names of textures or models.
@@ -52,6 +55,7 @@ class TerminalRespondent final : public Respondent {
 
   /// Writes the sheet with these pictures (paths in the study), from left to right.
   void show(const std::vector<std::string>& pictures);
+  void forget_typed();
 
   int input_ = 0;
   std::ostream& output_;

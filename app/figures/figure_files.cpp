@@ -93,6 +93,8 @@ std::string svg_of(const Figure& figure, const FigurePrint& print) {
   svg.setTitle(words_of(figure.title, print));
   svg.setDescription(words_of(figure.note, print));
   QPainter painter(&svg);
+  // A viewer with a dark ground would show dark words on it.
+  painter.fillRect(QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look.colors.ground);
   draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
   painter.end();
   name_any_sans(bytes, FigureLayout(figure, sheet.width, sheet.look));

@@ -72,5 +72,23 @@ TEST_F(AtTerminal, IsGoneWhenItsTerminalIsClosedInAFault) {
   EXPECT_THROW(person_.after_fault(), RespondentGone);
 }
 
+TEST_F(AtTerminal, TakesNoReturnOfABreakForTheNextConfirmation) {
+  int waits = 0;
+  const Wait wait = [&](double duration_s) {
+    if (duration_s == 30.0) type("\n\n");  // typed while the break lasts
+    if (duration_s < 1.0 && ++waits == 3) type("\n");
+  };
+  person_.read("Please rest.", 30.0, wait);
+  EXPECT_EQ(waits, 3) << "it waits for a Return after the break";
+}
+
+TEST(WrappedText, BreaksBetweenWords) {
+  EXPECT_EQ(wrapped("Feel each surface with your own hand.", 12),
+            "Feel each\nsurface with\nyour own\nhand.");
+  EXPECT_EQ(wrapped("One\n\ntwo three", 80), "One\n\ntwo three");
+  EXPECT_EQ(wrapped("Oberflächenstruktur", 8), "Oberflächenstruktur");
+  EXPECT_EQ(wrapped("größte Höhe", 11), "größte Höhe") << "letters are counted, not bytes";
+}
+
 }  // namespace
 }  // namespace asperity

@@ -67,12 +67,14 @@ void ReportSaving::ask_where() {
   const QString web_page = tr("Web page (*.html)");
   dialog->setNameFilters({tr("For print (*.pdf)"), web_page});
   dialog->setDefaultSuffix("pdf");
-  dialog->selectFile("report.pdf");
-  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, web_page](const QString& filter) {
-    const bool is_web_page = filter == web_page;
-    dialog->setDefaultSuffix(is_web_page ? "html" : "pdf");
-    dialog->selectFile(is_web_page ? "report.html" : "report.pdf");
-  });
+  const QString name = text(study_.study().name()) + "-report";
+  dialog->selectFile(name + ".pdf");
+  connect(dialog, &QFileDialog::filterSelected, dialog,
+          [dialog, web_page, name](const QString& filter) {
+            const bool is_web_page = filter == web_page;
+            dialog->setDefaultSuffix(is_web_page ? "html" : "pdf");
+            dialog->selectFile(name + (is_web_page ? ".html" : ".pdf"));
+          });
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& file) { save_to(file, Overwrite::refuse); });
   dialog->open();
