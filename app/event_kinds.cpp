@@ -228,7 +228,7 @@ bool ends_session(std::string_view kind) noexcept {
 }
 
 std::string hed_tags(const EventKind& kind) {
-  return std::string(kind.hed) + ", Label/" + std::string(kind.name);
+  return "(" + std::string(kind.hed) + ", Label/" + std::string(kind.name) + ", {event})";
 }
 
 }  // namespace asperity

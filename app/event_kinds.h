@@ -14,7 +14,7 @@ struct EventKind {
   std::string_view name{};
   /// What happened, and what the text and the data of such an event are.
   std::string_view meaning{};
-  /// Tags of HED 8.3.0 (www.hedtags.org), to which `hed_tags` adds the name.
+  /// Tags of HED 8.3.0 (www.hedtags.org); see `hed_tags`.
   std::string_view hed{};
   /// The kinds of the events that end it. Empty: it happens at a moment.
   std::vector<std::string_view> ended_by{};
@@ -31,6 +31,8 @@ const EventKind* event_kind(std::string_view name);
 /// Whether it ends what is under way in a session, such as a pause.
 bool ends_session(std::string_view kind) noexcept;
 
+/// As one group with the name and the number of the event, the column `event`: HED takes rows of the same onset
+/// together, and no two groups of them may be the same.
 std::string hed_tags(const EventKind& kind);
 /// The version of HED that `hed_tags` and the levels of protocols are written in.
 inline constexpr const char* kHedVersion = "8.3.0";

@@ -55,7 +55,8 @@ Cell response_time(const ExportPlace& at) {
   return optional_cell(last);
 }
 
-ExportColumn type_column(const Columns& events) {
+/// `factors`: the columns that have tags of their own, which belong to the attempt.
+ExportColumn type_column(const Columns& events, const std::string& factors) {
   ExportColumn type = renamed_column(events, "kind", "trial_type", [](const ExportPlace& at) {
     return at.presentation ? kPresentation : kAttempt;
   });
@@ -64,12 +65,29 @@ ExportColumn type_column(const Columns& events) {
       "the kind of the event";
   type.levels.insert(type.levels.begin(), {kAttempt, kPresentation});
   type.level_meanings[kAttempt] = {"an attempt at a trial, from its beginning to its end",
-                                   "Experiment-structure, Label/attempt"};
+                                   "(Experiment-structure, Label/attempt" + factors + ")"};
   type.level_meanings[kPresentation] = {
       "a surface that could be felt",
-      "Sensory-event, Tactile-presentation, Experimental-stimulus, Experiment-participant, "
-      "Label/presentation"};
+      "(Sensory-event, Tactile-presentation, Experimental-stimulus, Experiment-participant, "
+      "Label/presentation" +
+          factors + ")"};
   return type;
+}
+
+Columns factor_columns(const StudyVocabulary& vocabulary) {
+  std::vector<ExportFile> files = export_files(vocabulary);
+  const auto trials = std::find_if(files.begin(), files.end(),
+                                   [](const ExportFile& file) { return file.name == "trials"; });
+  Columns factors{};
+  for (ExportColumn& factor : trials->columns) {
+    if (!factor.name.starts_with("factor_")) continue;
+    factor.missing = "the row is an event, or the trial does not have this factor";
+    factor.cell = [of_trial = std::move(factor.cell)](const ExportPlace& at) {
+      return at.event ? Cell{} : of_trial(at);
+    };
+    factors.push_back(std::move(factor));
+  }
+  return factors;
 }
 
 }  // namespace
@@ -77,6 +95,11 @@ ExportColumn type_column(const Columns& events) {
 Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience audience,
                            std::vector<std::string>& left_out) {
   const Columns events = event_columns();
+  const Columns factors = factor_columns(vocabulary);
+  std::string tagged{};
+  for (const ExportColumn& factor : factors) {
+    if (!factor.level_meanings.empty()) tagged += ", {" + factor.name + "}";
+  }
   Columns columns{};
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   add(renamed_column(events, "onset_s", "onset",
@@ -87,7 +110,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
     if (!end) return {};
     return static_cast<double>(*end - onset_ns(at)) * 1e-9;
   }));
-  add(type_column(events));
+  add(type_column(events, tagged));
   add(missing("the row is not an attempt, or has no response",
               at_least(0, column("response_time", "number", "s",
                                  "time from the cue, when the question was put first, to the "
@@ -120,17 +143,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
   of_surface("texture", "texture of the protocol", &PresentationRow::texture);
   add(missing("the row is not an event", renamed_column(events, "event", "event", nothing)));
   for (const char* name : {"text", "data_json"}) add(renamed_column(events, name, name, nothing));
-  std::vector<ExportFile> files = export_files(vocabulary);
-  const auto trials = std::find_if(files.begin(), files.end(),
-                                   [](const ExportFile& file) { return file.name == "trials"; });
-  for (ExportColumn& factor : trials->columns) {
-    if (!factor.name.starts_with("factor_")) continue;
-    factor.missing = "the row is an event, or the trial does not have this factor";
-    factor.cell = [of_trial = std::move(factor.cell)](const ExportPlace& at) {
-      return at.event ? Cell{} : of_trial(at);
-    };
-    add(std::move(factor));
-  }
+  for (const ExportColumn& factor : factors) add(factor);
   return columns_for(audience, std::move(columns), left_out);
 }
 

@@ -71,6 +71,7 @@ struct ExportColumn {
   std::string unit{};  ///< SI; empty for what is no quantity, "1" for a pure number
   std::vector<std::string> levels{};
   std::map<std::string, LevelMeaning> level_meanings{};  ///< of those that have more than a name
+  std::string hed{};  ///< HED tags of every value, with # in the place of the value
   std::optional<double> minimum{};
   std::optional<double> maximum{};
   std::string missing = "never";   ///< when the cell is n/a

@@ -59,6 +59,7 @@ std::vector<ExportColumn> event_columns() {
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   add(at_least(1, column("event", "integer", "", "number of the event within the session, by time",
                          [](const ExportPlace& at) { return integer(at.event->number); })));
+  columns.back().hed = "ID/#";
   add(column("onset_s", "number", "s", "when it happened or began, since the session began",
              [](const ExportPlace& at) { return seconds_in_session(at, at.event->row.time_ns); }));
   add(missing("its end was not recorded, as after a crash",

@@ -38,7 +38,11 @@ Json sidecar_of(const ExportColumn& column) {
   } else if (!levels.empty() && (column.type == "text" || !hed.empty())) {
     json["Levels"] = std::move(levels);
   }
-  if (!hed.empty()) json["HED"] = std::move(hed);
+  if (!column.hed.empty()) {
+    json["HED"] = column.hed;
+  } else if (!hed.empty()) {
+    json["HED"] = std::move(hed);
+  }
   if (column.minimum) json["Minimum"] = *column.minimum;
   if (column.maximum) json["Maximum"] = *column.maximum;
   if (column.missing != "never") json["MissingWhen"] = column.missing;

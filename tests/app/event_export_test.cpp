@@ -148,7 +148,8 @@ TEST(ExportedEvents, HaveARowEach) {
   EXPECT_THAT(std::get<std::string>(cell_of(events, 0, "data_json")), HasSubstr("Ms Private"));
   const auto sidecar = nlohmann::json::parse(read_file(tables.folder() / "events.json"));
   EXPECT_EQ(sidecar.at("kind").at("Levels").size(), event_kinds().size());
-  EXPECT_EQ(sidecar.at("kind").at("HED").at("paused"), "Experiment-control, Pause, Label/paused");
+  EXPECT_EQ(sidecar.at("kind").at("HED").at("paused"),
+            "(Experiment-control, Pause, Label/paused, {event})");
 }
 
 TEST(ExportedEvents, GoToThePublicWithoutFreeText) {
@@ -240,6 +241,9 @@ TEST(ExportedLevels, HaveTheTagsOfTheProtocol) {
   const auto sidecar = nlohmann::json::parse(
       read_file(out / "bids/sub-anna/ses-01/beh/sub-anna_ses-01_task-recognition_events.json"));
   EXPECT_EQ(sidecar.at("factor_spacing_m").at("HED"), (nlohmann::json{{"0.01", "Item, Large"}}));
+  EXPECT_EQ(sidecar.at("trial_type").at("HED").at("attempt"),
+            "(Experiment-structure, Label/attempt, {factor_order}, {factor_spacing_m})");
+  EXPECT_EQ(sidecar.at("event").at("HED"), "ID/#");
   EXPECT_EQ(sidecar.at("factor_order").at("HED"), (nlohmann::json{{"first", "Cue"}}));
 }
 
