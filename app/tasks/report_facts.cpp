@@ -151,7 +151,8 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
 
 /// Whether the experimenter wrote the text of such an event.
 bool is_in_own_words(const std::string& kind) {
-  return kind == "note" || kind == "unblinded" || kind == "trial_repeated";
+  return kind == "note" || kind == "unblinded" || kind == "trial_repeated" ||
+         kind == "resumed_late";
 }
 
 /// The trial that an event is about: the one that was repeated, or the one under way.

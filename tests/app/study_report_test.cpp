@@ -91,6 +91,7 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
   made.study().add_event(session, {5'250'000'000, "unblinded", "safety"});
   made.study().add_event(session, {66'000'000'000, "trial_repeated",
                                    "The participant was distracted", R"({"trial":2,"attempt":1})"});
+  made.study().add_event(session, {70'000'000'000, "resumed_late", "was ill"});
   made.study().add_decision(session, {.trial = 1,
                                       .attempt = 1,
                                       .verdict = Verdict::exclude,
@@ -105,6 +106,7 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
                           ElementsAre("anna", "1", "0:" + time, "2", "note", "looked away, 2 s"),
                           ElementsAre("anna", "1", "1:01.0", "2", "trial repeated",
                                       "The participant was distracted"),
+          ElementsAre("anna", "1", "1:05.0", "–", "resumed late", "was ill"),
                           ElementsAre("anna", "1", "–", "1", "excluded afterwards",
                                       "wrong hand (decided by MK)")));
 }
