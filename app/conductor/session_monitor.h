@@ -135,8 +135,8 @@ struct SessionSnapshot {
   int blocks = 0;
   int trials_done = 0;
   int trials = 0;
-  double expected_left_s = 0.0;
-  std::int64_t rows_stored = 0;  ///< attempts in the store, of this session
+  std::optional<double> expected_left_s{};  ///< absent while too few trials have been done to know
+  std::int64_t rows_stored = 0;             ///< attempts in the store, of this session
   LoopHealth health{};
   Fault fault = Fault::none;
   MaskingState masking = MaskingState::none;

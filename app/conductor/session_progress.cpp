@@ -6,14 +6,26 @@
 
 namespace asperity {
 
+namespace {
+
+double duration_s(const AttemptRow& attempt) {
+  return static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
+}
+
+}  // namespace
+
 SessionProgress::SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
                                  std::int64_t began_ns)
     : course_(course), plan_(plan), tally_(tally) {
   if (!course_.has_monitor()) return;
   Plan one{.trials = plan_.trials, .steps = {}};
+  trial_s_.resize(plan_.trials.size());
   for (const PlanStep& step : plan_.steps) {
     one.steps.assign(1, step);
     planned_s_.push_back(cost_of(course_.protocol(), one).total_s);
+    if (const auto* of_trial = std::get_if<TrialStep>(&step)) {
+      trial_s_.at(of_trial->trial) = planned_s_.back();
+    }
   }
   int blocks = 0;
   for (const Trial& trial : plan_.trials) blocks = std::max(blocks, trial.block_ordinal);
@@ -64,9 +76,11 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
       others_left_s += planned_s_[i];
     }
   }
-  // As good as so many seconds of trials: a slow first one says little of the others.
-  constexpr double kGuess_s = 300.0;
-  const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
+  std::optional<double> left_s = others_left_s;
+  if (trials_left_s > 0.0) {
+    left_s = pace();
+    if (left_s) *left_s = *left_s * trials_left_s + others_left_s;
+  }
   const AttemptRow* last = tally_.last_done();
   course_.update([&](SessionSnapshot& snapshot) {
     if (added) {
@@ -81,12 +95,29 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
     snapshot.last_done = last == nullptr ? 0 : last->trial;
     snapshot.trials_done = done;
-    snapshot.expected_left_s = pace * trials_left_s + others_left_s;
+    snapshot.expected_left_s = left_s;
     snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
   });
 }
 
-AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) {
+/// Of trials that were skipped nothing is known.
+std::optional<double> SessionProgress::pace() const {
+  constexpr int kFewest = 3;  // one slow trial is no pace
+  int done = 0;
+  double planned_s = 0.0;
+  double spent_s = 0.0;
+  for (const AttemptRow& attempt : tally_.attempts()) {
+    if (attempt.outcome == AttemptOutcome::skipped) continue;
+    spent_s += duration_s(attempt);
+    if (!attempt.valid) continue;
+    planned_s += trial_s_.at(static_cast<std::size_t>(attempt.trial - 1));
+    ++done;
+  }
+  if (done < kFewest || planned_s <= 0.0) return {};
+  return spent_s / planned_s;
+}
+
+AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   const auto index = static_cast<std::size_t>(attempt.trial - 1);
   const Trial& trial = plan_.trials.at(index);
   AttemptSummary summary{};
@@ -111,14 +142,7 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) {
     summary.from_cue_s = attempt.responses.front().from_cue_s;
     summary.from_contact_s = attempt.responses.front().from_contact_s;
   }
-  summary.duration_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
-  spent_so_far_s_ += summary.duration_s;
-  if (attempt.valid) {
-    for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
-      const auto* step = std::get_if<TrialStep>(&plan_.steps[i]);
-      if (step != nullptr && step->trial == index) planned_so_far_s_ += planned_s_[i];
-    }
-  }
+  summary.duration_s = duration_s(attempt);
   return summary;
 }
 

@@ -13,11 +13,11 @@
 
 namespace asperity {
 
-/// Tells the monitor what was done and what is left; does nothing without one.
+/// Reports to the monitor what was done and what is left; does nothing without one.
 ///
-/// Expected time: the plan's guess for the steps that are left, times the pace of this person, which is
-/// how long attempts took over what was planned for the trials that they did. A minute of the guess
-/// counts as experience, so that the first trial decides nothing.
+/// Expected time: the planned time of the trials that are left × the pace of this participant, and the
+/// planned time of the other steps. The pace is how long the session's attempts took, earlier stretches
+/// included, over what was planned for the trials that they did. There is none before the third trial.
 class SessionProgress final {
  public:
   /// All must outlive it. Shows the attempts that the tally has already.
@@ -32,15 +32,15 @@ class SessionProgress final {
   void show(std::size_t step, int coming);
 
  private:
-  AttemptSummary summary_of(const AttemptRow& attempt);
+  AttemptSummary summary_of(const AttemptRow& attempt) const;
+  std::optional<double> pace() const;
   void publish(std::size_t step, int coming, std::optional<AttemptSummary> added);
 
   SessionCourse& course_;
   const Plan& plan_;
   const TrialTally& tally_;
   std::vector<double> planned_s_{};  ///< each step's cost; empty without a monitor
-  double planned_so_far_s_ = 0.0;    ///< of the trials that are done
-  double spent_so_far_s_ = 0.0;      ///< by all attempts
+  std::vector<double> trial_s_{};    ///< likewise of each trial of the plan, by its index
 };
 
 }  // namespace asperity

@@ -124,7 +124,7 @@ TEST_F(WatchedSession, RendersTheSameWhetherOrNotItIsWatched) {
 
 TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
   begin(small_protocol());
-  std::vector<double> left_s{};
+  std::vector<std::optional<double>> left_s{};
   person_.at_question = [&](int, const Trial& trial) -> Reply {
     const SessionSnapshot now = monitor_.snapshot();
     left_s.push_back(now.expected_left_s);
@@ -142,13 +142,11 @@ TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
     return {{1}, {}};
   };
   run();
-  ASSERT_EQ(left_s.size(), 3U);
-  EXPECT_GT(left_s[0], left_s[1]);
-  EXPECT_GT(left_s[1], left_s[2]);
+  EXPECT_THAT(left_s, ElementsAre(std::nullopt, std::nullopt, std::nullopt));  // too few trials
   const SessionSnapshot end = monitor_.snapshot();
   EXPECT_EQ(end.trials_done, 3);
   EXPECT_EQ(end.block, 0);
-  EXPECT_DOUBLE_EQ(end.expected_left_s, 0.0);
+  EXPECT_EQ(end.expected_left_s, 0.0);
   EXPECT_EQ(end.scene->kind, ParticipantScene::Kind::ended);
   EXPECT_NEAR(end.health.rate_Hz, 1000.0, 1.0);
   ASSERT_EQ(end.attempts->size(), 3U);
@@ -307,6 +305,35 @@ TEST_F(WatchedSession, MakesBinsOfAllThatTheProbeDoesAlsoBetweenAttempts) {
 }
 
 // --- requests ------------------------------------------------------------------------------------
+
+TEST_F(WatchedSession, ExpectsTheTrialsThatAreLeftToTakeAsLongAsThoseThatWereDone) {
+  begin(small_protocol(R"(, "repetitions": 3)"));
+  const int all = static_cast<int>(session_.plan.trials.size());
+  ASSERT_EQ(all, 9);
+  std::vector<std::optional<double>> left_s{};
+  person_.at_question = [&](int, const Trial& trial) -> Reply {
+    left_s.push_back(monitor_.snapshot().expected_left_s);
+    rig_->move_clock_to(rig_->clock().now_ns() + 20'000'000'000);  // slower than any plan expects
+    if (trial.ordinal == 5) requests_.stop_after(StopAfter::trial);
+    return {{1}, {}};
+  };
+  const auto expected_s = [&](int done) {
+    const std::vector<AttemptRow> made = attempts();
+    double spent_s = 0.0;
+    for (int i = 0; i < done; ++i) {
+      const AttemptRow& attempt = made.at(static_cast<std::size_t>(i));
+      spent_s += static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
+    }
+    constexpr double kQuestionsAndScreen_s = 2.0 * 8.0 + 5.0;  // as planned
+    return spent_s / done * (all - done) + kQuestionsAndScreen_s;
+  };
+  run();
+  ASSERT_EQ(left_s.size(), 5U);
+  for (int done = 0; done < 3; ++done) EXPECT_FALSE(left_s[static_cast<std::size_t>(done)]);
+  EXPECT_NEAR(left_s[3].value(), expected_s(3), 1e-6);
+  EXPECT_NEAR(left_s[4].value(), expected_s(4), 1e-6);
+  EXPECT_GT(expected_s(4), 5 * 20.0);
+}
 
 TEST_F(WatchedSession, PausesBetweenTrialsUntilItIsResumed) {
   play_sound();

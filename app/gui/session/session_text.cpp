@@ -171,12 +171,13 @@ QString SessionText::of_way_on(AfterFailure way) {
   return tr("Go on with this session…");
 }
 
-QString SessionText::of_left(double left_s, const QString& until) {
-  if (left_s < 60.0) {
+QString SessionText::of_left(std::optional<double> left_s, const QString& until) {
+  if (!left_s) return tr("time left: –");
+  if (*left_s < 60.0) {
     return until.isEmpty() ? tr("less than a minute left")
                            : tr("less than a minute, until %1").arg(until);
   }
-  const int minutes = static_cast<int>(left_s / 60.0 + 0.5);
+  const int minutes = static_cast<int>(*left_s / 60.0 + 0.5);
   return until.isEmpty() ? tr("about %1 min left").arg(minutes)
                          : tr("about %1 min, until %2").arg(minutes).arg(until);
 }

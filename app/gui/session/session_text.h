@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QRegularExpression>
 #include <QtCore/QString>
@@ -40,8 +42,8 @@ class SessionText final {
   static QString of_mode(SessionMode mode);
   /// What a button says that leads on after a failure.
   static QString of_way_on(AfterFailure way);
-  /// "about 23 min, until 14:35"; without a time of day "about 23 min left".
-  static QString of_left(double left_s, const QString& until);
+  /// "about 23 min, until 14:35"; without a time of day "about 23 min left"; unknown: "time left: –".
+  static QString of_left(std::optional<double> left_s, const QString& until);
   /// "18:42", "1:02:05".
   static QString of_duration(double duration_s);
   /// "4", "3 1 2": answers as they were shown to the participant.

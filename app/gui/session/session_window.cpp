@@ -425,7 +425,7 @@ void SessionWindow::write_moving_texts() {
 /// A simulated clock runs at its own pace: there, no time of day can be said.
 void SessionWindow::write_left() {
   if (shown_.phase == SessionPhase::ended) return header_->show_left({});
-  if (facts_ == nullptr || facts_->row.pacing != "real_time") {
+  if (!left_s_ || facts_ == nullptr || facts_->row.pacing != "real_time") {
     return header_->show_left(SessionText::of_left(left_s_, {}));
   }
   const std::int64_t time_ns = now_ns(shown_, facts_.get());
@@ -433,7 +433,7 @@ void SessionWindow::write_left() {
       shown_.phase == SessionPhase::paused || shown_.phase == SessionPhase::fault;
   if (stands_still) left_since_ns_ = time_ns;
   const std::int64_t end_ns =
-      std::max(time_ns, left_since_ns_ + static_cast<std::int64_t>(1e9 * left_s_));
+      std::max(time_ns, left_since_ns_ + static_cast<std::int64_t>(1e9 * *left_s_));
   header_->show_left(SessionText::of_left(seconds_between(time_ns, end_ns),
                                           text_of_clock(end_ns, shown_, facts_.get())));
 }

@@ -149,7 +149,7 @@ class SessionWindow final : public QWidget {
   bool closed_ = false;
   std::optional<SessionEnd> end_{};
   QElapsedTimer since_health_{};
-  double left_s_ = 0.0;             ///< as last expected
+  std::optional<double> left_s_{};  ///< as last expected
   std::int64_t left_since_ns_ = 0;  ///< and when
   int explored_trial_ = -1;
 

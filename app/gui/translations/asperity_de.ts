@@ -4537,6 +4537,10 @@
         <source>about %1 min, until %2</source>
         <translation>etwa %1 min, bis %2</translation>
     </message>
+    <message>
+        <source>time left: –</source>
+        <translation>Restzeit: –</translation>
+    </message>
 </context>
 <context>
     <name>Simulation</name>

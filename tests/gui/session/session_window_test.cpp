@@ -131,6 +131,17 @@ TEST(SessionWindow, SaysAtWhatTimeOfDayTheSessionIsExpectedToEnd) {
       << left.toStdString();
 }
 
+TEST(SessionWindow, ShowsNoTimeLeftThatIsUnknown) {
+  SessionMonitor preparing{};
+  SessionRequests requests{};
+  SessionWindow empty(preparing, requests, {});
+  EXPECT_EQ(child<QLabel>(empty, "left").text(), "time left: –");
+  FilledMonitor session{};
+  session.monitor.update([](SessionSnapshot& s) { s.expected_left_s.reset(); });
+  const auto window = session.window();
+  EXPECT_EQ(child<QLabel>(*window, "left").text(), "time left: –");
+}
+
 TEST(SessionWindow, ShowsTheWholeNumberOfTheTrialUnderWay) {
   FilledMonitor session{};
   session.answer_up_to(16);
