@@ -311,6 +311,12 @@ Diagnostic JsonDocument::at(const std::string& pointer, std::string message) con
   return diagnostic(offset, pointer, std::move(message));
 }
 
+std::optional<std::size_t> JsonDocument::place_of(const std::string& pointer) const {
+  const auto found = places_.find(pointer);
+  if (found == places_.end()) return {};
+  return found->second.value;
+}
+
 Diagnostic JsonDocument::at_key(const std::string& pointer, std::string message) const {
   const auto found = places_.find(pointer);
   if (found == places_.end()) return at(pointer, std::move(message));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ class JsonDocument final {
   const nlohmann::json& root() const noexcept { return root_; }
   /// A diagnostic at a value, or at the nearest value above it that exists.
   Diagnostic at(const std::string& pointer, std::string message) const;
+  /// Where the value begins in the text; nothing where there is none.
+  std::optional<std::size_t> place_of(const std::string& pointer) const;
   /// A diagnostic at the key that the pointer ends in.
   Diagnostic at_key(const std::string& pointer, std::string message) const;
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/tasks/study_protocols.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"
 
@@ -15,16 +16,6 @@ const LibraryProtocol& library_protocol(std::string_view name) {
     if (protocol.name == name) return protocol;
   }
   throw std::invalid_argument("the library has no protocol \"" + std::string(name) + "\"");
-}
-
-/// The text with another name of the protocol; everything else stays byte for byte.
-std::string renamed(std::string text, const std::string& from, const std::string& to) {
-  const std::string old_name = "\"name\": \"" + from + "\"";
-  const std::size_t place = text.find(old_name);
-  if (place == std::string::npos) {
-    throw std::invalid_argument("the library's protocol \"" + from + "\" does not state its name");
-  }
-  return text.replace(place, old_name.size(), "\"name\": \"" + to + "\"");
 }
 
 }  // namespace
@@ -41,7 +32,7 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
     free_name = first + '_' + std::to_string(number);
   }
   const std::string text(protocol.text);
-  write_file(file_of(free_name), free_name == first ? text : renamed(text, first, free_name),
+  write_file(file_of(free_name), free_name == first ? text : with_protocol_name(text, free_name),
              Overwrite::refuse);
   return file_of(free_name);
 }

@@ -14,6 +14,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/study/plan_preview.h"
 #include "app/gui/study/study_table.h"
+#include "app/tasks/study_protocols.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -55,6 +56,7 @@ std::optional<std::string> content_on_disk(const std::filesystem::path& file) {
 /// What came of an attempt to save.
 struct ProtocolEditorPage::Saving {
   std::string written{};
+  std::filesystem::path file{};         ///< where it was written
   int revision = 0;                     ///< of the text that was written
   std::optional<std::string> theirs{};  ///< somebody has changed the file: nothing was written
   std::optional<VersionUse> use{};  ///< the version stands for another text: nothing was written
@@ -76,7 +78,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   body().addWidget(sides, 1);
   auto* empty =
       new EmptyState(tr("No protocol is open"),
-                     tr("Choose one among the study's protocols and press \"Edit\"."), this);
+                     tr("Choose one among the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });
   set_empty_state(empty);
   show_empty(true);
@@ -389,7 +391,10 @@ void ProtocolEditorPage::save(Agreed agreed) {
           }
           if (saving.use) return saving;
         }
-        write_file(file, written, Overwrite::allow);
+        saving.file = file_for_text(file, before, written);
+        const bool is_new = saving.file != file;
+        write_file(saving.file, written, is_new ? Overwrite::refuse : Overwrite::allow);
+        if (is_new) std::filesystem::remove(file);
         return saving;
       },
       [this](const Saving& saving) { end_saving(saving); },
@@ -417,6 +422,12 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
   if (edit_->document()->revision() == saving.revision) edit_->document()->setModified(false);
   show_whether_saved();
   banner().hide();
+  if (saving.file != file_) {
+    file_ = saving.file;
+    title().setText(text(file_.filename().string()));
+    banner().show_news(State::fine, tr("Saved as %1: the file is called after the protocol.")
+                                        .arg(text(file_.filename().string())));
+  }
   if (!saving.not_looked_up.empty()) {
     banner().show_news(
         State::look, tr("Saved. Whether sessions were run with another text of this version could "

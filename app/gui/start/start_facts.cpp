@@ -5,6 +5,9 @@
 #include <system_error>
 
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/study_protocols.h"
+#include "protocols/stored_protocol.h"
+#include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 
@@ -20,6 +23,18 @@ std::vector<std::filesystem::path> protocol_files(const std::filesystem::path& s
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+StartFacts::ProtocolFile described(const std::filesystem::path& file) {
+  StartFacts::ProtocolFile described{.file = file, .name = file.stem().string()};
+  try {
+    const std::string text = read_file(file, kProtocolFile);
+    described.title = stored_protocol(text).title;
+    described.name = protocol_name(text).value_or(described.name);
+  } catch (const ResultsError&) {
+    // It is listed by its file, and says why it cannot be read once it is chosen.
+  }
+  return described;
 }
 
 ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesystem::path& study,
@@ -58,9 +73,11 @@ void read_sessions(StartFacts& facts, const Study& study) {
 StartFacts read_start_facts(const std::filesystem::path& study, const ChosenProtocol& chosen,
                             const ModelRegistry& models) {
   StartFacts facts{};
-  facts.files = protocol_files(study);
+  for (const std::filesystem::path& file : protocol_files(study)) {
+    facts.files.push_back(described(file));
+  }
   facts.chosen = chosen;
-  if (chosen.file.empty() && facts.files.size() == 1) facts.chosen.file = facts.files.front();
+  if (chosen.file.empty() && facts.files.size() == 1) facts.chosen.file = facts.files.front().file;
   if (!facts.chosen.file.empty() && !facts.chosen.is_read()) {
     facts.chosen = read_chosen(facts.chosen.file, study, models);
   }

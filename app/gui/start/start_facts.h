@@ -40,7 +40,14 @@ struct StartFacts {
     bool of_this_protocol = false;
   };
 
-  std::vector<std::filesystem::path> files{};  ///< of the study's `protocols/`, by name
+  /// A file of the study's `protocols/`, and what it states of itself, as far as it can be read.
+  struct ProtocolFile {
+    std::filesystem::path file{};
+    std::string title{};
+    std::string name{};  ///< the file's where the text has none
+  };
+
+  std::vector<ProtocolFile> files{};  ///< by file name
   ChosenProtocol chosen{};
   std::vector<ParticipantRow> people{};
   std::vector<SessionBefore> sessions{};

@@ -123,14 +123,16 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   column.addWidget(make_card(this, layout));
   auto* row = new QHBoxLayout();
   row->setSpacing(kMargin);
-  row->addWidget(make_heading(tr("Protocol"), this), 1);
+  row->addWidget(make_heading(tr("Protocol"), this));
   protocols_ = new QComboBox(this);
   protocols_->setObjectName("protocols");
   protocols_->setAccessibleName(tr("Protocol"));
   protocols_->setPlaceholderText(tr("Choose"));
-  protocols_->setFixedWidth(kChoiceWidth);
+  // Titles are long; the page does not grow with them.
+  protocols_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  protocols_->setMinimumWidth(kChoiceWidth);
   ignore_wheel(*protocols_);
-  row->addWidget(protocols_);
+  row->addWidget(protocols_, 1);
   layout->addLayout(row);
   protocol_text_ = make_text({}, this);
   protocol_text_->setObjectName("protocol_text");

@@ -156,15 +156,22 @@ void StartPage::check_again() {
 void StartPage::list_protocols() {
   const QSignalBlocker silent(protocols_);
   protocols_->clear();
-  std::vector<std::filesystem::path> files = facts_.files;
-  const std::filesystem::path& chosen = facts_.chosen.file;
-  if (!chosen.empty() && std::find(files.begin(), files.end(), chosen) == files.end()) {
-    files.push_back(chosen);
-    std::sort(files.begin(), files.end());
+  const auto add = [this](const std::filesystem::path& file, const QString& words) {
+    protocols_->addItem(words, QString::fromStdString(file.string()));
+    protocols_->setItemData(protocols_->count() - 1, words, Qt::ToolTipRole);
+  };
+  for (const StartFacts::ProtocolFile& each : facts_.files) {
+    const QString name = QString::fromStdString(each.name);
+    add(each.file, each.title.empty()
+                       ? name
+                       : QString("%1 (%2)").arg(QString::fromStdString(each.title), name));
   }
-  for (const std::filesystem::path& file : files) {
-    protocols_->addItem(QString::fromStdString(file.stem().string()),
-                        QString::fromStdString(file.string()));
+  const std::filesystem::path& chosen = facts_.chosen.file;
+  const auto is_chosen = [&chosen](const StartFacts::ProtocolFile& each) {
+    return each.file == chosen;
+  };
+  if (!chosen.empty() && std::none_of(facts_.files.begin(), facts_.files.end(), is_chosen)) {
+    add(chosen, QString::fromStdString(chosen.stem().string()));
   }
   protocols_->setCurrentIndex(protocols_->findData(QString::fromStdString(chosen.string())));
 }

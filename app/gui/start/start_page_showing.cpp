@@ -89,7 +89,9 @@ void StartPage::show_protocol() {
   protocol_text_->setTextFormat(Qt::RichText);
   protocol_text_->setText(
       QString("<b>%1</b><br>%2<br>%3")
-          .arg(title.toHtmlEscaped(), head.toHtmlEscaped(), tail.toHtmlEscaped()));
+          .arg(title.toHtmlEscaped(),
+               QString("%1 · %2").arg(QString::fromStdString(protocol->name), head).toHtmlEscaped(),
+               tail.toHtmlEscaped()));
   participant_->set_questions(protocol->participant_questions);
   consent_->set_statement(*protocol);
 }

@@ -15,6 +15,7 @@
 #include "app/gui/study/broken_off_news.h"
 #include "app/gui/study/plan_preview.h"
 #include "app/gui/study/progress_cell.h"
+#include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
@@ -29,15 +30,17 @@ QString counted(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
 }
 
-/// "36 trials · 6 blocks · about 42 min · blindfold · masking noise"
+/// "recognition · version 1.0.0 · 36 trials · 6 blocks · about 42 min · blindfold · masking noise"
 QString overview_facts(const ProtocolOverview& overview) {
   const Protocol& protocol = *overview.check.protocol;
-  QStringList facts{};
+  QStringList facts{text_of_kind(protocol.kind),
+                    ProtocolsPage::tr("version %1").arg(text(protocol.version))};
   if (overview.is_valid()) {
-    facts = {counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
-                     ProtocolsPage::tr("%1 trials")),
-             counted(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
-             ProtocolsPage::tr("about %1").arg(text_of_duration(overview.check.cost.total_s))};
+    facts << QStringList{
+        counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
+                ProtocolsPage::tr("%1 trials")),
+        counted(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
+        ProtocolsPage::tr("about %1").arg(text_of_duration(overview.check.cost.total_s))};
   }
   if (protocol.sessions > 1) {
     facts.append(ProtocolsPage::tr("%1 sessions each").arg(protocol.sessions));
@@ -100,7 +103,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   auto* empty = new EmptyState(
       tr("No protocols yet"),
       tr("A protocol says what is felt and asked, in which order. Begin with one from the library, "
-         "or copy a protocol file into the study's folder \"protocols\": it appears here at once."),
+         "or copy a protocol file into the study's folder “protocols”: it appears here at once."),
       this);
   auto* first = empty->add_action(tr("New from template"), ButtonRole::primary, [] {});
   add_templates(first);
@@ -124,6 +127,8 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
                           splitter);
   table_->setObjectName("protocols_table");
   table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));
+  table_->wrap_texts();
+  table_->leave_out_when_tight({3, 2});  // which the card below states as well
   splitter->addWidget(table_);
   splitter->addWidget(make_detail());
   splitter->setStretchFactor(0, 2);
@@ -179,6 +184,8 @@ QWidget* ProtocolsPage::make_detail() {
     row->addWidget(widget);
     widget->setEnabled(false);  // until there is a protocol
   }
+  file_actions_ = new ProtocolFileActions(study(), card);
+  row->addWidget(file_actions_->button());
   row->addSpacing(kGrid);
   row->addWidget(reason_, 1);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
@@ -187,6 +194,7 @@ QWidget* ProtocolsPage::make_detail() {
   row->addWidget(close_);
   layout->addSpacing(kGrid);
   layout->addLayout(row);
+  layout->addWidget(file_actions_);
   layout->addSpacing(kGrid);
 
   below_ = new QStackedWidget(card);
@@ -228,6 +236,13 @@ QWidget* ProtocolsPage::make_detail() {
     }
   });
   connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
+  connect(file_actions_, &ProtocolFileActions::changed, this, [this](const QString& file) {
+    banner().hide();
+    select_next_ = file;
+    study().announce_change();
+  });
+  connect(file_actions_, &ProtocolFileActions::refused, this,
+          [this](const QString& why) { banner().show_news(State::look, why); });
   return card;
 }
 
@@ -291,6 +306,7 @@ const ProtocolOverview* ProtocolsPage::selected() const {
 void ProtocolsPage::show_selected() {
   const ProtocolOverview* overview = selected();
   detail_->setVisible(overview != nullptr);
+  if (overview != nullptr) file_actions_->set_file(overview->check.file);
   if (overview == nullptr) return;
   const std::optional<Protocol>& protocol = overview->check.protocol;
   const std::filesystem::path file = overview->check.file;

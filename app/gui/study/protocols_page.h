@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace asperity {
 
 class PlanPreview;
+class ProtocolFileActions;
 class StudyTable;
 
 class ProtocolsPage final : public StudyPage {
@@ -59,6 +60,7 @@ class ProtocolsPage final : public StudyPage {
   QPushButton* edit_ = nullptr;
   QPushButton* preview_ = nullptr;
   QPushButton* simulate_ = nullptr;
+  ProtocolFileActions* file_actions_ = nullptr;
   QPushButton* close_ = nullptr;  ///< of the plan below
   QLabel* reason_ = nullptr;
   QStackedWidget* below_ = nullptr;

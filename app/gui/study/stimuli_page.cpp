@@ -141,6 +141,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
                           this);
   table_->setObjectName("stimuli_table");
   table_->leave_out_when_tight({3});  // size and pitch say as much
+  table_->setWordWrap(true);          // beside a picture there is room for several lines
   table_->setIconSize({kPicture, kPicture});
   table_->verticalHeader()->setDefaultSectionSize(kPicture + kGrid);
   body().addWidget(table_, 1);

@@ -9,6 +9,7 @@
 #include <QtGui/QKeyEvent>
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QStyledItemDelegate>
 
 #include "app/gui/look/controls.h"
 
@@ -42,6 +43,19 @@ class WordFilter final : public QSortFilterProxyModel {
 
  private:
   QStringList words_{};
+};
+
+/// Finds how high a text is at the width that is left of its cell: Qt takes that of the whole cell, without the
+/// padding that the style sheet adds.
+class WrapDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int kPadding = 24;  // both sides, and the margin of a focused cell
+    QStyleOptionViewItem inside = option;
+    if (option.rect.width() > 2 * kPadding) inside.rect.setWidth(option.rect.width() - kPadding);
+    return QStyledItemDelegate::sizeHint(inside, index);
+  }
 };
 
 }  // namespace
@@ -164,6 +178,20 @@ QString StudyTable::selected_key() const {
   return rows.isEmpty() ? QString{} : key_at(rows.front());
 }
 
+void StudyTable::wrap_texts() {
+  setWordWrap(true);
+  setTextElideMode(Qt::ElideRight);  // of a word that is longer than a line
+  setItemDelegate(new WrapDelegate(this));
+  verticalHeader()->setMinimumSectionSize(kControlHeight);
+  verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // Rows are as high as their texts at the width that the columns had when they were filled in.
+  rewrap_.setSingleShot(true);
+  rewrap_.setInterval(0);
+  connect(&rewrap_, &QTimer::timeout, this, &QTableView::resizeRowsToContents);
+  connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this] { rewrap_.start(); });
+  choose_columns();
+}
+
 void StudyTable::hide_when_narrower(int column, int width) {
   narrowest_[column] = width;
   setColumnHidden(column, this->width() < width);
@@ -182,7 +210,7 @@ void StudyTable::choose_columns() {
   int wanted = 0;
   for (int column = 0; column < shown_->columnCount(); ++column) {
     if (widths_[static_cast<std::size_t>(column)] == 0) {
-      wanted += sizeHintForColumn(column);
+      wanted += wanted_width(column);
     } else {
       room -= columnWidth(column);
     }
@@ -192,6 +220,16 @@ void StudyTable::choose_columns() {
     room += columnWidth(column);
     setColumnHidden(column, true);
   }
+}
+
+int StudyTable::wanted_width(int column) const {
+  if (!wordWrap()) return sizeHintForColumn(column);
+  constexpr int kCellPadding = 24;
+  int longest = 0;
+  for (int row = 0; row < shown_->rowCount(); ++row) {
+    longest = std::max(longest, fontMetrics().horizontalAdvance(text_at(row, column)));
+  }
+  return longest / 2 + longest / 8 + kCellPadding;  // lines break between words
 }
 
 void StudyTable::resizeEvent(QResizeEvent* event) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <QtCore/QTimer>
 #include <QtGui/QStandardItem>
 #include <QtWidgets/QTableView>
 
@@ -46,10 +47,12 @@ class StudyTable final : public QTableView {
   void set_filter(const QString& words);
   void select(const QString& key);
   QString selected_key() const;  ///< empty when nothing is selected
+  /// Texts longer than their column are continued in the next line.
+  void wrap_texts();
   /// The column is left out while the table is narrower than this.
   void hide_when_narrower(int column, int width);
   /// These are left out, the first one first, while the column that takes what is left over has no
-  /// room for its texts.
+  /// room for its texts; of texts that are wrapped, for half of the longest.
   void leave_out_when_tight(std::vector<int> columns);
   int shown_rows() const;
   QString text_at(int row, int column) const;  ///< as shown
@@ -66,6 +69,7 @@ class StudyTable final : public QTableView {
   QString key_at(const QModelIndex& shown) const;
   void widen_columns();
   void choose_columns();
+  int wanted_width(int column) const;
 
   QStandardItemModel* rows_ = nullptr;
   QSortFilterProxyModel* shown_ = nullptr;
@@ -73,6 +77,7 @@ class StudyTable final : public QTableView {
   std::vector<int> widths_{};       ///< as declared
   std::map<int, int> narrowest_{};  ///< by column, the table's width from which on it is shown
   std::vector<int> first_to_go_{};
+  QTimer rewrap_{};
 };
 
 }  // namespace asperity

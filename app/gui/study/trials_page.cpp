@@ -23,7 +23,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kAnswerColumnWidth = 200;
+constexpr int kAnswerColumnWidth = 120;
 constexpr int kConditionWidth = 144;
 constexpr int kAfterContactColumn = 7;
 constexpr int kAfterCueColumn = 8;
@@ -163,7 +163,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Attempt"), 96, Align::number},
                             {tr("Block"), 112, Align::text},
                             {tr("Condition"), kConditionWidth, Align::text},
-                            {tr("Outcome"), 160, Align::text},
+                            {tr("Outcome"), 120, Align::text},
                             {tr("Answer"), kAnswerColumnWidth, Align::text},
                             {tr("Right"), 64, Align::text},
                             {AttemptWords::after_contact(), 152, Align::number},
@@ -175,9 +175,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   AttemptWords::explain_times(*trials_->model(), kAfterContactColumn, kAfterCueColumn);
   // A matching has an answer per surface: they go on in the next line, and where there is little room
   // what the page of the attempt says as well makes way for them.
-  trials_->setWordWrap(true);
-  trials_->verticalHeader()->setMinimumSectionSize(kControlHeight);
-  trials_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  trials_->wrap_texts();
   for (const int column : {kAfterContactColumn, kAfterCueColumn, kBeganColumn}) {
     trials_->hide_when_narrower(column, kRoomForAll);
   }

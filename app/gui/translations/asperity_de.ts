@@ -4662,6 +4662,25 @@
     </message>
 </context>
 <context>
+    <name>StudyProtocols</name>
+    <message>
+        <source>Sessions of %1 are stored (%2), which refer to its name and its text. Duplicate the protocol to make another one of it.</source>
+        <translation>Von %1 sind Sitzungen gespeichert (%2), die sich auf Namen und Text beziehen. Für ein weiteres Protokoll dieses duplizieren.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be the name of a protocol. Use lower-case letters, digits and underscores, beginning with a letter.</source>
+        <translation>„%1“ kann nicht der Name eines Protokolls sein. Kleinbuchstaben, Ziffern und Unterstriche verwenden, mit einem Buchstaben beginnend.</translation>
+    </message>
+    <message>
+        <source>The study has a file %1 already. Choose another name.</source>
+        <translation>Die Studie hat bereits eine Datei %1. Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Sessions of a protocol called %1 are stored in this study. Choose another name.</source>
+        <translation>In dieser Studie sind Sitzungen eines Protokolls mit dem Namen %1 gespeichert. Einen anderen Namen wählen.</translation>
+    </message>
+</context>
+<context>
     <name>TestMethods</name>
     <message>
         <source>exact binomial test, one-sided</source>
@@ -7468,10 +7487,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Kein Protokoll ist offen</translation>
     </message>
     <message>
-        <source>Choose one among the study&apos;s protocols and press &quot;Edit&quot;.</source>
-        <translation>Unter den Protokollen der Studie eines auswählen und „Bearbeiten“ drücken.</translation>
-    </message>
-    <message>
         <source>Show the protocols</source>
         <translation>Protokolle zeigen</translation>
     </message>
@@ -7619,6 +7634,68 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>This study can only be read here</source>
         <translation>Diese Studie ist hier nur lesbar</translation>
     </message>
+    <message>
+        <source>Choose one among the study&apos;s protocols and press “Edit”.</source>
+        <translation>Unter den Protokollen der Studie eines auswählen und „Bearbeiten“ drücken.</translation>
+    </message>
+    <message>
+        <source>Saved as %1: the file is called after the protocol.</source>
+        <translation>Gespeichert als %1: Die Datei heißt wie das Protokoll.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProtocolFileActions</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</source>
+        <translation>
+            <numerusform>%1 wurde durchgeführt (%n Sitzung). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Für ein weiteres Protokoll dieses duplizieren.</numerusform>
+            <numerusform>%1 wurde durchgeführt (%n Sitzungen). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Für ein weiteres Protokoll dieses duplizieren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The protocol could not be duplicated: %1</source>
+        <translation>Das Protokoll konnte nicht dupliziert werden: %1</translation>
+    </message>
+    <message>
+        <source>New name of %1, which becomes the name of its file:</source>
+        <translation>Neuer Name von %1, nach dem auch die Datei benannt wird:</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete %1? It was never run. The file cannot be restored.</source>
+        <translation>%1 löschen? Das Protokoll wurde nie durchgeführt. Die Datei lässt sich nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolsPage</name>
@@ -7681,10 +7758,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>No protocols yet</source>
         <translation>Noch keine Protokolle</translation>
-    </message>
-    <message>
-        <source>A protocol says what is felt and asked, in which order. Begin with one from the library, or copy a protocol file into the study&apos;s folder &quot;protocols&quot;: it appears here at once.</source>
-        <translation>Ein Protokoll sagt, was in welcher Reihenfolge gefühlt und gefragt wird. Am besten mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -7761,6 +7834,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>The protocols are being read.</source>
         <translation>Die Protokolle werden gelesen.</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>A protocol says what is felt and asked, in which order. Begin with one from the library, or copy a protocol file into the study&apos;s folder “protocols”: it appears here at once.</source>
+        <translation>Ein Protokoll sagt, was in welcher Reihenfolge gefühlt und gefragt wird. Am besten mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,16 @@
     </message>
 </context>
 <context>
+    <name>asperity::ProtocolFileActions</name>
+    <message numerus="yes">
+        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</source>
+        <translation>
+            <numerusform>%1 has been run (%n session). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</numerusform>
+            <numerusform>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
         <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>

@@ -379,6 +379,26 @@ TEST_F(ProtocolEditor, SavesByCtrlS) {
   EXPECT_FALSE(asks());
 }
 
+TEST_F(ProtocolEditor, CallsTheFileAfterTheNameThatItIsSavedUnder) {
+  open();
+  ASSERT_EQ(file_.filename(), "improved_recognition.json");
+  QSignalSpy saved_file(page_.get(), &ProtocolEditorPage::saved);
+  go_behind("\"name\": \"improved_recog");
+  type("x");
+  click("editor_save");
+  ASSERT_TRUE(saved());
+  const std::filesystem::path renamed = file_.parent_path() / "improved_recogxnition.json";
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  EXPECT_EQ(read_file(renamed), page_->content());
+  ASSERT_EQ(saved_file.count(), 1);
+  EXPECT_EQ(saved_file.first().first().toString().toStdString(), renamed.string());
+  go_behind("improved_recogx");
+  type("y");
+  click("editor_save");
+  ASSERT_TRUE(saved());
+  EXPECT_FALSE(std::filesystem::exists(renamed));
+}
+
 TEST_F(ProtocolEditor, KeepsTheTextWhenItCannotBeSaved) {
   open();
   go_behind("\"planned\": 2");

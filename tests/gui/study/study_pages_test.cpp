@@ -70,6 +70,26 @@ class StudyPages : public QuietHome {
     }
     ADD_FAILURE() << "no button " << text.toStdString();
   }
+  /// Every text of the column has the room that it needs.
+  static void expect_whole(const StudyTable& table, int column) {
+    constexpr int kPadding = 16;
+    for (int row = 0; row < table.shown_rows(); ++row) {
+      const QRect cell = table.visualRect(table.model()->index(row, column));
+      const QRect room(0, 0, cell.width() - kPadding, 10'000);
+      const QRect needed =
+          QFontMetrics(table.font())
+              .boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, table.text_at(row, column));
+      EXPECT_LE(needed.height(), cell.height())
+          << table.text_at(row, column).toStdString() << " in " << cell.width();
+    }
+  }
+  QString texts_on(const char* page) const {
+    QStringList texts{};
+    for (const auto* label : child<QWidget>(window_, page).findChildren<QLabel*>()) {
+      if (label->isVisible()) texts.append(label->text());
+    }
+    return texts.join(" | ");
+  }
   static QStringList column(const StudyTable& table, int column) {
     QStringList texts{};
     for (int row = 0; row < table.shown_rows(); ++row) texts.append(table.text_at(row, column));
@@ -121,6 +141,71 @@ TEST_F(StudyPages, CountParticipantsDoneOfPlanned) {
   open_lively();
   const StudyTable& table = table_of("protocols", "protocols_table", 4);
   EXPECT_TRUE(column(table, 4).contains("10 of 20")) << column(table, 4).join(", ").toStdString();
+}
+
+TEST_F(StudyPages, NeverCutTheTitleOfAProtocol) {
+  open_demo();
+  window_.resize(1000, 640);
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
+  for (const char* const larger : {"", "large text"}) {
+    if (*larger != 0) {
+      QFont font = table.font();
+      font.setPointSizeF(1.5 * font.pointSizeF());
+      table.setFont(font);
+      table.resizeRowsToContents();
+    }
+    expect_whole(table, 0);
+  }
+}
+
+TEST_F(StudyPages, DuplicateRenameAndDeleteAProtocolThatWasNeverRun) {
+  open_demo();
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  const auto act = [this](const char* name) {
+    child<QPushButton>(window_, "protocol_more").menu()->findChild<QAction*>(name)->trigger();
+  };
+  const QString first = table.selected_key();
+  act("protocol_duplicate");
+  ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
+  EXPECT_EQ(table.selected_key().toStdString(),
+            QString(first).replace(".json", "_2.json").toStdString());
+
+  act("protocol_rename");
+  auto& name = child<QLineEdit>(window_, "protocol_file_name");
+  ASSERT_TRUE(eventually([&] { return name.isVisible(); }));
+  name.setText("No name");
+  click("protocol_file_act");
+  ASSERT_TRUE(
+      eventually([&] { return texts_on("protocols_page").contains("cannot be the name"); }));
+  name.setText("mine");
+  click("protocol_file_act");
+  ASSERT_TRUE(eventually([&] { return column(table, 1).contains("mine"); }));
+  EXPECT_TRUE(table.selected_key().endsWith("/mine.json"));
+  EXPECT_FALSE(name.isVisible());
+
+  act("protocol_delete");
+  auto& really = child<QPushButton>(window_, "protocol_file_act");
+  ASSERT_TRUE(eventually([&] { return really.isVisible(); }));
+  EXPECT_FALSE(name.isVisible());
+  really.click();
+  EXPECT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
+}
+
+TEST_F(StudyPages, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
+  open_lively();
+  StudyTable& table = table_of("protocols", "protocols_table", 4);
+  const std::filesystem::path file =
+      window_.study()->folder() / "protocols" / "chapter_recognition.json";
+  table.select(QString::fromStdString(file.string()));
+  for (const char* const action : {"protocol_rename", "protocol_delete"}) {
+    child<QPushButton>(window_, "protocol_more").menu()->findChild<QAction*>(action)->trigger();
+    EXPECT_TRUE(eventually([&] {
+      return texts_on("protocols_page")
+          .contains("chapter_recognition.json has been run (12 sessions)");
+    }));
+    EXPECT_FALSE(child<QPushButton>(window_, "protocol_file_act").isVisible());
+  }
+  EXPECT_TRUE(std::filesystem::exists(file));
 }
 
 TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
@@ -405,6 +490,10 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
             "contact");
   const auto& events = child<StudyTable>(window_, "trials_events");
   EXPECT_TRUE(column(events, 1).contains("note"));
+  window_.resize(1280, 720);
+  QTest::qWait(100);  // rows follow the columns
+  for (const int shown : {3, 10}) expect_whole(trials, shown);
+  EXPECT_GE(trials.columnWidth(10), 160) << "remarks are sentences";
   take_screenshot(window_, "study-trials");
   click("trials_back");
   EXPECT_EQ(window_.shown_page(), "sessions");
