@@ -16,6 +16,7 @@
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/friction_rehearsal.h"
+#include "app/conductor/session_setup.h"
 #include "app/parameter_json.h"
 #include "device/drivers.h"
 #include "protocols/json_document.h"
@@ -27,6 +28,7 @@
 #include "renderers/offline/sampled_loop.h"
 #include "renderers/pd_gradient/finest_wave.h"
 #include "renderers/pd_gradient/pd_gradient.h"
+#include "results_schema/sha256.h"
 
 namespace asperity {
 namespace {
@@ -580,6 +582,20 @@ std::vector<RehearsalWarning> RehearsalMemory::recall(
   key_ = key;
   warnings_ = std::move(warnings);
   return warnings_;
+}
+
+std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Protocol& protocol,
+                                            const DeviceProfile& profile,
+                                            const std::filesystem::path& study,
+                                            StimulusBuilder& builder,
+                                            const RehearsalCourse& course) {
+  const auto compare = [&] { return rehearse_on_device(protocol, profile, builder, course); };
+  if (memory == nullptr) return compare();
+  std::string key = sha256_of(protocol.source) + '\n' + json_text_of(profile);
+  for (const StimulusFileRow& file : hash_files(protocol, study)) {
+    key += file.path + ' ' + file.sha256 + '\n';
+  }
+  return memory->recall(key, course.stop, compare);
 }
 
 }  // namespace asperity

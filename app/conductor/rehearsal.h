@@ -108,4 +108,12 @@ class RehearsalMemory final {
   std::vector<RehearsalWarning> warnings_{};
 };
 
+/// `rehearse_on_device`, unless `memory` (null: none) holds what came of the same protocol, profile and files of the
+/// study.
+std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Protocol& protocol,
+                                            const DeviceProfile& profile,
+                                            const std::filesystem::path& study,
+                                            StimulusBuilder& builder,
+                                            const RehearsalCourse& course = {});
+
 }  // namespace asperity

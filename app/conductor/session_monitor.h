@@ -120,6 +120,8 @@ struct HandSoFar {
 /// The session at one moment.
 struct SessionSnapshot {
   std::uint64_t version = 0;  ///< grows with every change
+  /// Before the session begins: how far the comparison of its plan with the device is, 0 to 1.
+  std::optional<double> compared{};
   SessionPhase phase = SessionPhase::idle;
   std::int64_t phase_began_ns = 0;
   std::int64_t now_ns = 0;    ///< the session's clock when this was written

@@ -103,7 +103,8 @@ RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
   RehearsedDevice device = profiled_device(protocol, wanted, inputs.study, now_utc);
   if (device.refusal.empty()) {
     compare(device, protocol, [&](const DeviceProfile& profile) {
-      return rehearse_on_device(protocol, profile, builder, {.stop = stop});
+      return rehearse_once(inputs.rehearsal.get(), protocol, profile, inputs.study, builder,
+                           {.stop = stop, .progress = inputs.comparing});
     });
     // What was compared until then would pass for all there is.
     if (device.profile && stop.stop_requested()) {

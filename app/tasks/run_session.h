@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -45,6 +46,10 @@ struct RunInputs {
   /// Somebody who is new and was already asked the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
+  /// What was found when the plan was compared with this device before; null: nothing.
+  std::shared_ptr<RehearsalMemory> rehearsal{};
+  /// Told how far that comparison is, 0 to 1, where it has to be made.
+  std::function<void(double)> comparing{};
   /// Told what of the plan is beyond a person's device, before the session is refused for it.
   std::function<void(const RehearsedDevice&)> rehearsed{};
   /// Told once the device is there and the protocol takes it, before anybody is asked anything.

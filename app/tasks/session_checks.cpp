@@ -363,16 +363,6 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
 
 // --- the device's profile ------------------------------------------------------------------------
 
-/// Everything that a comparison with the device depends on: protocol, profile and stimuli.
-std::string rehearsal_key(const CheckInputs& inputs, const Protocol& protocol,
-                          const DeviceProfile& profile) {
-  std::string key = sha256_of(protocol.source) + '\n' + json_text_of(profile);
-  for (const StimulusFileRow& file : hash_files(protocol, inputs.study)) {
-    key += file.path + ' ' + file.sha256 + '\n';
-  }
-  return key;
-}
-
 Phrase age_in_words(double days) {
   if (days < 1.0) return phrase("SessionChecks", "Measured within the last day");
   if (days < 1.5) return phrase("SessionChecks", "Measured a day ago");
@@ -430,11 +420,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   }
   StimulusBuilder builder(models, inputs.study);
   const Rehearse rehearse = [&](const DeviceProfile& profile) {
-    const auto compare = [&] {
-      return rehearse_on_device(protocol, profile, builder, {.stop = stop, .progress = progress});
-    };
-    if (inputs.rehearsal == nullptr) return compare();
-    return inputs.rehearsal->recall(rehearsal_key(inputs, protocol, profile), stop, compare);
+    return rehearse_once(inputs.rehearsal.get(), protocol, profile, inputs.study, builder,
+                         {.stop = stop, .progress = progress});
   };
   const std::string now_utc = SystemClock(0).utc();
   const RehearsedDevice found = rehearsed_device(protocol, wanted, inputs.study, now_utc, rehearse);

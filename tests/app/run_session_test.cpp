@@ -9,6 +9,7 @@
 
 #include "app/device_profile.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_checks.h"
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/study_report.h"
@@ -228,12 +229,39 @@ TEST_F(RunSession, EndsAtOnceWhenStoppedWhileTheDeviceIsCompared) {
   int told = 0;
   inputs_.rehearsed = [&](const RehearsedDevice&) { ++told; };
   std::stop_source source;
-  source.request_stop();
+  inputs_.comparing = [&source](double) { source.request_stop(); };
   EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}, links_),
                RespondentGone);
+  EXPECT_TRUE(source.stop_requested());
   EXPECT_EQ(told, 0);
   EXPECT_THAT(person_.forms, testing::IsEmpty());
   EXPECT_TRUE(study().sessions().empty());
+}
+
+TEST_F(RunSession, DoesNotRepeatTheComparisonThatTheChecklistHasMade) {
+  keep_profile_with_friction(inputs_.study);
+  const auto memory = std::make_shared<RehearsalMemory>();
+  const CheckInputs checked{.study = inputs_.study,
+                            .protocol = inputs_.protocol,
+                            .participant = inputs_.participant,
+                            .mode = inputs_.mode,
+                            .pacing = inputs_.pacing,
+                            .rehearsal = memory};
+  int told = 0;
+  check_session(checked, models_, {}, [&told](double) { ++told; });
+  EXPECT_GT(told, 0);
+  told = 0;
+  inputs_.comparing = [&told](double) { ++told; };
+  std::size_t warnings = 0;
+  inputs_.rehearsed = [&](const RehearsedDevice& device) { warnings = device.warnings.size(); };
+  inputs_.rehearsal = memory;
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(told, 0);
+  EXPECT_GT(warnings, 0U);
+  inputs_.participant = "p2";
+  inputs_.rehearsal = nullptr;
+  run();
+  EXPECT_GT(told, 0);
 }
 
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
@@ -270,9 +298,11 @@ TEST_F(RunSession, EndsAtOnceWhenAbortedWhileConsentIsAsked) {
 }
 
 TEST_F(RunSession, EndsAtOnceWhenStoppedWhileConsentIsAsked) {
-  person_.at_form = think_forever;
   std::stop_source source;
-  source.request_stop();
+  person_.at_form = [&source](const Question& question, const Wait& wait) {
+    source.request_stop();
+    return think_forever(question, wait);
+  };
   EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}), RespondentGone);
 }
 

@@ -120,12 +120,11 @@ void SessionControls::write() {
   set_words(*repeat_, tr("Repeat last…"), tr("Ctrl+R"));
   set_words(*skip_, tr("Skip…"), {});
   set_words(*note_, tr("Note"), tr("F2"));
-  set_words(*abort_, tr("Abort…"), tr("Ctrl+Shift+Q"));
+  set_words(*abort_, s.preparing ? tr("Cancel") : tr("Abort…"), tr("Ctrl+Shift+Q"));
   set_words(*their_window_, tr("Show their window"), tr("F9"));
 
-  for (QPushButton* button : {pause_, stop_trial_, stop_block_, abort_}) {
-    button->setEnabled(s.running);
-  }
+  for (QPushButton* button : {pause_, stop_trial_, stop_block_}) button->setEnabled(s.running);
+  abort_->setEnabled(s.running || (s.preparing && !s.cancelling));
   // A fault is cleared or the session ended, first.
   if (s.in_fault) pause_->setEnabled(false);
   repeat_->setEnabled(s.running && s.trial_done && !s.repeat_pending);
@@ -133,7 +132,11 @@ void SessionControls::write() {
   note_->setEnabled(s.running && !s.note_locked);
 
   QStringList why{};
-  if (!s.running) {
+  if (s.cancelling) {
+    why += tr("The preparation is being cancelled.");
+  } else if (s.preparing) {
+    why += tr("The session has not begun: its files are read, and the device is opened.");
+  } else if (!s.running) {
     why += tr("There is no session under way.");
   } else {
     if (s.in_fault) why += tr("Pause: the session is stopped already.");

@@ -18,7 +18,9 @@ namespace asperity {
 
 /// What the buttons depend on.
 struct ControlState {
-  bool running = false;  ///< begun, and not ended
+  bool running = false;     ///< begun, and not ended
+  bool preparing = false;   ///< not begun yet
+  bool cancelling = false;  ///< and it will not
   bool paused = false;
   bool pause_pending = false;
   std::optional<StopAfter> stop_pending{};

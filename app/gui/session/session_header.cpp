@@ -193,6 +193,12 @@ void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
                                   : tr("trials: %1").arg(s.trials));
 }
 
+void SessionHeader::show_preparation(std::optional<double> fraction) {
+  constexpr int kPreparationSteps = 100;
+  progress_->setMaximum(fraction ? kPreparationSteps : 0);  // 0: to and fro
+  progress_->setValue(fraction ? static_cast<int>(kPreparationSteps * *fraction) : 0);
+}
+
 void SessionHeader::show_left(const QString& text) {
   set_if_new(*left_, text);
   left_->setHidden(text.isEmpty());

@@ -43,6 +43,8 @@ class SessionHeader final : public QWidget {
   QString title() const;
   void show_blindness(const Blindness& blindness);
   void show_progress(const SessionSnapshot& snapshot);
+  /// Before there is a plan to be far in. `fraction`: absent while it is unknown.
+  void show_preparation(std::optional<double> fraction);
   void show_now(const QString& text);
   void show_elapsed(double elapsed_s);
   /// How long it still takes; empty: it is over.

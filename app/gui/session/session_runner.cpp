@@ -47,6 +47,9 @@ void SessionRunner::start(const SessionOrder& order) {
         this, [this, text = QString::fromStdString(sentence)] { emit told(text); },
         Qt::QueuedConnection);
   };
+  order_.inputs.comparing = [this](double fraction) {
+    monitor_.update([fraction](SessionSnapshot& snapshot) { snapshot.compared = fraction; });
+  };
   running_ = true;
   person_ = std::make_unique<PersonAtWindow>(monitor_, nullptr);
   if (!order.consent_seen_by.empty()) {
@@ -65,6 +68,12 @@ void SessionRunner::run(const std::stop_token& stop) {
         },
         Qt::QueuedConnection);
   };
+  // As asked, before there was a session: there is nothing to fix.
+  const auto tell_not_begun = [this, &tell_end] {
+    monitor_.update([](SessionSnapshot& snapshot) { snapshot.phase = SessionPhase::ended; });
+    tell_end(
+        {.state = SessionState::stopped, .reason = phrase_of(Reason::stopped_as_asked).english()});
+  };
   try {
     // Here and not in a window's thread: a sound server takes its time.
     sound_ = make_sound_(order_);
@@ -76,15 +85,22 @@ void SessionRunner::run(const std::stop_token& stop) {
                              .monitor = &monitor_,
                              .sound = sound_.get(),
                              .experimenter_is_there = true};
+    RunInputs inputs = order_.inputs;
+    inputs.ready = [&stop](const Protocol&) {
+      if (stop.stop_requested()) throw RespondentGone(phrase_of(Reason::stopped_as_asked));
+    };
     Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
     tell_end(run_session(
-        order_.inputs, models_, respondent, stop,
-        [this](const AttemptDone&) { announce_attempt(); }, links, drivers_));
+        inputs, models_, respondent, stop, [this](const AttemptDone&) { announce_attempt(); },
+        links, drivers_));
   } catch (const OpeningStopped&) {
-    // As asked, before there was a session: nothing is to be mended.
-    monitor_.update([](SessionSnapshot& snapshot) { snapshot.phase = SessionPhase::ended; });
-    tell_end(
-        {.state = SessionState::stopped, .reason = phrase_of(Reason::stopped_as_asked).english()});
+    tell_not_begun();
+  } catch (const RespondentGone& error) {
+    if (stop.stop_requested()) {
+      tell_not_begun();
+    } else {
+      fail(phrase_of(error), AfterFailure::start_again);
+    }
   } catch (const ProtocolChangedSinceCheck& error) {
     fail(phrase_of(error), AfterFailure::check_again);
   } catch (const ProtocolError& error) {

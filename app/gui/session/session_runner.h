@@ -65,6 +65,8 @@ class SessionRunner final : public QObject {
 
   /// Once in the life of this object.
   void start(const SessionOrder& order);
+  /// Of a session that has not begun: it does not. Of one that has, after the trial under way.
+  void cancel() { worker_.request_stop(); }
   /// From `start` until `ended` or `failed`.
   bool is_running() const noexcept { return running_; }
 

@@ -210,6 +210,11 @@ void SessionWindow::do_emergency_stop() {
 void SessionWindow::do_verb(SessionVerb verb) {
   // Also while the session is being prepared.
   if (verb == SessionVerb::show_participant) return emit participant_window_wanted();
+  if (is_preparing() && verb == SessionVerb::abort && !cancelling_) {
+    cancelling_ = true;
+    write_controls();
+    return emit cancel_wanted();
+  }
   if (!is_running()) return;
   const SessionRequests::Pending pending = requests_.pending();
   const auto toggle_stop = [&](StopAfter what) {
@@ -313,6 +318,8 @@ void SessionWindow::lock_fields() {
 
 bool SessionWindow::is_running() const { return facts_ != nullptr && !ended_ && !failed_; }
 
+bool SessionWindow::is_preparing() const { return facts_ == nullptr && !ended_ && !failed_; }
+
 bool SessionWindow::is_in_trial() const {
   return shown_.phase == SessionPhase::fore || shown_.phase == SessionPhase::contact ||
          shown_.phase == SessionPhase::response;
@@ -379,7 +386,11 @@ void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
 }
 
 void SessionWindow::take_snapshot() {
-  header_->show_progress(shown_);
+  if (facts_ == nullptr && shown_.phase != SessionPhase::ended) {
+    header_->show_preparation(shown_.compared);
+  } else {
+    header_->show_progress(shown_);
+  }
   plan_->model().set_attempts(shown_.attempts);
   write_answers();
   show_exploration();
@@ -461,6 +472,8 @@ void SessionWindow::write_controls() {
   const SessionRequests::Pending pending = requests_.pending();
   ControlState state{};
   state.running = is_running();
+  state.preparing = is_preparing();
+  state.cancelling = is_preparing() && cancelling_;
   state.paused = shown_.phase == SessionPhase::paused;
   state.pause_pending = pending.pause;
   state.stop_pending = pending.stop;

@@ -90,6 +90,8 @@ class SessionWindow final : public QWidget {
   void closed();
   void results_wanted();
   void trials_wanted();
+  /// The session has not begun, and is not to.
+  void cancel_wanted();
   /// The session has ended, and somebody wants it to be tried or gone on with in this way.
   void way_on_wanted(asperity::AfterFailure way);
   /// The participant's screen is plugged in again: their window is to go back there.
@@ -129,6 +131,7 @@ class SessionWindow final : public QWidget {
   void write_end();
   void screen_left(QScreen* screen);
   bool is_running() const;
+  bool is_preparing() const;
   bool is_in_trial() const;
   int trial_to_come() const;
   const Trial* trial_now() const;
@@ -144,6 +147,7 @@ class SessionWindow final : public QWidget {
   QString unblinded_at_{};  ///< when names were first shown in a run
   bool own_keyboard_ = false;
   bool ended_ = false;
+  bool cancelling_ = false;  ///< the preparation
   bool failed_ = false;
   bool close_when_ended_ = false;
   bool closed_ = false;

@@ -5,6 +5,7 @@
 
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
+#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QScrollArea>
 
 #include "app/gui/look/controls.h"
@@ -56,20 +57,40 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   summary_ = make_text({}, this, true);
   summary_->setObjectName("check_summary");
   layout->addWidget(summary_);
-  auto* area = new QScrollArea(this);
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setFocusPolicy(Qt::NoFocus);
-  area->viewport()->setAutoFillBackground(false);
-  lines_ = new QWidget(area);
+  course_ = new QWidget(this);
+  auto* course = new QHBoxLayout(course_);
+  course->setContentsMargins(0, 0, 0, 0);
+  course->setSpacing(kGrid);
+  bar_ = new QProgressBar(course_);
+  bar_->setObjectName("check_progress");
+  bar_->setTextVisible(false);
+  cancel_ = make_button(tr("Cancel"), ButtonRole::plain, course_);
+  cancel_->setObjectName("check_cancel");
+  course->addWidget(bar_, 1);
+  course->addWidget(cancel_);
+  course_->hide();
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    cancel_->setEnabled(false);
+    summary_->setText(tr("Cancelling the checks…"));
+    emit cancel_wanted();
+  });
+  layout->addWidget(course_);
+  area_ = new QScrollArea(this);
+  area_->setWidgetResizable(true);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setFocusPolicy(Qt::NoFocus);
+  area_->viewport()->setAutoFillBackground(false);
+  lines_ = new QWidget(area_);
   grid_ = new QGridLayout(lines_);
   grid_->setContentsMargins(0, 0, kGrid, 0);
   grid_->setHorizontalSpacing(kGrid);
   grid_->setVerticalSpacing(kGrid);
   grid_->setColumnStretch(1, 1);
-  area->setWidget(lines_);
+  area_->setWidget(lines_);
   lines_->setAutoFillBackground(false);  // which setWidget turns on
-  layout->addWidget(area, 1);
+  layout->addWidget(area_, 1);
+  layout->addStretch(0);
+  area_->hide();
 }
 
 void CheckList::set_checks(std::vector<SessionCheck> checks) {
@@ -105,6 +126,7 @@ void CheckList::set_checks(std::vector<SessionCheck> checks) {
     ++row;
   }
   grid_->setRowStretch(row, 1);
+  area_->show();
   const auto count = [&checks](SessionCheck::State state) {
     return static_cast<int>(std::count_if(
         checks.begin(), checks.end(), [state](const auto& check) { return check.state == state; }));
@@ -123,16 +145,25 @@ void CheckList::set_checks(std::vector<SessionCheck> checks) {
 }
 
 void CheckList::set_running(bool running) {
-  lines_->setVisible(!running);  // they are of what was chosen before
+  if (running) area_->hide();  // the lines are of what was chosen before
+  course_->setVisible(running);
   again_->setEnabled(!running);
-  if (running)
-    summary_->setText(
-        tr("Looking at everything: seconds to a minute, by what the protocol asks for."));
+  if (!running) return;
+  bar_->setRange(0, 0);  // how long it takes is unknown until the device is compared
+  cancel_->setEnabled(true);
+  summary_->setText(tr("Checking stimuli, device and timing (up to a minute)…"));
 }
 
 void CheckList::set_progress(double fraction) {
-  summary_->setText(tr("Comparing every stimulus with the device: %1 %.")
-                        .arg(static_cast<int>(100.0 * fraction)));
+  if (!cancel_->isEnabled()) return;
+  bar_->setRange(0, 100);
+  bar_->setValue(static_cast<int>(100.0 * fraction));
+  summary_->setText(tr("Comparing every stimulus with the device: %1 %.").arg(bar_->value()));
+}
+
+void CheckList::set_cancelled() {
+  set_running(false);
+  summary_->setText(tr("The checks were cancelled. Nothing is known until they have run."));
 }
 
 }  // namespace asperity

@@ -274,6 +274,10 @@ void StartPage::connect_parts() {
     if (!checks_ && !check_outdated_) check_list_->set_progress(fraction);
   });
   connect(check_list_, &CheckList::again_wanted, this, &StartPage::check_again);
+  connect(check_list_, &CheckList::cancel_wanted, this, [this] {
+    check_cancelled_ = true;
+    check_task_.cancel();
+  });
   connect(start_, &QPushButton::clicked, this, &StartPage::press_start);
   connect(check_timer_, &QTimer::timeout, this, &StartPage::check);
   connect(cancel_, &QPushButton::clicked, this, [this] {

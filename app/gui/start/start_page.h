@@ -151,7 +151,8 @@ class StartPage final : public QWidget {
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   /// Of the device: computed once for a protocol, its stimuli and a profile.
   std::shared_ptr<RehearsalMemory> rehearsal_ = std::make_shared<RehearsalMemory>();
-  bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
+  bool check_outdated_ = false;   ///< what is looked at now is to be looked at once more
+  bool check_cancelled_ = false;  ///< by a press, until something else is chosen
 
   ModeBand* band_ = nullptr;
   Banner* banner_ = nullptr;

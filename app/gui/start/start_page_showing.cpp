@@ -240,7 +240,8 @@ void StartPage::show_start() {
   if (why_not.empty()) {
     reason_->set_state(State::fine, tr("Ready."));
   } else {
-    const bool only_waiting = !checks_ && why_not.size() == 1 && !read_has_failed();
+    const bool only_waiting =
+        !checks_ && !check_cancelled_ && why_not.size() == 1 && !read_has_failed();
     reason_->set_state(only_waiting ? State::unknown : State::look, text_of_reasons(why_not));
   }
   QStringList all{};

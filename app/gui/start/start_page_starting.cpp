@@ -53,7 +53,8 @@ std::vector<QString> StartPage::reasons() const {
     return reasons;
   }
   if (!checks_) {
-    reasons.push_back(tr("The checklist is being gone through."));
+    reasons.push_back(check_cancelled_ ? tr("The checks were cancelled: press “Check again”.")
+                                       : tr("Running the checks…"));
     return reasons;
   }
   for (const SessionCheck& check : *checks_) {
@@ -67,6 +68,7 @@ std::vector<QString> StartPage::reasons() const {
 
 void StartPage::check_soon() {
   checks_.reset();
+  check_cancelled_ = false;
   show_start();
   if (isVisible() && is_read_) check_timer_->start();
 }
@@ -101,6 +103,7 @@ void StartPage::check() {
       .sound_card = !sound_outputs().empty(),
       .screens = static_cast<int>(QGuiApplication::screens().size()),
   };
+  check_cancelled_ = false;
   check_list_->set_running(true);
   check_task_.run<std::vector<SessionCheck>>(
       [inputs, models = built_in_models(), drivers = study_.drivers()](
@@ -110,6 +113,10 @@ void StartPage::check() {
       [this](std::vector<SessionCheck> checks) {
         // Something else is chosen by now, or being read: then it is looked at once more.
         if (check_outdated_ || check_timer_->isActive() || !is_read_ || !isVisible()) return;
+        if (check_cancelled_) {
+          check_list_->set_cancelled();
+          return show_start();
+        }
         check_list_->set_running(false);
         check_list_->set_checks(checks);
         checks_ = std::move(checks);
@@ -139,6 +146,7 @@ SessionOrder StartPage::order() const {
   inputs.mirrored = setup_->is_mirrored();
   inputs.device = setup_->device().device();
   inputs.driver_options = driver_options(inputs.device);
+  inputs.rehearsal = rehearsal_;
   const Protocol* protocol = chosen();
   if (protocol != nullptr && !is_virtual() && participant_->is_new()) {
     inputs.new_person = participant_->new_person(*protocol);

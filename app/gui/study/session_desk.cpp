@@ -202,6 +202,7 @@ void SessionDesk::open_session_window() {
   add_workspace(*mirror, runner_->monitor(), study_->folder());
   session_window_->set_mirror(mirror);
   connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
+  connect(session_window_, &SessionWindow::cancel_wanted, runner_.get(), &SessionRunner::cancel);
   connect(session_window_, &SessionWindow::results_wanted, this, [this] { finish("analysis"); });
   connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("trials"); });
   connect(session_window_, &SessionWindow::way_on_wanted, this, &SessionDesk::go_on);

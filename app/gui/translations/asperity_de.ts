@@ -5289,12 +5289,24 @@
         <translation>Alles ist bereit.</translation>
     </message>
     <message>
-        <source>Looking at everything: seconds to a minute, by what the protocol asks for.</source>
-        <translation>Alles wird geprüft: Sekunden bis eine Minute, je nachdem, was das Protokoll verlangt.</translation>
-    </message>
-    <message>
         <source>Comparing every stimulus with the device: %1 %.</source>
         <translation>Jeder Reiz wird mit dem Gerät verglichen: %1 %.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelling the checks…</source>
+        <translation>Die Prüfungen werden abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Checking stimuli, device and timing (up to a minute)…</source>
+        <translation>Reize, Gerät und Takt werden geprüft (bis zu einer Minute)…</translation>
+    </message>
+    <message>
+        <source>The checks were cancelled. Nothing is known until they have run.</source>
+        <translation>Die Prüfungen wurden abgebrochen. Ohne sie ist nichts bekannt.</translation>
     </message>
 </context>
 <context>
@@ -8320,6 +8332,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>F9</source>
         <translation>F9</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The preparation is being cancelled.</source>
+        <translation>Die Vorbereitung wird abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The session has not begun: its files are read, and the device is opened.</source>
+        <translation>Die Sitzung hat noch nicht begonnen: Ihre Dateien werden gelesen, das Gerät wird geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionDesk</name>
@@ -9116,10 +9140,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Das Protokoll ist nicht gültig.</translation>
     </message>
     <message>
-        <source>The checklist is being gone through.</source>
-        <translation>Die Checkliste wird durchgegangen.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -9162,6 +9182,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>A device is being tried: wait until it has answered.</source>
         <translation>Ein Gerät wird ausprobiert: Warten Sie, bis es geantwortet hat.</translation>
+    </message>
+    <message>
+        <source>The checks were cancelled: press “Check again”.</source>
+        <translation>Die Prüfungen wurden abgebrochen: „Erneut prüfen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Running the checks…</source>
+        <translation>Die Prüfungen laufen…</translation>
     </message>
 </context>
 <context>

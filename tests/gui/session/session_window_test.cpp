@@ -16,6 +16,7 @@
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QTableView>
@@ -129,6 +130,28 @@ TEST(SessionWindow, SaysAtWhatTimeOfDayTheSessionIsExpectedToEnd) {
   EXPECT_TRUE(left == words.arg(before.addSecs(725).toString("HH:mm")) ||
               left == words.arg(after.addSecs(725).toString("HH:mm")))
       << left.toStdString();
+}
+
+TEST(SessionWindow, CanBeCancelledWhileItIsPrepared) {
+  SessionMonitor preparing{};
+  SessionRequests requests{};
+  SessionWindow window(preparing, requests, {});
+  const QSignalSpy cancelled(&window, &SessionWindow::cancel_wanted);
+  auto& cancel = child<QPushButton>(window, "abort");
+  EXPECT_TRUE(cancel.text().startsWith("Cancel"));
+  EXPECT_TRUE(cancel.isEnabled());
+  EXPECT_FALSE(child<QPushButton>(window, "pause").isEnabled());
+  EXPECT_EQ(child<QProgressBar>(window, "progress").maximum(), 0) << "to and fro";
+  EXPECT_FALSE(child<QLabel>(window, "why_disabled").text().contains("no session under way"));
+  preparing.update([](SessionSnapshot& s) { s.compared = 0.25; });
+  window.show();
+  EXPECT_TRUE(eventually([&] { return child<QProgressBar>(window, "progress").value() == 25; }));
+  cancel.click();
+  EXPECT_EQ(cancelled.size(), 1);
+  EXPECT_FALSE(cancel.isEnabled());
+  preparing.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
+  window.show_end({.state = SessionState::stopped});
+  EXPECT_TRUE(window.may_close());
 }
 
 TEST(SessionWindow, ShowsNoTimeLeftThatIsUnknown) {

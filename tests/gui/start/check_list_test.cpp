@@ -7,6 +7,8 @@
 #include <functional>
 
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 #include <gtest/gtest.h>
 
 #include "app/gui/look/words.h"
@@ -14,6 +16,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
+#include "tests/gui/support/widgets.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -109,6 +112,22 @@ TEST_F(TheCheckList, ShowsFirstWhatKeepsTheSessionFromStarting) {
     if (line->objectName().startsWith("check_")) shown << line->objectName().mid(6);
   }
   EXPECT_EQ(shown.join(' ').toStdString(), "summary device consent screens memory study rate");
+}
+
+TEST_F(TheCheckList, HasNoScrollBarWhileItHasNoLines) {
+  list.resize(320, 200);
+  list.show();
+  const auto& area = *list.findChild<QScrollArea*>();
+  EXPECT_FALSE(area.isVisible());
+  std::vector<SessionCheck> many(40);
+  for (SessionCheck& check : many) check.text = "Something was found.";
+  list.set_checks(many);
+  EXPECT_TRUE(area.isVisible());
+  list.set_running(true);
+  EXPECT_FALSE(area.isVisible());
+  EXPECT_TRUE(child<QPushButton>(list, "check_cancel").isVisible());
+  list.set_running(false);
+  EXPECT_FALSE(child<QPushButton>(list, "check_cancel").isVisible());
 }
 
 TEST_F(TheCheckList, SaysInGermanWhatTheProtocolAsksForInVain) {

@@ -2,7 +2,9 @@
 
 #include "app/gui/session/session_runner.h"
 
+#include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -93,6 +95,23 @@ TEST_F(RunningSession, TakesAVirtualParticipantThroughAndSaysSoAtTheEnd) {
   EXPECT_GE(listener.done.size(), 1);
   EXPECT_LE(listener.done.size(), 3);
   EXPECT_EQ(stored_attempts().size(), 3U);
+}
+
+TEST_F(RunningSession, DoesNotBeginWhenItIsCancelledWhileItIsPrepared) {
+  std::atomic<bool> is_cancelled = false;
+  SessionRunner runner(nullptr, [&is_cancelled](const SessionOrder&) {
+    while (!is_cancelled) std::this_thread::yield();
+    return std::unique_ptr<Sound>();
+  });
+  Listener listener(runner);
+  runner.start(order);
+  runner.cancel();
+  is_cancelled = true;
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 0) << listener.failure();
+  EXPECT_EQ(listener.end().state, SessionState::stopped);
+  EXPECT_EQ(runner.monitor().snapshot().phase, SessionPhase::ended);
+  EXPECT_TRUE(Study::open(study, Access::read_only).sessions().empty());
 }
 
 TEST_F(RunningSession, GoesThroughItInRealTime) {

@@ -3,7 +3,9 @@
 #include "app/gui/start/start_page.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include <QtCore/QSettings>
 #include <QtCore/QTimer>
@@ -105,7 +107,7 @@ class TheStartPage : public testing::Test {
   }
   /// Until the checklist is up to date as well.
   bool wait_for_checks() const {
-    return eventually([this] { return page->is_read() && !has_reason("The checklist"); });
+    return eventually([this] { return page->is_read() && !has_reason("Running the checks"); });
   }
   void choose(const std::filesystem::path& file, const std::optional<std::string>& participant = {},
               std::optional<std::int64_t> session = {}) const {
@@ -208,6 +210,29 @@ TEST_F(TheStartPage, RefusesToStartWhereTheLoopIsTooSlow) {
       << find<QLabel>("check_rate").text().toStdString();
 }
 
+TEST_F(TheStartPage, CancelsTheChecksAndRunsThemAgainWhenAsked) {
+  std::atomic<bool> goes_on = false;
+  study->set_device_trial([&goes_on](const auto&... inputs) {
+    while (!goes_on) std::this_thread::yield();
+    return punctual_trial(inputs...);
+  });
+  page->show();
+  choose(protocol);
+  fill_in();
+  auto& cancel = find<QPushButton>("check_cancel");
+  ASSERT_TRUE(eventually([&] { return cancel.isVisible(); }));
+  EXPECT_TRUE(find<QProgressBar>("check_progress").isVisible());
+  cancel.click();
+  EXPECT_FALSE(cancel.isEnabled());
+  goes_on = true;
+  ASSERT_TRUE(eventually([&] { return !cancel.isVisible(); }));
+  EXPECT_FALSE(can_start());
+  EXPECT_TRUE(has_reason("The checks were cancelled"));
+  find<QPushButton>("check_again").click();
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start());
+}
+
 TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
   choose(protocol);
   fill_in();
@@ -263,7 +288,7 @@ TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   page->show();
   choose(protocol);
   fill_in();
-  EXPECT_TRUE(has_reason("The checklist is being gone through."));
+  EXPECT_TRUE(has_reason("Running the checks…"));
   EXPECT_FALSE(can_start());
   ASSERT_TRUE(wait_for_checks());
   EXPECT_FALSE(can_start());
@@ -793,8 +818,9 @@ TEST(StartPagePictures, ShowEveryMode) {
       EXPECT_TRUE(eventually([&page] {
         const auto reasons = page.reasons();
         return page.is_read() &&
-               std::none_of(reasons.begin(), reasons.end(),
-                            [](const QString& reason) { return reason.contains("The checklist"); });
+               std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
+                 return reason.contains("Running the checks");
+               });
       }));
     };
     settle();
