@@ -185,7 +185,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
   d.force.plot->xAxis->setTickLabels(false);
   d.speed.plot->xAxis->setLabel(tr("time, s"));
 
-  d.path_heading = add_heading(*rows, tr("PATH mm, top view"), this, "path_compliance");
+  d.path_heading = add_heading(*rows, tr("PATH mm"), this, "path_compliance");
   d.path = make_plot(this, "path_plot");
   rows->addWidget(d.path, 7);
   d.path->axisRect()->setAutoMargins(QCP::msNone);

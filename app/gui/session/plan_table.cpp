@@ -53,6 +53,11 @@ QString stimulus_names(const Trial& trial) {
   return QString::fromStdString(unblinded_text(trial));
 }
 
+/// "3, right · attempt 2"
+QString numbered(const QString& outcome, int attempt) {
+  return attempt > 1 ? PlanModel::tr("%1 · attempt %2").arg(outcome).arg(attempt) : outcome;
+}
+
 /// Numbers to the right, but not up against the next column.
 class NumberDelegate final : public QStyledItemDelegate {
  public:
@@ -168,6 +173,8 @@ bool PlanModel::tells_right(const AttemptSummary& attempt) const {
 void PlanModel::write_outcomes() {
   for (Row& row : rows_) {
     row.outcome.clear();
+    row.history.clear();
+    row.attempts = 0;
     row.reason.clear();
     row.state = State::unknown;
   }
@@ -177,8 +184,10 @@ void PlanModel::write_outcomes() {
     if (number < 0) continue;
     Row& row = rows_[static_cast<std::size_t>(number)];
     const QString text = SessionText::of_attempt(attempt, tells_right(attempt));
-    // The last one first: it is what counts, and what is cut off is the past.
-    row.outcome = row.outcome.isEmpty() ? text : tr("%1, before: %2").arg(text, row.outcome);
+    // What counts is the last one; the tool tip states those before it.
+    row.attempts = attempt.attempt;
+    row.outcome = numbered(text, attempt.attempt);
+    row.history = row.history.isEmpty() ? text : tr("%1, before: %2").arg(text, row.history);
     row.state = SessionText::state_of(attempt);
     const QString reason = OutcomeWords::of_reason(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;
@@ -204,7 +213,7 @@ QString PlanModel::text_of(const Row& row, int column) const {
       return blind_ ? row.code : row.name;
     case kOutcomeColumn: {
       if (now && !phase_.isEmpty()) {
-        return row.outcome.isEmpty() ? phase_ : tr("%1, before: %2").arg(phase_, row.outcome);
+        return numbered(phase_, row.attempts + 1);
       }
       return row.outcome.isEmpty() ? QString()
                                    : QString("%1 %2").arg(shape_of(row.state), row.outcome);
@@ -223,10 +232,11 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
       return text_of(row, index.column());
     case Qt::ToolTipRole: {
       if (row.trial == nullptr) return {};
-      const QString text = text_of(row, index.column());
-      return index.column() == kOutcomeColumn && !row.reason.isEmpty()
-                 ? QString("%1\n%2").arg(text, row.reason)
-                 : text;
+      if (index.column() != kOutcomeColumn) return text_of(row, index.column());
+      QStringList lines{now && !phase_.isEmpty() ? text_of(row, kOutcomeColumn) : QString(),
+                        row.history, row.reason};
+      lines.removeAll(QString());
+      return lines.join('\n');
     }
     case Qt::TextAlignmentRole:
       return QVariant::fromValue(row.trial != nullptr && index.column() == kTrialColumn

@@ -52,8 +52,10 @@ class PlanModel final : public QAbstractTableModel {
     QString name{};
     QStringList surface_codes{};
     QStringList surface_names{};
-    QString outcome{};
-    QString reason{};  ///< why the last attempt does not count or is flagged
+    int attempts = 0;
+    QString outcome{};  ///< of the last attempt
+    QString history{};  ///< of all, the last one first
+    QString reason{};   ///< why the last attempt does not count or is flagged
     State state = State::unknown;
   };
   void write_outcomes();

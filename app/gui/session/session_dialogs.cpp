@@ -14,17 +14,20 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDialogWidth = 560;
+constexpr int kDialogTextWidth = 512;
 
 QVBoxLayout* prepare_dialog(QDialog& dialog, const QString& title, const QString& text) {
   dialog.setAttribute(Qt::WA_DeleteOnClose);
   dialog.setWindowTitle(title);
-  dialog.setMinimumWidth(kDialogWidth);
   auto* rows = new QVBoxLayout(&dialog);
+  // Never smaller than what is in it: a width that is set by hand would stand in for that.
+  rows->setSizeConstraint(QLayout::SetMinimumSize);
   rows->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   rows->setSpacing(kMargin);
   rows->addWidget(make_heading(title, &dialog));
-  rows->addWidget(make_text(text, &dialog));
+  QLabel* words = make_text(text, &dialog);
+  words->setMinimumWidth(kDialogTextWidth);
+  rows->addWidget(words);
   return rows;
 }
 

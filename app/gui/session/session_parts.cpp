@@ -68,9 +68,9 @@ void SessionParts::set_form(SessionForm form) {
       grid_->addWidget(sight, 0, 2);
       grid_->addWidget(answers, 1, 2);
       grid_->addWidget(notes, 2, 2);
-      grid_->setColumnStretch(0, 40);
-      grid_->setColumnStretch(1, 52);
-      grid_->setColumnStretch(2, 38);
+      grid_->setColumnStretch(0, 42);
+      grid_->setColumnStretch(1, 48);
+      grid_->setColumnStretch(2, 41);
       grid_->setRowStretch(0, 1);
       grid_->setRowStretch(2, 1);
       break;

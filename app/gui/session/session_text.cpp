@@ -133,7 +133,7 @@ QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right)
   const QString outcome = OutcomeWords::of(attempt.outcome);
   if (attempt.outcome != AttemptOutcome::answered) return outcome;
   const QString answers = of_answers(attempt);
-  QString text = answers.isEmpty() ? outcome : tr("%1 %2").arg(outcome, answers);
+  QString text = answers.isEmpty() ? outcome : answers;
   if (tells_right && attempt.correct) {
     text = *attempt.correct ? tr("%1, right").arg(text) : tr("%1, wrong").arg(text);
   }

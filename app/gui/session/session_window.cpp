@@ -170,7 +170,7 @@ void SessionWindow::set_mirror(QWidget* mirror) {
 void SessionWindow::set_participant_window(bool there) { controls_->set_participant_window(there); }
 
 void SessionWindow::fit_form() {
-  const SessionForm form = form_for(width());
+  const SessionForm form = form_for(width(), height());
   // What has come to an end needs no health, and its summary the room.
   health_->setHidden(ended_ && form == SessionForm::narrow);
   header_->set_form(form);

@@ -4514,10 +4514,6 @@
         <translation>noch etwa %1 min</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
@@ -6356,10 +6352,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Zeit, s</translation>
     </message>
     <message>
-        <source>PATH mm, top view</source>
-        <translation>WEG mm, von oben</translation>
-    </message>
-    <message>
         <source>no band</source>
         <translation>kein Soll</translation>
     </message>
@@ -6398,6 +6390,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>strokes: %1, mean %2 mm</source>
         <translation>Striche: %1, Mittel %2 mm</translation>
+    </message>
+    <message>
+        <source>PATH mm</source>
+        <translation>WEG mm</translation>
     </message>
 </context>
 <context>
@@ -7298,6 +7294,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Outcome</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 · attempt %2</source>
+        <translation>%1 · Versuch %2</translation>
     </message>
 </context>
 <context>

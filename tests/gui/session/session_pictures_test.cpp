@@ -26,7 +26,8 @@ struct WindowShape {
   QSize size;
   QSize picture;
 };
-constexpr std::array<WindowShape, 4> kShapes{{{"", {1366, 704}, {1366, 768}},
+constexpr std::array<WindowShape, 5> kShapes{{{"", {1366, 704}, {1366, 768}},
+                                              {"-small", {1270, 688}, {1270, 688}},
                                               {"-large", {1920, 1016}, {1920, 1080}},
                                               {"-half", {683, 700}, {683, 700}},
                                               {"-half-large", {960, 1016}, {960, 1016}}}};

@@ -28,6 +28,7 @@
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
 #include "app/gui/study/settings.h"
+#include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"
 
@@ -152,6 +153,63 @@ TEST(SessionWindow, CanBeCancelledWhileItIsPrepared) {
   preparing.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
   window.show_end({.state = SessionState::stopped});
   EXPECT_TRUE(window.may_close());
+}
+
+// A screen of 1280 × 720, of which a frame takes some.
+TEST(SessionWindow, HasRoomForPlanPlotsAndPhrasesOnASmallScreen) {
+  for (const QSize size : {QSize(1270, 688), QSize(1180, 688), QSize(1180, 800)}) {
+    FilledMonitor session{};
+    session.answer_up_to(16);
+    session.set_phase(SessionPhase::contact);
+    const auto window = session.window();
+    window->resize(size);
+    window->show();
+    const std::string at = std::to_string(size.width()) + " × " + std::to_string(size.height());
+    EXPECT_TRUE(eventually([&] { return clipped_in(*window).isEmpty(); }))
+        << at << clipped_in(*window).join("\n").toStdString();
+    const auto& plan = child<QTableView>(*window, "plan");
+    EXPECT_GE(plan.viewport()->height(), 5 * plan.rowHeight(1)) << at;
+    if (auto* show_notes = window->findChild<QPushButton*>("show_notes");
+        show_notes != nullptr && show_notes->isVisible()) {
+      show_notes->click();
+    }
+    const auto& notes = child<QWidget>(*window, "notes");
+    const int top = notes.mapTo(window.get(), QPoint(0, 0)).y();
+    for (const QPushButton* phrase : window->findChildren<QPushButton*>("phrase")) {
+      if (!phrase->isVisible()) continue;
+      EXPECT_LE(phrase->mapTo(window.get(), QPoint(0, phrase->height())).y(), top) << at;
+    }
+  }
+}
+
+TEST(SessionWindow, NamesEveryOutcomeInFullWhereConditionsAreHidden) {
+  FilledMonitor session{};
+  session.answer_up_to(34);
+  const auto window = session.window();
+  window->resize(1280, 720);
+  window->show();
+  const auto& plan = child<QTableView>(*window, "plan");
+  ASSERT_TRUE(eventually([&] { return plan.columnWidth(2) > 0; }));
+  constexpr int kCellPadding = 16;
+  for (int row = 0; row < plan.model()->rowCount(); ++row) {
+    const QString outcome = plan.model()->index(row, 2).data().toString();
+    EXPECT_LE(plan.fontMetrics().horizontalAdvance(outcome) + kCellPadding, plan.columnWidth(2))
+        << outcome.toStdString();
+  }
+}
+
+TEST(SessionWindow, KeepsTheButtonsOfItsDialogsApart) {
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  child<QPushButton>(*window, "abort").click();
+  auto& dialog = child<QWidget>(*window, "abort_dialog");
+  dialog.resize(300, 200);
+  QCoreApplication::processEvents();
+  const QRect field = child<QLineEdit>(dialog, "reason").geometry();
+  EXPECT_FALSE(field.intersects(child<QPushButton>(dialog, "reason_given").geometry()))
+      << field.width();
 }
 
 TEST(SessionWindow, ShowsNoTimeLeftThatIsUnknown) {
@@ -297,11 +355,11 @@ TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
     return model.index(model.row_of(trial), 2).data().toString();
   };
   EXPECT_TRUE(outcome(11).contains("right")) << outcome(11).toStdString();
-  EXPECT_EQ(outcome(32), "✓ answered 5");
+  EXPECT_EQ(outcome(32), "✓ 5");
   EXPECT_FALSE(child<QLabel>(*window, "last_answer").text().contains("right"));
   child<QPushButton>(*window, "unblind").click();
   give_reason(*window, "a surface feels wrong");
-  EXPECT_EQ(outcome(32), "✓ answered 5, right");
+  EXPECT_EQ(outcome(32), "✓ 5, right");
 }
 
 TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
@@ -316,7 +374,10 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_EQ(text(17, 0), "▶ 17");
   EXPECT_EQ(text(17, 2), "feeling 6.2 s");
   EXPECT_EQ(text(16, 0), "16");
-  EXPECT_TRUE(text(10, 2).endsWith("before: not explored as asked"));
+  EXPECT_TRUE(text(10, 2).endsWith(" · attempt 2")) << text(10, 2).toStdString();
+  const QString history =
+      model.index(model.row_of(10), 2).data(Qt::ToolTipRole).toString().section('\n', 0, 0);
+  EXPECT_TRUE(history.endsWith("before: not explored as asked")) << history.toStdString();
   EXPECT_EQ(text(6, 2), "▲ skipped");
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
@@ -346,7 +407,7 @@ TEST(SessionWindow, MarksTheTrialThatComesInEveryPhaseBetweenTrials) {
   for (const SessionPhase phase :
        {SessionPhase::iti, SessionPhase::feedback, SessionPhase::ready, SessionPhase::questions}) {
     EXPECT_EQ(in(phase), QStringList{"17: next"}) << text_of(phase);
-    EXPECT_TRUE(model.index(model.row_of(16), 2).data().toString().startsWith("✓ answered"));
+    EXPECT_TRUE(model.index(model.row_of(16), 2).data().toString().startsWith("✓ "));
   }
   EXPECT_EQ(in(SessionPhase::rest), QStringList{"17: after the break"});
   EXPECT_EQ(in(SessionPhase::paused), QStringList{"17: paused before it"});
@@ -374,7 +435,7 @@ TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
   session.set_phase(SessionPhase::rest);
   const auto window = session.window();
   session.requests.repeat_last("wrong key");
-  EXPECT_TRUE(marked(*window).join("").startsWith("16: after the break, before: "));
+  EXPECT_TRUE(marked(*window).join("").startsWith("16: after the break · attempt 2"));
   session.requests.stop_after(StopAfter::trial);
   EXPECT_EQ(marked(*window), QStringList{}) << "the session ends";
   session.set_phase(SessionPhase::contact);
@@ -858,15 +919,17 @@ QStringList parts_shown(const QWidget& window) {
   return shown;
 }
 
-TEST(SessionWindow, ShowsItsPartsSideBySideOrOneAtATimeAsItsWidthAllows) {
+TEST(SessionWindow, ShowsItsPartsSideBySideOrOneAtATimeAsItsSizeAllows) {
   FilledMonitor session{};
   session.answer_up_to(16);
   const auto window = session.window();
   const QStringList all{"plan", "force_plot", "last_answer", "note"};
-  for (const int width : {1366, 960, 683, 960, 1366, 683}) {
-    window->resize(width, 700);
-    const bool narrow = width < 840;
-    EXPECT_EQ(parts_shown(*window), narrow ? (QStringList{"plan", "show_plan"}) : all) << width;
+  for (const QSize size : {QSize(1366, 700), QSize(960, 1016), QSize(960, 700), QSize(683, 700),
+                           QSize(960, 1016), QSize(1366, 700), QSize(683, 700)}) {
+    window->resize(size);
+    const bool narrow = size.width() < 840 || (size.width() < 1264 && size.height() < 780);
+    EXPECT_EQ(parts_shown(*window), narrow ? (QStringList{"plan", "show_plan"}) : all)
+        << size.width() << " × " << size.height();
   }
   // By mouse, and by Tab and Space.
   QTest::mouseClick(&child<QPushButton>(*window, "show_plots"), Qt::LeftButton);

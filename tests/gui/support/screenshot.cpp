@@ -9,7 +9,7 @@
 namespace asperity {
 
 void take_screenshot(QWidget& widget, const QString& name) {
-  take_screenshot(widget, name + "_1366x768", {1366, 768});
+  take_screenshot(widget, name + "_1280x720", {1280, 720});
   take_screenshot(widget, name + "_1920x1080", {1920, 1080});
 }
 
