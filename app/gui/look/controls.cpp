@@ -5,6 +5,7 @@
 
 #include <QtGui/QClipboard>
 #include <QtGui/QFontMetrics>
+#include <QtGui/QKeyEvent>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
@@ -52,10 +53,24 @@ void copy_selection(const QTableView& table) {
   if (!text.isEmpty()) QApplication::clipboard()->setText(text);
 }
 
+/// Return and Enter press it while it has the focus, as Space does: outside dialogs Qt leaves that out.
+class Button final : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    const bool presses = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!presses || event->isAutoRepeat()) return QPushButton::keyPressEvent(event);
+    if (menu() != nullptr) return showMenu();
+    click();
+  }
+};
+
 }  // namespace
 
 QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent) {
-  auto* button = new QPushButton(verb, parent);
+  auto* button = new Button(verb, parent);
   button->setProperty("role", role_name(role));
   button->setCheckable(role == ButtonRole::selector);
   if (role == ButtonRole::selector) {

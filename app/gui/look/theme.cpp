@@ -106,7 +106,9 @@ QString style_sheet_of(const Theme& look) {
     QPushButton[role="danger"]:focus { border: 2px solid %text; }
     QPushButton[role="link"] { border: none; background: transparent; color: %press; padding: 0 8px; text-align: left; }
     QPushButton[role="link"]:disabled { color: %muted; }
+    QPushButton[role="link"]:focus { border: 2px solid %press; padding: 0 6px; }
     QPushButton[role="switch"]:checked { background: %press; color: %on_press; border-color: %press; font-weight: bold; }
+    QPushButton[role="switch"]:checked:focus { border: 2px solid %text; }
     QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox {
       min-height: 30px; padding: 0 8px; border: 1px solid %line; border-radius: 4px; background: %panel; color: %text;
       selection-background-color: %press; selection-color: %on_press; }
@@ -137,6 +139,7 @@ QString style_sheet_of(const Theme& look) {
     QCheckBox::indicator:disabled { border-color: %line; background: %ground; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }
+    QTableView:focus, QTreeView:focus, QListView:focus { border-color: %press; }
     QTableView::item, QTreeView::item, QListView::item { border: 0px; padding: 4px 8px; }
     QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: %press; color: %on_press; }
     QHeaderView { background: %raised; }
@@ -154,6 +157,7 @@ QString style_sheet_of(const Theme& look) {
     QScrollArea { border: none; background: transparent; }
     QTabBar::tab { padding: 8px 16px; border: none; border-bottom: 2px solid transparent; }
     QTabBar::tab:selected { border-bottom: 2px solid %press; font-weight: bold; }
+    QTabBar::tab:focus { background: %raised; }
     QTabWidget::pane { border: none; border-top: 1px solid %line; }
     QMenu { background: %panel; border: 1px solid %line; }
     QMenu::item { padding: 6px 24px; }

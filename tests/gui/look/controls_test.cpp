@@ -5,6 +5,7 @@
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
 
@@ -51,6 +52,49 @@ TEST_F(Controls, ShowThatADangerousButtonCannotBePressed) {
     button.setEnabled(false);
     EXPECT_EQ(ground_of(button).name(), theme().raised.name());
     delete &button;
+  }
+}
+
+TEST_F(Controls, ArePressedByReturnAndEnterWhileTheyHaveTheFocus) {
+  QWidget page{};
+  QPushButton& button = *make_button("Start", ButtonRole::plain, &page);
+  int pressed = 0;
+  QObject::connect(&button, &QPushButton::clicked, [&pressed] { ++pressed; });
+  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space}) {
+    QTest::keyClick(&button, key);
+  }
+  EXPECT_EQ(pressed, 3);
+  button.setEnabled(false);
+  QTest::keyClick(&button, Qt::Key_Return);
+  EXPECT_EQ(pressed, 3);
+}
+
+TEST_F(Controls, ShowWhichOneHasTheFocus) {
+  QWidget page{};
+  page.resize(600, 200);
+  auto* other = new QLineEdit(&page);
+  const auto picture = [](QWidget& widget) { return widget.grab().toImage(); };
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, choice);
+    for (const ButtonRole role : {ButtonRole::plain, ButtonRole::primary, ButtonRole::danger,
+                                  ButtonRole::link, ButtonRole::selector}) {
+      for (const bool checked : {false, true}) {
+        if (checked && role != ButtonRole::selector) continue;
+        QPushButton& button = *make_button("Start", role, &page);
+        button.resize(200, 40);
+        button.setChecked(checked);
+        page.show();
+        page.activateWindow();
+        button.show();
+        other->setFocus();
+        ASSERT_TRUE(eventually([&] { return other->hasFocus(); }));
+        const QImage without = picture(button);
+        button.setFocus();
+        EXPECT_NE(picture(button), without)
+            << static_cast<int>(role) << (checked ? " checked" : "");
+        delete &button;
+      }
+    }
   }
 }
 
