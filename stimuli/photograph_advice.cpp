@@ -80,11 +80,13 @@ PhotographEvidence examine_photograph(const GreyImage& photograph, const Texture
           .direction_rad = 0.5 * std::atan2(2.0 * xy, xx - yy)};
 }
 
-PhotographResemblance resemblance(const PhotographEvidence& evidence) noexcept {
-  if (evidence.anisotropy > kDirected) return PhotographResemblance::directed;
-  if (evidence.skewness < -kSkewed) return PhotographResemblance::dark_grooves;
-  if (evidence.skewness > kSkewed) return PhotographResemblance::bright_spots;
-  return PhotographResemblance::nothing_clear;
+std::vector<PhotographResemblance> resemblances(const PhotographEvidence& evidence) {
+  std::vector<PhotographResemblance> found{};
+  if (evidence.anisotropy > kDirected) found.push_back(PhotographResemblance::directed);
+  if (evidence.skewness < -kSkewed) found.push_back(PhotographResemblance::dark_grooves);
+  if (evidence.skewness > kSkewed) found.push_back(PhotographResemblance::bright_spots);
+  if (found.empty()) found.push_back(PhotographResemblance::nothing_clear);
+  return found;
 }
 
 std::string advice(const PhotographEvidence& evidence) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stimuli/texture_from_photograph.h"
 
@@ -26,7 +27,7 @@ struct PhotographEvidence {
 PhotographEvidence examine_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
                                       const std::string& name);
 
-/// The first that applies, in this order.
+/// What a photograph may show.
 enum class PhotographResemblance {
   directed,       ///< light from one side, or a surface with a grain
   dark_grooves,   ///< brightness may follow height, bright = high
@@ -34,7 +35,8 @@ enum class PhotographResemblance {
   nothing_clear,  ///< the picture does not say
 };
 
-PhotographResemblance resemblance(const PhotographEvidence& evidence) noexcept;
+/// All that apply, in the order of their declaration; `nothing_clear` alone.
+std::vector<PhotographResemblance> resemblances(const PhotographEvidence& evidence);
 
 /// Some sentences for the person who took the picture: which case it resembles, the numbers, how to
 /// choose the sign, and what no single photograph can tell.

@@ -147,7 +147,7 @@ TEST(SyntheticPhotograph, RefusesSettingsThatNoCameraHas) {
 }
 
 PhotographResemblance seen_in(const HeightField& relief, const PhotographSettings& settings) {
-  return resemblance(examine_photograph(photograph_of(relief, settings), {}, "synthetic"));
+  return resemblances(examine_photograph(photograph_of(relief, settings), {}, "synthetic")).front();
 }
 
 TEST(PhotographAdvice, SeesTheDirectionOfOneSidedLight) {
@@ -156,9 +156,17 @@ TEST(PhotographAdvice, SeesTheDirectionOfOneSidedLight) {
         surface(kind),
         {.photograph_case = PhotographCase::lambert, .light_azimuth_rad = std::numbers::pi / 3.0});
     const PhotographEvidence evidence = examine_photograph(picture, {}, "synthetic");
-    EXPECT_EQ(resemblance(evidence), PhotographResemblance::directed) << kind;
+    EXPECT_EQ(resemblances(evidence).front(), PhotographResemblance::directed) << kind;
     EXPECT_NEAR(evidence.direction_rad, std::numbers::pi / 3.0, 0.2) << kind;
   }
+}
+
+TEST(PhotographAdvice, NamesEveryResemblance) {
+  using enum PhotographResemblance;
+  EXPECT_EQ(resemblances({.skewness = 2.0, .anisotropy = 0.9}),
+            (std::vector{directed, bright_spots}));
+  EXPECT_EQ(resemblances({.skewness = -2.0, .anisotropy = 0.0}), std::vector{dark_grooves});
+  EXPECT_EQ(resemblances({}), std::vector{nothing_clear});
 }
 
 TEST(PhotographAdvice, CannotTellGrainFromOneSidedLight) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include <QtCore/QStringList>
 #include <QtGui/QImage>
@@ -27,7 +28,7 @@ struct OpenedPicture {
   std::shared_ptr<PhotographPreviews> dragged{};
   QImage original{};
   std::string advice{};
-  PhotographResemblance resemblance = PhotographResemblance::nothing_clear;
+  std::vector<PhotographResemblance> resemblances{};
   QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think
 
   bool is_photograph() const noexcept { return resting != nullptr; }

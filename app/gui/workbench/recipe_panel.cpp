@@ -140,7 +140,14 @@ void RecipePanel::show_opened(const OpenedPicture& opened) {
   const QSignalBlocker quiet(kind_);
   kind_->setCurrentIndex(bright_high);
   say_what_it_shows(bright_high);
-  const QString hint = hint_of(opened.resemblance);
+  // What is said of the sign stands next to its choice.
+  QStringList hints{};
+  for (const PhotographResemblance each : opened.resemblances) {
+    const QString words = hint_of(each);
+    if (words.isEmpty()) continue;
+    each == PhotographResemblance::bright_spots ? hints.prepend(words) : hints.append(words);
+  }
+  const QString hint = hints.join(' ');
   hint_->set_state(State::look, hint);
   hint_->setVisible(!hint.isEmpty());
 }

@@ -131,6 +131,7 @@ void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
   name_->setText(opened_->is_photograph()
                      ? proposed_name(opened_->file, study_.folder() / "stimuli")
                      : QString::fromStdString(opened_->file.stem().string()));
+  name_->setCursorPosition(0);  // a long name is read from its beginning
   check_name();
 }
 

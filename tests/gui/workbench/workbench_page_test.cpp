@@ -28,7 +28,9 @@
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/workbench/force_comparison.h"
+#include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/parameter_form.h"
+#include "app/gui/workbench/recipe_panel.h"
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "app/tasks/new_study.h"
@@ -230,6 +232,27 @@ TEST_F(Workbench, SaysWhatAPhotographInSideLightIsWorth) {
   find<QComboBox>("kind").setCurrentIndex(2);
   EXPECT_TRUE(find<QLabel>("expectation").text().contains("slope towards the light"));
   EXPECT_TRUE(find<QLabel>("advice").text().contains("anisotropy"));
+}
+
+TEST_F(Workbench, SaysWhatTheSignDependsOnNextToItsChoiceWhateverElseThePhotographShows) {
+  RecipePanel panel{};
+  OpenedPicture opened{};
+  opened.resemblances = {PhotographResemblance::directed, PhotographResemblance::bright_spots};
+  panel.show_opened(opened);
+  const QString hint = child<QLabel>(panel, "hint").text();
+  ASSERT_TRUE(hint.contains("light mortar")) << hint.toStdString();
+  EXPECT_TRUE(hint.contains("light from one side"));
+  EXPECT_LT(hint.indexOf("light mortar"), hint.indexOf("light from one side"));
+}
+
+TEST_F(Workbench, ShowsALongNameFromItsBeginning) {
+  const std::filesystem::path plain = photograph("brick", 256);
+  const std::filesystem::path file =
+      plain.parent_path() / "a_wall_of_bricks_in_the_sun_as_it_was_in_the_morning_of_may.png";
+  std::filesystem::copy_file(plain, file);
+  drop(file);
+  EXPECT_EQ(find<QLineEdit>("name").cursorPosition(), 0);
+  EXPECT_TRUE(find<QLineEdit>("name").text().startsWith("a_wall_of_bricks"));
 }
 
 TEST_F(Workbench, SavesFilesThatAreReadBackAndTellsTheStudy) {
