@@ -32,6 +32,7 @@ bool is_driver_id(const std::string& id) {
 
 Driver simulated_driver() {
   return {.id = "simulated",
+          .name = "Simulated device",
           .summary = "A probe held by a virtual hand, for rehearsal and tests: nobody feels it.",
           .find =
               [](const DriverOptions&) {

@@ -87,6 +87,7 @@ struct DriverSurvey {
 /// seconds. `find` leaves a device that a session uses alone.
 struct Driver {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, the name in `--device` and in DeviceCapability
+  std::string name{};     ///< as people call its devices, "Novint Falcon"; empty: as the id
   std::string summary{};  ///< one sentence
   /// False for one whose devices only tell where the hand is: nobody need be asked before they are measured.
   bool has_motors = true;

@@ -86,6 +86,7 @@ bool PointerDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 
 Driver pointer_driver() {
   return {.id = "mouse",
+          .name = "Mouse or tablet",
           .summary = "Mouse or tablet in a window: moves and presses, and gives no force.",
           .has_motors = false,
           .find =

@@ -76,6 +76,7 @@ bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 Driver replay_driver() {
   return {
       .id = "replay",
+      .name = "Recorded hand",
       .summary = "A recorded hand: moves as somebody once moved, and gives no force.",
       .has_motors = false,
       .find =

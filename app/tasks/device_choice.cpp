@@ -34,6 +34,7 @@ std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surv
       const std::string& tag = found.serial.empty() ? found.place : found.serial;
       choices.push_back({.device = driver.id + (tag.empty() ? "" : ":" + tag),
                          .kind = DeviceKind::attached,
+                         .driver = driver.name,
                          .model = found.model,
                          .remark = found.remark,
                          .hindrance = found.hindrance});
@@ -41,6 +42,7 @@ std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surv
     if (!driver.survey.hindrance.empty()) {
       choices.push_back({.device = driver.id,
                          .kind = DeviceKind::attached,
+                         .driver = driver.name,
                          .hindrance = driver.survey.hindrance});
     }
   }

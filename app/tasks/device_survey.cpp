@@ -33,6 +33,7 @@ std::vector<SurveyedDriver> survey_devices(
   std::vector<SurveyedDriver> surveyed{};
   for (const Driver& driver : drivers.drivers()) {
     surveyed.push_back({.id = driver.id,
+                        .name = driver.name.empty() ? driver.id : driver.name,
                         .summary = driver.summary,
                         .has_motors = driver.has_motors,
                         .survey = drivers.survey(driver, options_of(driver.id))});

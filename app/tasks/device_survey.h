@@ -14,6 +14,7 @@ namespace asperity {
 
 struct SurveyedDriver {
   std::string id{};
+  std::string name{};  ///< never empty
   std::string summary{};
   bool has_motors = true;  ///< Driver::has_motors
   DriverSurvey survey{};

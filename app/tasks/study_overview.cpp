@@ -213,6 +213,12 @@ void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
   stimulus.relief = side_by_side(std::span(&relief, 1), relief_rows);
 }
 
+/// What tells a height field from a picture of a surface.
+bool has_sidecar(const std::filesystem::path& picture) {
+  std::error_code ignored{};
+  return std::filesystem::exists(sidecar_of(picture), ignored);
+}
+
 }  // namespace
 
 bool is_running(const Study& study, const SessionRow& row) {
@@ -360,7 +366,7 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id) {
 int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models) {
   const std::vector<std::filesystem::path> files = files_in(study / "stimuli");
   const auto listed = std::count_if(files.begin(), files.end(), [](const auto& file) {
-    return is_picture_name(file) || is_textured_mesh(file);
+    return is_textured_mesh(file) || (is_picture_name(file) && has_sidecar(file));
   });
   return static_cast<int>(listed) +
          static_cast<int>(shapes_of(sound_protocols(study, models)).size());
@@ -391,11 +397,9 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
     if (!is_picture && !is_textured_mesh(file)) continue;
     StimulusOverview stimulus{};
     stimulus.path = "stimuli/" + file.filename().string();
-    std::error_code ignored{};
-    stimulus.kind = !is_picture ? StimulusKind::textured_mesh
-                    : std::filesystem::exists(sidecar_of(file), ignored)
-                        ? StimulusKind::height_field
-                        : StimulusKind::picture;
+    stimulus.kind = !is_picture         ? StimulusKind::textured_mesh
+                    : has_sidecar(file) ? StimulusKind::height_field
+                                        : StimulusKind::picture;
     if (const auto found = users.find(stimulus.path); found != users.end()) {
       stimulus.used_by = found->second;
     }

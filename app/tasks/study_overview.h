@@ -146,7 +146,7 @@ struct StimulusOverview {
 /// Told of every body while it is in memory, and its place in the list: textures of many bodies are too
 /// much to be kept.
 using BodySeen = std::function<void(std::size_t, const std::shared_ptr<const TexturedMesh>&)>;
-/// How many there are; looks into no picture and makes no body.
+/// How many surfaces there are, without the pictures of them; looks into no picture and makes no body.
 int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models);
 /// Files by path, then shapes by protocol and name, of protocols without a fault. Files that are
 /// neither pictures nor height fields nor textured meshes are left out.

@@ -154,6 +154,7 @@ std::string FalconDevice::trouble() const {
 
 Driver falcon_driver() {
   return {.id = "falcon",
+          .name = "Novint Falcon",
           .summary = "Novint Falcon: three degrees of freedom with force, over USB.",
           .velocity = falcon::LineSettings{}.velocity,
           .find =

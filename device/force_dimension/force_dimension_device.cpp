@@ -637,6 +637,7 @@ bool agrees_now(const DriverOptions& options, const std::string& sentence) {
 
 Driver force_dimension_driver() {
   return {.id = "force_dimension",
+          .name = "Force Dimension",
           .summary = "delta, omega, sigma and lambda of Force Dimension, through the maker's SDK.",
           .velocity = ForceDimensionDevice::kWindow,
           .find =

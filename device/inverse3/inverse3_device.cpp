@@ -503,6 +503,7 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
 
 Driver inverse3_driver(const Inverse3Patience& patience) {
   return {.id = "inverse3",
+          .name = "Haply Inverse3",
           .summary = "Inverse3 of Haply, through the maker's local service.",
           .velocity = kInverse3Window,
           .find = [patience](

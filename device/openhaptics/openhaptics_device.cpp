@@ -344,6 +344,7 @@ std::string OpenHapticsDevice::trouble() const {
 
 Driver openhaptics_driver() {
   return {.id = "openhaptics",
+          .name = "3D Systems Touch and Phantom",
           .summary = "Touch and Phantom of 3D Systems, through OpenHaptics.",
           .velocity = kVelocityWindow,
           .find =

@@ -98,6 +98,7 @@ std::string SpaceMouseDevice::trouble() const {
 Driver spacemouse_driver() {
   return {
       .id = spacemouse::kSpaceMouse,
+      .name = "3Dconnexion SpaceMouse",
       .summary = "SpaceMouse of 3Dconnexion: moves and turns the probe, and gives no force.",
       .has_motors = false,
       .find =

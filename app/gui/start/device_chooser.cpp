@@ -40,8 +40,13 @@ QString name_of_choice(const DeviceChoice& choice) {
     case DeviceKind::attached:
       break;
   }
-  if (choice.model.empty()) return text(choice.device);
-  return DeviceChooser::tr("%1 (%2)").arg(text(choice.model), text(choice.device));
+  const QString driver = text(choice.driver);
+  if (choice.model.empty()) return driver.isEmpty() ? text(choice.device) : driver;
+  const QString model = text(choice.model);
+  QStringList parts{};
+  if (!driver.isEmpty() && !model.contains(driver, Qt::CaseInsensitive)) parts << driver;
+  if (const QString which = text(choice.device).section(':', 1); !which.isEmpty()) parts << which;
+  return parts.isEmpty() ? model : DeviceChooser::tr("%1 (%2)").arg(model, parts.join(", "));
 }
 
 /// What somebody should know who chooses it.

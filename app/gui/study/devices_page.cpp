@@ -158,8 +158,11 @@ void DevicesPage::add_simulated() {
   for (const DeviceCapability& device : device_overviews()) {
     ++simulated_;
     QVBoxLayout* layout = nullptr;
-    QFrame* card = make_device_card(QString::fromStdString(device.name), State::fine, tr("ready"),
-                                    this, layout);
+    const Driver* driver = study().drivers().find(device.name);
+    const bool has_name = driver != nullptr && !driver->name.empty();
+    const std::string& title = has_name ? driver->name : device.name;
+    QFrame* card =
+        make_device_card(QString::fromStdString(title), State::fine, tr("ready"), this, layout);
     layout->addWidget(make_text(QString::fromStdString(device.model), card, true));
     layout->addSpacing(kGrid);
     auto* grid = new QGridLayout();
@@ -275,8 +278,8 @@ void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
 void DevicesPage::add_driver(const SurveyedDriver& driver) {
   const FoundState state = found_state(driver.survey);
   QVBoxLayout* layout = nullptr;
-  QFrame* card =
-      make_device_card(QString::fromStdString(driver.id), state.state, state.words, found_, layout);
+  QFrame* card = make_device_card(QString::fromStdString(driver.name), state.state, state.words,
+                                  found_, layout);
   card->setObjectName("device_" + QString::fromStdString(driver.id));
   layout->addWidget(make_text(QString::fromStdString(driver.summary), card, true));
   const auto say = [&](const QString& words) {
@@ -290,7 +293,8 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   };
   say(text(driver.survey.found));
   for (const AttachedDevice& device : driver.survey.attached) {
-    attached_ += device.is_usable() ? 1 : 0;
+    // The mouse is always there: it says nothing of what is attached.
+    attached_ += device.is_usable() && driver.id != kMouseDriver ? 1 : 0;
     QLabel* name = make_text(attached_name(device), card);
     if (!device.is_usable() || driver.id == kMouseDriver) {
       layout->addWidget(name);
@@ -321,7 +325,7 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   if (need_of(driver.id)) {
     QPushButton* button = make_button(tr("Set up…"), ButtonRole::plain, card);
     button->setObjectName("device_setup_" + QString::fromStdString(driver.id));
-    button->setAccessibleName(tr("Set up %1").arg(QString::fromStdString(driver.id)));
+    button->setAccessibleName(tr("Set up %1").arg(QString::fromStdString(driver.name)));
     button->setToolTip(what_to_set_up(driver.id));
     connect(button, &QPushButton::clicked, this, [this, id = driver.id] { set_up(id); });
     layout->addWidget(button, 0, Qt::AlignLeft);

@@ -8803,6 +8803,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>This study can only be read here: no session can be stored.</source>
         <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
     </message>
+    <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SetupCard</name>
