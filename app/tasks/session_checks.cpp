@@ -292,9 +292,9 @@ SessionCheck untried_device_check(const CheckInputs& inputs) {
     check.remedy = phrase("SessionChecks", "Mend it, then try the device again.");
     return check;
   }
-  check.text = phrase("SessionChecks", "\"%1\" has not been tried yet.").with(inputs.device);
+  check.text = phrase("SessionChecks", "“%1” has not been tried yet.").with(inputs.device);
   check.remedy = phrase("SessionChecks",
-                        "Press \"Try this device\" while nobody holds it: it is opened, and the "
+                        "Press “Try this device” while nobody holds it: it is opened, and the "
                         "loop runs for a third of a second without force.");
   return check;
 }
@@ -329,11 +329,11 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   }
   if (!has_motors(*device)) {
     check.text = phrase("SessionChecks",
-                        "\"%1\" moves and presses, and gives no force: nobody feels anything.")
+                        "“%1” moves and presses, and gives no force: nobody feels anything.")
                      .with(device->name);
   } else {
     check.text = phrase("SessionChecks",
-                        "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
+                        "“%1” gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
                      .with(called(*device), fixed(device->peak_force_N, 1),
                            fixed(device->maximum_rate_Hz, 0), fixed(protocol.force_limit_N, 1),
                            fixed(protocol.rate_Hz, 0));
@@ -342,7 +342,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (!before.empty()) {
     check.state = State::look;
     check.text =
-        phrase("SessionChecks", "%1 The session last ran on \"%2\".").with(check.text, before);
+        phrase("SessionChecks", "%1 The session last ran on “%2”.").with(check.text, before);
     check.remedy =
         phrase("SessionChecks",
                "Choose the device that it last ran on, unless another one is meant; the change is "

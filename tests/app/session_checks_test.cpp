@@ -313,7 +313,7 @@ TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
   inputs.device = "falcon:A7";
   inputs.pacing = RunPacing::real_time;
   EXPECT_EQ(check("device").state, State::stop);
-  EXPECT_NE(check("device").text.english().find("\"falcon:A7\" has not been tried"),
+  EXPECT_NE(check("device").text.english().find("“falcon:A7” has not been tried"),
             std::string::npos);
   EXPECT_EQ(check("force_zero").id, "absent");
   EXPECT_EQ(check("rate").id, "absent");
@@ -545,7 +545,7 @@ TEST_F(RehearsedChecks, SayThatASessionLastRanOnAnotherDevice) {
   inputs.participant = "virtual0001";
   inputs.mode = SessionMode::simulate;
   inputs.resume = true;
-  EXPECT_NE(check("device").text.english().find("last ran on \"simulated"), std::string::npos)
+  EXPECT_NE(check("device").text.english().find("last ran on “simulated"), std::string::npos)
       << check("device").text.english();
   inputs.device = "simulated";
   inputs.tried = nullptr;

@@ -410,7 +410,7 @@ void DeviceTestPage::show_limits() {
     limits_text_->setText(
         found_.limits.empty()
             ? tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of "
-                 "the study that has \"limits\" in its \"device\" would be listed here.")
+                 "the study that has “limits” in its “device” would be listed here.")
             : tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms."));
     return;
   }

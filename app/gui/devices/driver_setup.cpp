@@ -262,8 +262,8 @@ bool DriverSetup::take(Line& line) {
   if (line.need != DriverNeed::service && !typed.isEmpty()) {
     const std::filesystem::path file = path_of_text(typed);
     if (!file.is_absolute()) {
-      line.found->set_state(
-          State::stop, tr("The file has to be written in full, beginning with \"/\" or \"~\"."));
+      line.found->set_state(State::stop,
+                            tr("The file has to be written in full, beginning with “/” or “~”."));
       return false;
     }
     place = file.string();

@@ -305,12 +305,12 @@ std::vector<QString> ParticipantCard::complaints() const {
   } else if (const auto complaint = complaint_about_label(label(), false)) {
     complaints.push_back(
         tr("The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not "
-           "begin with \"virtual\"."));
+           "begin with “virtual”."));
   } else if (std::any_of(people_.begin(), people_.end(), [this](const ParticipantRow& person) {
                return person.label == label();
              })) {
-    complaints.push_back(tr("%1 is in the study already: choose them under \"Already in the "
-                            "study\", or enter another label.")
+    complaints.push_back(tr("%1 is in the study already: choose them under “Already in the "
+                            "study”, or enter another label.")
                              .arg(QString::fromStdString(label())));
   }
   for (QString& complaint : form_->complaints()) complaints.push_back(std::move(complaint));

@@ -17,10 +17,9 @@ QString news_text(const BrokenOffSession& session, const QString& study) {
           ? QCoreApplication::translate("asperity::BrokenOffNews",
                                         "Session %1 of %2 was broken off: %3 of its %4 trials are "
                                         "done and stored.")
-          : QCoreApplication::translate(
-                "asperity::BrokenOffNews",
-                "Session %1 of %2 in the study \"%5\" was broken off: %3 of "
-                "its %4 trials are done and stored.");
+          : QCoreApplication::translate("asperity::BrokenOffNews",
+                                        "Session %1 of %2 in the study “%5” was broken off: %3 of "
+                                        "its %4 trials are done and stored.");
   const QString filled =
       text.arg(session.row.session).arg(participant).arg(session.trials_done).arg(session.trials);
   return study.isEmpty() ? filled : filled.arg(study);

@@ -86,10 +86,10 @@ QString NewStudyDialog::complaint() const {
   const QString name = name_->text().trimmed();
   if (name.isEmpty()) return tr("The study needs a name.");
   if (name.contains('/') || name == "." || name == "..") {
-    return tr("The name becomes that of a folder: it cannot be \"%1\".").arg(name);
+    return tr("The name becomes that of a folder: it cannot be “%1”.").arg(name);
   }
   if (!path_of_text(place_->text().trimmed()).is_absolute()) {
-    return tr("The folder has to be written in full, beginning with \"/\" or \"~\".");
+    return tr("The folder has to be written in full, beginning with “/” or “~”.");
   }
   std::error_code ignored{};
   if (std::filesystem::exists(folder(), ignored)) {

@@ -42,7 +42,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   set_empty_state(new EmptyState(
       tr("Nobody has taken part yet"),
       tr("A participant is added when their first session starts: choose a protocol on the page "
-         "Protocols and press \"Start session…\". The label is suggested, the protocol's questions "
+         "Protocols and press “Start session…”. The label is suggested, the protocol's questions "
          "are asked there."),
       this));
 

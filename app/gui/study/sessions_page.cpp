@@ -93,8 +93,8 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
   setObjectName("sessions_page");
   set_empty_state(new EmptyState(
       tr("No session yet"),
-      tr("Choose a protocol on the page Protocols and press \"Start session…\". To see first what "
-         "comes out, press \"Simulate…\" there: virtual participants take minutes off an hour."),
+      tr("Choose a protocol on the page Protocols and press “Start session…”. To see first what "
+         "comes out, press “Simulate…” there: virtual participants take minutes off an hour."),
       this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("sessions_filter");

@@ -118,7 +118,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   setObjectName("stimuli_page");
   set_empty_state(new EmptyState(tr("No stimuli yet"),
                                  tr("Stimuli are pictures, height fields and textured meshes in "
-                                    "the study's folder \"stimuli\", "
+                                    "the study's folder “stimuli”, "
                                     "and the bodies of its protocols. Make one from a photograph "
                                     "on the page Workbench, or copy "
                                     "files there: they appear here at once."),

@@ -4036,10 +4036,6 @@
         <translation>Ein anderes Gerät wählen oder im Protokoll weniger verlangen.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.</source>
-        <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
-    </message>
-    <message>
         <source>Not needed: nothing is held in a fast simulation.</source>
         <translation>Nicht nötig: In einer schnellen Simulation wird nichts gehalten.</translation>
     </message>
@@ -4236,20 +4232,8 @@
         <translation>Beheben Sie das und probieren Sie das Gerät erneut aus.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has not been tried yet.</source>
-        <translation>„%1“ wurde noch nicht ausprobiert.</translation>
-    </message>
-    <message>
-        <source>Press &quot;Try this device&quot; while nobody holds it: it is opened, and the loop runs for a third of a second without force.</source>
-        <translation>Drücken Sie „Dieses Gerät ausprobieren“, während es niemand hält: Es wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
-    </message>
-    <message>
         <source>Mend it, then look for devices again; or choose another device.</source>
         <translation>Beheben Sie das und suchen Sie erneut nach Geräten, oder wählen Sie ein anderes Gerät.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; moves and presses, and gives no force: nobody feels anything.</source>
-        <translation>„%1“ bewegt und drückt, gibt aber keine Kraft: Niemand fühlt etwas.</translation>
     </message>
     <message>
         <source>Measured within the last day</source>
@@ -4324,10 +4308,6 @@
         <translation>Messen Sie ein echtes, sobald es da ist.</translation>
     </message>
     <message>
-        <source>%1 The session last ran on &quot;%2&quot;.</source>
-        <translation>%1 Die Sitzung lief zuletzt auf „%2“.</translation>
-    </message>
-    <message>
         <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
         <translation>Wählen Sie das Gerät, auf dem sie zuletzt lief, wenn kein anderes gemeint ist; der Wechsel wird gespeichert und steht im Bericht.</translation>
     </message>
@@ -4358,6 +4338,26 @@
     <message>
         <source>The reason is stored and stated in the report.</source>
         <translation>Der Grund wird gespeichert und im Bericht genannt.</translation>
+    </message>
+    <message>
+        <source>“%1” has not been tried yet.</source>
+        <translation>„%1“ wurde noch nicht ausprobiert.</translation>
+    </message>
+    <message>
+        <source>Press “Try this device” while nobody holds it: it is opened, and the loop runs for a third of a second without force.</source>
+        <translation>Drücken Sie „Dieses Gerät ausprobieren“, während es niemand hält: Es wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+    </message>
+    <message>
+        <source>“%1” moves and presses, and gives no force: nobody feels anything.</source>
+        <translation>„%1“ bewegt und drückt, gibt aber keine Kraft: Niemand fühlt etwas.</translation>
+    </message>
+    <message>
+        <source>“%1” gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.</source>
+        <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
+    </message>
+    <message>
+        <source>%1 The session last ran on “%2”.</source>
+        <translation>%1 Die Sitzung lief zuletzt auf „%2“.</translation>
     </message>
 </context>
 <context>
@@ -5232,10 +5232,6 @@
         <translation>Sitzung %1 von %2 ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
     </message>
     <message>
-        <source>Session %1 of %2 in the study &quot;%5&quot; was broken off: %3 of its %4 trials are done and stored.</source>
-        <translation>Sitzung %1 von %2 in der Studie „%5“ ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
-    </message>
-    <message>
         <source>None of the study&apos;s protocols is the text that it began with any more: put %1 version %2 back as it was to go on.</source>
         <translation>Kein Protokoll der Studie ist mehr der Text, mit dem sie begann: Zum Fortsetzen %1 Version %2 unverändert zurücklegen.</translation>
     </message>
@@ -5250,6 +5246,10 @@
     <message>
         <source>Go on with session %1 of %2</source>
         <translation>Sitzung %1 von %2 fortsetzen</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2 in the study “%5” was broken off: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1 von %2 in der Studie „%5“ ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -5616,10 +5616,6 @@
         <translation>Asperity, die üblichen</translation>
     </message>
     <message>
-        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of the study that has &quot;limits&quot; in its &quot;device&quot; would be listed here.</source>
-        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms. Ein Protokoll der Studie mit „limits“ in seinem „device“ stünde hier.</translation>
-    </message>
-    <message>
         <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms.</source>
         <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms.</translation>
     </message>
@@ -5662,6 +5658,10 @@
     <message>
         <source>The profile is kept as %1.</source>
         <translation>Das Profil ist gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of the study that has “limits” in its “device” would be listed here.</source>
+        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms. Ein Protokoll der Studie mit „limits“ in seinem „device“ stünde hier.</translation>
     </message>
 </context>
 <context>
@@ -6005,16 +6005,16 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>The file has to be written in full, beginning with &quot;/&quot; or &quot;~&quot;.</source>
-        <translation>Die Datei muss vollständig geschrieben sein und mit „/“ oder „~“ beginnen.</translation>
-    </message>
-    <message>
         <source>Looking…</source>
         <translation>Wird gesucht…</translation>
     </message>
     <message>
         <source>Devices could not be looked for: %1</source>
         <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
+    </message>
+    <message>
+        <source>The file has to be written in full, beginning with “/” or “~”.</source>
+        <translation>Die Datei muss vollständig geschrieben sein und mit „/“ oder „~“ beginnen.</translation>
     </message>
 </context>
 <context>
@@ -6837,20 +6837,20 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Die Studie braucht einen Namen.</translation>
     </message>
     <message>
-        <source>The name becomes that of a folder: it cannot be &quot;%1&quot;.</source>
-        <translation>Der Name wird der eines Ordners: „%1“ geht nicht.</translation>
-    </message>
-    <message>
-        <source>The folder has to be written in full, beginning with &quot;/&quot; or &quot;~&quot;.</source>
-        <translation>Der Ordner muss vollständig angegeben sein, mit „/“ oder „~“ am Anfang.</translation>
-    </message>
-    <message>
         <source>There is something at %1 already; choose another name.</source>
         <translation>Bei %1 gibt es schon etwas; ein anderer Name ist nötig.</translation>
     </message>
     <message>
         <source>The study will lie in %1.</source>
         <translation>Die Studie wird in %1 liegen.</translation>
+    </message>
+    <message>
+        <source>The name becomes that of a folder: it cannot be “%1”.</source>
+        <translation>Der Name wird der eines Ordners: „%1“ geht nicht.</translation>
+    </message>
+    <message>
+        <source>The folder has to be written in full, beginning with “/” or “~”.</source>
+        <translation>Der Ordner muss vollständig angegeben sein, mit „/“ oder „~“ am Anfang.</translation>
     </message>
 </context>
 <context>
@@ -7085,14 +7085,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Die neue Versuchsperson hat kein Kürzel.</translation>
     </message>
     <message>
-        <source>The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not begin with &quot;virtual&quot;.</source>
-        <translation>Das Kürzel darf 1 bis 32 Buchstaben und Ziffern haben (0-9, A-Z, a-z) und nicht mit „virtual“ beginnen.</translation>
-    </message>
-    <message>
-        <source>%1 is in the study already: choose them under &quot;Already in the study&quot;, or enter another label.</source>
-        <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
-    </message>
-    <message>
         <source>%1 years</source>
         <translation>%1 Jahre</translation>
     </message>
@@ -7124,6 +7116,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Reason for resuming it *</source>
         <translation>Grund für die Fortsetzung *</translation>
     </message>
+    <message>
+        <source>The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not begin with “virtual”.</source>
+        <translation>Das Kürzel darf 1 bis 32 Buchstaben und Ziffern haben (0-9, A-Z, a-z) und nicht mit „virtual“ beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 is in the study already: choose them under “Already in the study”, or enter another label.</source>
+        <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ParticipantView</name>
@@ -7152,10 +7152,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Nobody has taken part yet</source>
         <translation>Noch hat niemand teilgenommen</translation>
-    </message>
-    <message>
-        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press &quot;Start session…&quot;. The label is suggested, the protocol&apos;s questions are asked there.</source>
-        <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -7224,6 +7220,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 (withdrawn)</source>
         <translation>%1 (zurückgezogen)</translation>
+    </message>
+    <message>
+        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press “Start session…”. The label is suggested, the protocol&apos;s questions are asked there.</source>
+        <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
     </message>
 </context>
 <context>
@@ -8708,10 +8708,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Noch keine Sitzung</translation>
     </message>
     <message>
-        <source>Choose a protocol on the page Protocols and press &quot;Start session…&quot;. To see first what comes out, press &quot;Simulate…&quot; there: virtual participants take minutes off an hour.</source>
-        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
-    </message>
-    <message>
         <source>Filter: participant, protocol, state</source>
         <translation>Filter: Vp, Protokoll, Zustand</translation>
     </message>
@@ -8806,6 +8802,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 virtual</source>
         <translation>%1 virtuell</translation>
+    </message>
+    <message>
+        <source>Choose a protocol on the page Protocols and press “Start session…”. To see first what comes out, press “Simulate…” there: virtual participants take minutes off an hour.</source>
+        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
     </message>
 </context>
 <context>
@@ -9283,16 +9283,16 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>%1 × %2 × %3</translation>
     </message>
     <message>
-        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder &quot;stimuli&quot;, and the bodies of its protocols. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
-        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Erzeugen Sie einen aus einem Foto auf der Seite Werkstatt oder kopieren Sie Dateien dorthin: Sie erscheinen hier sofort.</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
         <source>Made from %1.</source>
         <translation>Hergestellt aus %1.</translation>
+    </message>
+    <message>
+        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
+        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Erzeugen Sie einen aus einem Foto auf der Seite Werkstatt oder kopieren Sie Dateien dorthin: Sie erscheinen hier sofort.</translation>
     </message>
 </context>
 <context>

@@ -251,7 +251,7 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
   window_.close_study();
   auto& banner = child<Banner>(window_, "welcome_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
-  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study \"demo\" was broken off:"))
+  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was broken off:"))
       << banner.text().toStdString();
   take_screenshot(window_, "study-welcome-broken-off");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
