@@ -115,6 +115,14 @@ bool is_readable_by_others(const std::filesystem::path& study) {
   return others_may(folder, S_IROTH) || others_may(folder / "study.sqlite", S_IROTH);
 }
 
+bool is_shared_with_group(const std::filesystem::path& study) {
+  const auto group_may = [](const std::filesystem::path& path, mode_t what) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && (status.st_mode & what) == what;
+  };
+  return group_may(study, kSharedFolder) && group_may(study / "study.sqlite", kSharedFile);
+}
+
 std::vector<std::string> own_groups() {
   std::vector<gid_t> numbers{::getegid()};
   const int count = ::getgroups(0, nullptr);

@@ -36,6 +36,9 @@ void require_group(const std::string& group);
 /// folder and of those above it.
 bool is_readable_by_others(const std::filesystem::path& study);
 
+/// Whether the members of the study's group can read and change it, as `share_study` leaves it.
+bool is_shared_with_group(const std::filesystem::path& study);
+
 /// The names of the groups of the user who runs the program, sorted: those that a study of theirs can be given to.
 std::vector<std::string> own_groups();
 

@@ -243,7 +243,9 @@ bool SessionCourse::has_lost_noise() const {
 
 MaskingState SessionCourse::masking_state() const {
   if (!plays_noise() || phase_ == SessionPhase::ended) return MaskingState::none;
-  if (!links_.sound->is_heard()) return MaskingState::no_card;
+  if (!links_.sound->is_heard()) {
+    return links_.sound->is_attested() ? MaskingState::elsewhere : MaskingState::no_card;
+  }
   if (!links_.sound->is_running()) return MaskingState::silent;
   return masking_ ? MaskingState::on : MaskingState::off;
 }

@@ -83,11 +83,12 @@ struct SessionFacts {
 
 /// What is to be heard of the masking noise.
 enum class MaskingState {
-  none,    ///< the protocol wants none, nothing plays in this session, or it has ended
-  off,     ///< it can sound, and there is nothing to mask now
-  on,      ///< sounding
-  silent,  ///< the sound card does not play
-  no_card  ///< there is no sound card, and nobody hears it
+  none,      ///< the protocol wants none, nothing plays in this session, or it has ended
+  off,       ///< it can sound, and there is nothing to mask now
+  on,        ///< sounding
+  silent,    ///< the sound card does not play
+  no_card,   ///< there is no sound card, and nobody hears it
+  elsewhere  ///< likewise, but a person has measured the noise that something else plays
 };
 
 /// How the servo loop has kept time in the last seconds.

@@ -41,6 +41,8 @@ struct MaskingNoise {
   std::optional<double> declared_dBA{};  ///< by the protocol
   std::optional<double> measured_dBA{};  ///< at the ear, by a person
   std::string verified_by{};
+
+  bool is_attested() const noexcept { return measured_dBA && !verified_by.empty(); }
 };
 
 /// Plays masking noise and mixes cues into it.
@@ -63,6 +65,9 @@ class Sound {
   virtual bool is_running() const = 0;
   /// There is a sound card. Without one, samples are consumed all the same, and nobody hears them.
   virtual bool is_heard() const = 0;
+  /// A person has measured at the ear, and answers for, what is to be heard: without a sound card that comes
+  /// from elsewhere.
+  virtual bool is_attested() const = 0;
   /// What is stored with the session: kind, gain, levels, who verified them, output device.
   virtual std::string description_json() const = 0;
 

@@ -613,8 +613,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
   // A pilot may find out what the level has to be; study data needs it as declared.
   const State when_wrong = inputs.mode == SessionMode::run ? State::stop : State::look;
   // Without a sound output somebody has to have measured, and to answer for, what is heard instead.
-  const bool is_vouched_for = inputs.noise.measured_dBA && !inputs.noise.verified_by.empty();
-  if (!inputs.sound_card && !is_vouched_for) {
+  if (!inputs.sound_card && !inputs.noise.is_attested()) {
     check.state = when_wrong;
     check.text =
         phrase("SessionChecks",
@@ -625,7 +624,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
         "ear, and enter the level and your name.");
     return check;
   }
-  if (!inputs.noise.measured_dBA || inputs.noise.verified_by.empty()) {
+  if (!inputs.noise.is_attested()) {
     check.state = when_wrong;
     check.text = inputs.noise.measured_dBA
                      ? phrase("SessionChecks", "It is not said who measured the level at the ear.")

@@ -1039,6 +1039,18 @@ TEST_F(WatchedSession, GoesOnWithoutASoundCardAndSaysThatNobodyHearsItsNoise) {
   EXPECT_TRUE(attempts()[0].valid);
 }
 
+TEST_F(WatchedSession, TakesNoiseFromElsewhereAsHeardOnceItIsAttested) {
+  play_sound();
+  sound_.is_heard = false;
+  sound_.is_attested = true;
+  begin(one_trial(with_noise(small_protocol())));
+  std::set<MaskingState> seen{};
+  rig_->at_pass = [&] { seen.insert(monitor_.snapshot().masking); };
+  run();
+  EXPECT_THAT(seen, Contains(MaskingState::elsewhere));
+  EXPECT_THAT(seen, testing::Not(Contains(MaskingState::no_card)));
+}
+
 TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
   play_sound();
   sound_.is_heard = false;

@@ -91,7 +91,9 @@ TEST(SharedStudy, GivesTheGroupAllThatIsInItAndAllThatComes) {
   std::ofstream(folder / "precious") << "x";
   ASSERT_EQ(::chmod((folder / "precious").c_str(), 0600), 0);
   std::filesystem::create_symlink(folder / "precious", folder / "s/stimuli/link");
+  EXPECT_FALSE(is_shared_with_group(folder / "s"));
   EXPECT_EQ(share_study(folder / "s"), group_of(folder / "s"));
+  EXPECT_TRUE(is_shared_with_group(folder / "s"));
   run_session(folder / "s", "P01");
   write_file(folder / "s/protocols/new.json", "{}", Overwrite::refuse);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "s")) {

@@ -26,6 +26,7 @@ class SoundLog final {
 
   std::atomic<bool> is_running{true};
   std::atomic<bool> is_heard{true};
+  std::atomic<bool> is_attested{false};
   std::function<std::int64_t()> now_ns = [] {
     return 0;
   };  ///< for `masking`; set before the session
@@ -75,6 +76,7 @@ class ScriptedSound final : public Sound {
   }
   bool is_running() const override { return log_.is_running; }
   bool is_heard() const override { return log_.is_heard; }
+  bool is_attested() const override { return log_.is_attested; }
   std::string description_json() const override { return R"({"kind":"pink"})"; }
 
  private:

@@ -79,6 +79,8 @@ QString HealthLine::text_of(MaskingState masking) {
       return tr("the sound card does not play: no masking noise");
     case MaskingState::no_card:
       return tr("no sound card: no masking noise");
+    case MaskingState::elsewhere:
+      return tr("masking noise from elsewhere, as measured");
   }
   return {};
 }

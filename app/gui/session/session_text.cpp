@@ -60,7 +60,9 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::idle:
       return tr("The session has not begun");
     case SessionPhase::ready:
-      return tr("Getting ready: the participant reads, or the device is checked");
+      return snapshot.trials > 0 && snapshot.trials_done >= snapshot.trials
+                 ? tr("After the last trial: the participant reads")
+                 : tr("Getting ready: the participant reads, or the device is checked");
     case SessionPhase::iti:
       return to_come > 0 ? tr("Between trials, next is trial %1").arg(to_come)
                          : tr("Between trials");

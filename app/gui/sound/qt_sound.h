@@ -43,6 +43,7 @@ class QtSound final : public Sound {
   void set_guide(GuideTone tone) override;
   bool is_running() const override { return stream_.is_running(); }
   bool is_heard() const override { return !is_null(); }
+  bool is_attested() const override { return noise_.is_attested(); }
   std::string description_json() const override;
 
   bool is_null() const noexcept { return stream_.output().is_null; }

@@ -11,6 +11,21 @@
 
 namespace asperity {
 
+namespace {
+
+/// Who has the study before anything is changed here.
+QString access_text(const std::filesystem::path& study) {
+  if (is_shared_with_group(study)) {
+    return ShareStudyDialog::tr("At present the study is shared with the group “%1”.")
+        .arg(QString::fromStdString(group_of(study)));
+  }
+  return is_readable_by_others(study)
+             ? ShareStudyDialog::tr("At present every user of this computer can read the study.")
+             : ShareStudyDialog::tr("At present the study is not shared.");
+}
+
+}  // namespace
+
 ShareStudyDialog::ShareStudyDialog(const std::filesystem::path& study, QWidget* parent)
     : QDialog(parent) {
   setObjectName("share_study_dialog");
@@ -21,6 +36,9 @@ ShareStudyDialog::ShareStudyDialog(const std::filesystem::path& study, QWidget* 
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   layout->setSpacing(kMargin);
   layout->addWidget(make_heading(tr("Share the study"), this));
+  auto* at_present = make_text(access_text(study), this);
+  at_present->setObjectName("share_study_now");
+  layout->addWidget(at_present);
   layout->addWidget(make_text(
       tr("Members of the group can read and change everything in %1 and run sessions. Other "
          "users of this computer cannot read it.")

@@ -241,7 +241,7 @@ void WelcomePage::open_demo() {
     return;
   }
   show_working(true);
-  demo_place_->setText(tr("Making six textures in %1…").arg(text_of_path(folder)));
+  demo_place_->setText(tr("Making the demo study in %1…").arg(text_of_path(folder)));
   demo_task_.run<std::filesystem::path>(
       [folder](const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         return made_demo_study(folder, stop, progress);

@@ -4537,6 +4537,10 @@
         <source>time left: –</source>
         <translation>Restzeit: –</translation>
     </message>
+    <message>
+        <source>After the last trial: the participant reads</source>
+        <translation>Nach dem letzten Durchgang: Die Versuchsperson liest</translation>
+    </message>
 </context>
 <context>
     <name>Simulation</name>
@@ -6280,6 +6284,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>no sound card: no masking noise</source>
         <translation>keine Soundkarte: kein Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>masking noise from elsewhere, as measured</source>
+        <translation>Maskierrauschen von anderswo, wie gemessen</translation>
     </message>
 </context>
 <context>
@@ -8881,6 +8889,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Share</source>
         <translation>Freigeben</translation>
     </message>
+    <message>
+        <source>At present the study is shared with the group “%1”.</source>
+        <translation>Derzeit ist die Studie mit der Gruppe „%1“ geteilt.</translation>
+    </message>
+    <message>
+        <source>At present every user of this computer can read the study.</source>
+        <translation>Derzeit kann jeder Nutzer dieses Rechners die Studie lesen.</translation>
+    </message>
+    <message>
+        <source>At present the study is not shared.</source>
+        <translation>Derzeit ist die Studie nicht geteilt.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ShownText</name>
@@ -9827,10 +9847,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>In diesem Ordner ist keine Studie mehr.</translation>
     </message>
     <message>
-        <source>Making six textures in %1…</source>
-        <translation>Sechs Texturen entstehen in %1…</translation>
-    </message>
-    <message>
         <source>The demo study could not be made: %1</source>
         <translation>Die Demostudie konnte nicht angelegt werden: %1</translation>
     </message>
@@ -9849,6 +9865,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
         <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
+    </message>
+    <message>
+        <source>Making the demo study in %1…</source>
+        <translation>Die Demostudie entsteht in %1…</translation>
     </message>
 </context>
 <context>

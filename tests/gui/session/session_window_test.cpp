@@ -212,6 +212,16 @@ TEST(SessionWindow, KeepsTheButtonsOfItsDialogsApart) {
       << field.width();
 }
 
+TEST(SessionWindow, TellsTheLastScreenFromTheFirst) {
+  FilledMonitor session{};
+  session.monitor.update([](SessionSnapshot& s) { s.trials_done = 0; });
+  session.set_phase(SessionPhase::ready);
+  EXPECT_TRUE(child<QLabel>(*session.window(), "now").text().startsWith("Getting ready"));
+  session.monitor.update([](SessionSnapshot& s) { s.trials_done = s.trials; });
+  EXPECT_EQ(child<QLabel>(*session.window(), "now").text(),
+            "After the last trial: the participant reads");
+}
+
 TEST(SessionWindow, ShowsNoTimeLeftThatIsUnknown) {
   SessionMonitor preparing{};
   SessionRequests requests{};
@@ -465,6 +475,9 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   EXPECT_TRUE(health(MaskingState::none).endsWith("0 saturated"));
   EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound card: no masking noise"));
   EXPECT_TRUE(health(MaskingState::no_card).contains("▲"));
+  EXPECT_TRUE(
+      health(MaskingState::elsewhere).endsWith(" · masking noise from elsewhere, as measured"));
+  EXPECT_FALSE(health(MaskingState::elsewhere).contains("▲"));
   EXPECT_TRUE(
       health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
 }

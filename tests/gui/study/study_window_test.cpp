@@ -24,6 +24,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/study/navigation_list.h"
 #include "app/gui/study/settings.h"
+#include "app/gui/study/share_study_dialog.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
@@ -255,7 +256,11 @@ TEST_F(StudyWindowTest, SharesTheStudyWithAGroup) {
   auto& dialog = child<QDialog>(window, "share_study_dialog");
   EXPECT_EQ(child<QComboBox>(dialog, "share_study_group").currentText().toStdString(),
             group_of(folder));
+  EXPECT_EQ(child<QLabel>(dialog, "share_study_now").text(), "At present the study is not shared.");
   click(window, "share_study_share");
+  EXPECT_EQ(
+      child<QLabel>(ShareStudyDialog(folder, nullptr), "share_study_now").text().toStdString(),
+      "At present the study is shared with the group “" + group_of(folder) + "”.");
   EXPECT_EQ(std::filesystem::status(folder).permissions(),
             perms::owner_all | perms::group_all | perms::set_gid);
   EXPECT_EQ(std::filesystem::status(folder / "study.sqlite").permissions(),
