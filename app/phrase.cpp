@@ -58,7 +58,10 @@ std::string Phrase::translated(const LookUp& look_up) const {
     const std::optional<std::size_t> place = place_at(words, i);
     // A label or message may have a per cent sign: it is no place where there is nothing for it.
     if (place && *place < arguments_.size()) {
-      text += arguments_[*place].translated(look_up);
+      const Phrase& argument = arguments_[*place];
+      const bool is_the_same = argument.context_ == nullptr && argument.arguments_.empty();
+      text +=
+          is_the_same ? look_up(nullptr, argument.words_.c_str()) : argument.translated(look_up);
       ++i;
     } else {
       text += words[i];

@@ -48,7 +48,8 @@ class Phrase final {
 
   std::string english() const;
   bool operator==(const Phrase& other) const { return english() == other.english(); }
-  /// Gives the words that stand for `words` of `context`, UTF-8, or `words`.
+  /// Gives the words that stand for `words` of `context`, UTF-8, or `words`. Without a context (null) it is an
+  /// argument that is the same in every language, but for the decimal point of a number.
   using LookUp = std::function<std::string(const char* context, const char* words)>;
   std::string translated(const LookUp& look_up) const;
 

@@ -47,6 +47,13 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+std::string with_decimal_point(const std::string& typed) {
+  std::string with_point = typed;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  const bool is_clear = with_point == typed || !is_unclear_estimate(typed);
+  return is_clear && number_in(with_point) ? with_point : typed;
+}
+
 std::optional<Saying> refusal_of(const Question& question, std::string& answer) {
   if (answer.empty()) {
     if (question.optional) return {};
@@ -56,6 +63,7 @@ std::optional<Saying> refusal_of(const Question& question, std::string& answer) 
     case Question::Form::text:
       return {};
     case Question::Form::number: {
+      answer = with_decimal_point(answer);
       const std::optional<double> number = number_in(answer);
       const bool low = number && question.minimum && *number < *question.minimum;
       const bool high = number && question.maximum && *number > *question.maximum;

@@ -12,9 +12,13 @@
 namespace asperity {
 
 /// What a person who is being asked is told when their answer is not acceptable; nothing when it is.
-/// `answer` may be the number of an option; it is then replaced by the option.
+/// `answer` may be the number of an option; it is then replaced by the option. A decimal comma
+/// of a number is replaced by a point.
 std::optional<Saying> refusal_of(const Question& question, std::string& answer);
 
+/// A number that was typed with a decimal comma, with a point, as numbers are stored; any other text unchanged, also
+/// one that might be thousands (is_unclear_estimate).
+std::string with_decimal_point(const std::string& typed);
 /// The number above 0 that was typed, its decimals after a point or a comma; nothing when it is none,
 /// and when it might be thousands (is_unclear_estimate).
 std::optional<double> estimate_in(const std::string& text);

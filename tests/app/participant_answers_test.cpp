@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-
+#include "app/conductor/form_answer.h"
 namespace asperity {
 namespace {
 
@@ -46,6 +46,21 @@ TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
   EXPECT_TRUE(complaint_about_answer(hand, "both"));
   const Question free_text{.prompt = "Else?", .form = Question::Form::text, .optional = true};
   EXPECT_FALSE(complaint_about_answer(free_text, ""));
+}
+
+TEST(AnswerOfAParticipant, MayHaveADecimalComma) {
+  EXPECT_EQ(with_decimal_point("1,75"), "1.75");
+  EXPECT_EQ(with_decimal_point("1.75"), "1.75");
+  EXPECT_EQ(with_decimal_point("1,750"), "1,750") << "thousands, perhaps";
+  EXPECT_EQ(with_decimal_point("1,7,5"), "1,7,5");
+  EXPECT_EQ(with_decimal_point("tall, I think"), "tall, I think");
+  const Question height{
+      .prompt = "How tall are you, m?", .form = Question::Form::number, .minimum = 1, .maximum = 3};
+  std::string answer = "1,75";
+  EXPECT_FALSE(refusal_of(height, answer));
+  EXPECT_EQ(answer, "1.75") << "as it is stored";
+  answer = "1,750";
+  EXPECT_TRUE(refusal_of(height, answer));
 }
 
 TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {

@@ -11,6 +11,7 @@ namespace {
 
 /// German, of what a test says.
 std::string german(const char* context, const char* words) {
+  if (context == nullptr) return words;  // the same in every language
   const std::string of = std::string(context) + ": " + words;
   if (of == "Test: %1 of %2 were felt") return "gefühlt: %2, davon %1";
   if (of == "Test: the surface") return "die Oberfläche";

@@ -147,7 +147,7 @@ QString AnalysisWords::of_cell(const std::string& column, const std::string& tex
   if (column == "item" && text == "cannot_tell") {
     shown = QT_TRANSLATE_NOOP("AnalysisWords", "cannot tell");
   }
-  return shown == nullptr ? words_of(words_of_cell(column, text)) : tr(shown);
+  return shown == nullptr ? words_as_published(words_of_cell(column, text)) : tr(shown);
 }
 
 }  // namespace asperity

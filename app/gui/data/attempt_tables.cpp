@@ -18,7 +18,7 @@ using CellAlign = StudyTable::Align;
 
 QStandardItem* decimal_cell(const std::optional<double>& value, int decimals, double scale = 1.0) {
   if (!value) return empty_number_cell();
-  return number_cell(text(fixed(*value * scale, decimals)), *value);
+  return number_cell(shown_number(*value * scale, 'f', decimals), *value);
 }
 
 QStandardItem* state_cell(State state, const QString& words) {
@@ -45,7 +45,7 @@ Quantity quantity_of(const std::string& name) {
 
 QString asked_of(const ComplianceRow& row, const Quantity& quantity) {
   const auto number = [&quantity](double value) {
-    return QString::number(value * quantity.scale, 'g', 4);
+    return shown_number(value * quantity.scale, 'g', 4);
   };
   if (row.minimum && row.maximum) {
     return MeasureTables::tr("%1 to %2").arg(number(*row.minimum), number(*row.maximum));
@@ -83,14 +83,15 @@ struct LoopRow {
 
 std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   const auto us = [](double time_s) {
-    return MeasureTables::tr("%1 µs").arg(text(fixed(time_s * 1e6, 0)));
+    return MeasureTables::tr("%1 µs").arg(shown_number(time_s * 1e6, 'f', 0));
   };
   const auto count = [](std::int64_t ticks) { return QString::number(ticks); };
   const auto none = [](std::int64_t ticks) { return ticks == 0 ? State::fine : State::look; };
   const auto lost = [](std::int64_t records) { return records == 0 ? State::fine : State::stop; };
   const std::optional<std::int64_t>& in_contact = servo.missed_in_contact;
   return {
-      {MeasureTables::tr("ticks, at %1 Hz").arg(text(fixed(servo.rate_Hz, 0))), count(servo.ticks)},
+      {MeasureTables::tr("ticks, at %1 Hz").arg(shown_number(servo.rate_Hz, 'f', 0)),
+       count(servo.ticks)},
       {MeasureTables::tr("period: mean"), us(servo.period_mean_s)},
       {MeasureTables::tr("period: 99 of 100 below"), us(servo.period_p99_s)},
       {MeasureTables::tr("period: longest"), us(servo.period_maximum_s)},
@@ -251,7 +252,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
          decimal_cell(row.p05, quantity.decimals, quantity.scale),
          decimal_cell(row.p95, quantity.decimals, quantity.scale),
          row.fraction_in_band
-             ? number_cell(tr("%1 %").arg(text(fixed(100.0 * *row.fraction_in_band, 0))),
+             ? number_cell(tr("%1 %").arg(shown_number(100.0 * *row.fraction_in_band, 'f', 0)),
                            *row.fraction_in_band)
              : empty_number_cell(),
          passed_cell(row.passed)});
@@ -328,7 +329,7 @@ void HistoryTables::show_attempt(const AttemptDetail& detail) {
   for (const EventRow& event : detail.attempt.events) {
     const double time_s = static_cast<double>(event.time_ns - detail.attempt.onset_ns) * 1e-9;
     rows.push_back({QString::number(rows.size()),
-                    {number_cell(text(fixed(time_s, 2)), time_s), text_cell(text(event.kind)),
+                    {number_cell(shown_number(time_s, 'f', 2), time_s), text_cell(text(event.kind)),
                      text_cell(text(event.text))}});
   }
   events_->fill(rows);

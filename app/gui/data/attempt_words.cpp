@@ -123,7 +123,7 @@ QString AttemptWords::of_surface(const PresentationRow& surface) {
 }
 
 QString AttemptWords::of_seconds(const std::optional<double>& time_s) {
-  return time_s ? tr("%1 s").arg(text(fixed(*time_s, 2))) : QString("–");
+  return time_s ? tr("%1 s").arg(shown_number(*time_s, 'f', 2)) : QString("–");
 }
 
 }  // namespace asperity

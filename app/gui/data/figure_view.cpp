@@ -36,8 +36,8 @@ class FigureCanvas final : public QWidget {
  public:
   FigureCanvas(const Figure& figure, QWidget* parent) : QWidget(parent), figure_(figure) {
     setObjectName("canvas");
-    setAccessibleName(words_of(figure.title));
-    setAccessibleDescription(words_of(figure.note));
+    setAccessibleName(words_as_published(figure.title));
+    setAccessibleDescription(words_as_published(figure.note));
     // Not fixed: the height would end at that of the usual width.
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
@@ -74,13 +74,13 @@ FigureView::FigureView(Figure figure, QWidget* parent)
   layout->setSpacing(kGrid);
   if (!figure_.is_drawn()) {
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-    QLabel* sentence = make_text(words_of(figure_.instead), this, true);
+    QLabel* sentence = make_text(words_as_published(figure_.instead), this, true);
     sentence->setObjectName("figure_instead");
     layout->addWidget(sentence);
     return;
   }
   layout->addWidget(new FigureCanvas(figure_, this));
-  QLabel* note = make_text(words_of(figure_.note), this, true);
+  QLabel* note = make_text(words_as_published(figure_.note), this, true);
   note->setFont(text_font(TextSize::small));
   layout->addWidget(note);
   auto* row = new QHBoxLayout();

@@ -140,12 +140,12 @@ class OutcomeColumn final {
     for (const AnsweredQuestion& question : outcome_.questions) {
       const bool is_first = &question == &outcome_.questions.front();
       if (!is_first) layout_->addSpacing(kGroupGap);
-      say(words_of(question.question), words_of(question.answer));
+      say(words_as_published(question.question), words_as_published(question.answer));
       if (is_first) about();
       add_table(question.table);
       if (question.method.empty()) continue;
-      add_folded(AnalysisPage::tr("How it was computed"), words_of(question.method), *layout_,
-                 page_);
+      add_folded(AnalysisPage::tr("How it was computed"), words_as_published(question.method),
+                 *layout_, page_);
     }
     for (const NamedTable& table : outcome_.tables) add_table(table.name);
     for (const Figure& figure : figures_) {
@@ -178,7 +178,7 @@ class OutcomeColumn final {
                   page_, true));
     for (const Phrase& remark : outcome_.remarks) {
       auto* line = new StateLabel(page_);
-      line->set_state(State::look, words_of(remark));
+      line->set_state(State::look, words_as_published(remark));
       add_narrow(line, *layout_);
     }
   }
@@ -189,20 +189,21 @@ class OutcomeColumn final {
     for (const NamedTable& table : outcome_.tables) {
       if (table.name != name) continue;
       layout_->addSpacing(kMargin);
-      layout_->addWidget(make_heading(words_of(table.title), page_));
+      layout_->addWidget(make_heading(words_as_published(table.title), page_));
       for (const Figure& figure : figures_) {
         if (figure.table == name) add_figure(figure);
       }
       layout_->addWidget(make_table(table, page_));
       if (table.note.empty()) continue;
-      add_folded(AnalysisPage::tr("How to read this table"), words_of(table.note), *layout_, page_);
+      add_folded(AnalysisPage::tr("How to read this table"), words_as_published(table.note),
+                 *layout_, page_);
     }
   }
 
   void add_figure(const Figure& figure) {
     if (figure.table.empty()) {
       layout_->addSpacing(kMargin);
-      layout_->addWidget(make_heading(words_of(figure.title), page_));
+      layout_->addWidget(make_heading(words_as_published(figure.title), page_));
     }
     auto* view = new FigureView(figure, page_);
     view->setObjectName(QString::fromStdString("figure_" + figure.name));

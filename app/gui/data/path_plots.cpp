@@ -8,6 +8,7 @@
 #include "analysis/number_text.h"
 #include "app/gui/data/curve_color.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -107,9 +108,9 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
     longest_s = std::max(longest_s, surface.longest_contact.duration_s());
   }
   if (longest_s > 0.0) {
-    spectrum += position ? tr(", in its longest contact of %1 s")
-                               .arg(QString::fromStdString(fixed(longest_s, 1)))
-                         : tr(", each in its longest contact");
+    spectrum += position
+                    ? tr(", in its longest contact of %1 s").arg(shown_number(longest_s, 'f', 1))
+                    : tr(", each in its longest contact");
   }
   path_heading_->setText(path);
   spectrum_heading_->setText(spectrum);

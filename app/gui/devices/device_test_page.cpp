@@ -23,6 +23,7 @@
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
 #include "app/gui/devices/profile_words.h"
+#include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
 #include "app/gui/session/session_keys.h"
 #include "app/gui/start/question_form.h"
@@ -135,7 +136,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
   limits_->setObjectName("device_test_limits");
   limits_->setFixedWidth(kTestFieldWidth);
   ignore_wheel(*limits_);
-  force_ = new QDoubleSpinBox(card);
+  force_ = new DecimalField(card);
   force_->setObjectName("device_test_force");
   force_->setRange(0.1, 20.0);
   force_->setSingleStep(0.5);
@@ -421,7 +422,8 @@ void DeviceTestPage::show_limits() {
     parts << title_of_item(name) + ' ' +
                  limit_in_words({.name = name, .limit = limit, .bound = quantity->bound});
   }
-  limits_text_->setText(tr("At %1 Hz: %2.").arg(chosen->rate_Hz, 0, 'f', 0).arg(parts.join(", ")));
+  limits_text_->setText(
+      tr("At %1 Hz: %2.").arg(shown_number(chosen->rate_Hz, 'f', 0)).arg(parts.join(", ")));
 }
 
 // --- while it is measured ------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <QtWidgets/QLabel>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/tasks/measure_device.h"
 
 namespace asperity {
@@ -49,7 +50,7 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
       return DeviceTestSteps::
           tr("Now take the handle, and move it along all borders of its workspace: to both sides, "
              "away and near, up and down. You have %1 seconds; no force is given.")
-              .arg(kBorders_s, 0, 'f', 0);
+              .arg(shown_number(kBorders_s, 'f', 0));
   }
   return {};
 }

@@ -66,8 +66,8 @@ void ProfileView::show_profile(const DeviceProfile& profile) {
   summary_->set_state(summary.state, summary.words);
   QString how = tr("%1 at %2 Hz, no force above %3 N.")
                     .arg(text(profile.model))
-                    .arg(profile.rate_Hz, 0, 'f', 0)
-                    .arg(profile.force_N, 0, 'f', 1);
+                    .arg(shown_number(profile.rate_Hz, 'f', 0))
+                    .arg(shown_number(profile.force_N, 'f', 1));
   if (profile.is_simulated) {
     how += ' ' + tr("It is simulated: its timing is told and not judged.");
   }

@@ -8,6 +8,8 @@
 #include <QtCore/QDateTime>
 #include <QtCore/QLocale>
 
+#include "app/gui/look/words.h"
+
 namespace asperity {
 
 namespace {
@@ -75,10 +77,11 @@ QString in_digits(double value) {
   const double size = std::abs(value);
   if (size == 0.0 || !std::isfinite(value)) return QString::number(value);
   const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
-  QString text = QString::number(value, 'f', std::clamp(3 - before, 0, 6));
-  if (text.contains('.')) {
+  QString text = shown_number(value, 'f', std::clamp(3 - before, 0, 6));
+  const QString point = QLocale().decimalPoint();
+  if (text.contains(point)) {
     while (text.endsWith('0')) text.chop(1);
-    if (text.endsWith('.')) text.chop(1);
+    if (text.endsWith(point)) text.chop(1);
   }
   return text;
 }

@@ -9,6 +9,7 @@
 
 #include "app/gui/data/curve_color.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -35,7 +36,7 @@ QSharedPointer<QCPAxisTickerText> response_ticks() {
   auto ticks = QSharedPointer<QCPAxisTickerText>::create();
   for (int exponent = -6; exponent <= 3; ++exponent) {
     const double value = std::pow(10.0, exponent);
-    ticks->addTick(value, QString::number(value, 'f', std::max(0, -exponent)));
+    ticks->addTick(value, shown_number(value, 'f', std::max(0, -exponent)));
   }
   return ticks;
 }

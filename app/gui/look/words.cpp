@@ -1,6 +1,7 @@
 #include "app/gui/look/words.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 
 namespace asperity {
@@ -12,10 +13,19 @@ struct DriverWords {
   Q_DECLARE_TR_FUNCTIONS(DriverWords)
 };
 
+/// "10.0" → "10,0"; what is not a number with a point stays.
+std::string with_locale_point(const char* words) {
+  static const QRegularExpression kNumber("^[-−]?[0-9]+\\.[0-9]+$");
+  QString text = QString::fromUtf8(words);
+  if (kNumber.match(text).hasMatch()) text.replace('.', QLocale().decimalPoint());
+  return text.toStdString();
+}
+
 }  // namespace
 
 Phrase::LookUp language_of_windows() {
   return [](const char* context, const char* words) {
+    if (context == nullptr) return std::string(words);
     return QCoreApplication::translate(context, words).toStdString();
   };
 }
@@ -24,8 +34,19 @@ QString words_of(const Phrase& phrase) {
   return words_of(phrase, DriverWords::tr("“Set up…” on the page Devices"));
 }
 
+QString words_as_published(const Phrase& phrase) {
+  return QString::fromStdString(phrase.translated(language_of_windows()));
+}
+
+QString shown_number(double value, char format, int precision) {
+  return QLocale().toString(value, format, precision);
+}
+
 QString words_of(const Phrase& phrase, const QString& control) {
-  QString words = QString::fromStdString(phrase.translated(language_of_windows()));
+  const auto look_up = [look = language_of_windows()](const char* context, const char* words) {
+    return context == nullptr ? with_locale_point(words) : look(context, words);
+  };
+  QString words = QString::fromStdString(phrase.translated(look_up));
   if (words.contains("--")) {
     for (const char* option : {"--firmware FILE", "--library FILE", "--service HOST:PORT"}) {
       words.replace(option, control);

@@ -30,4 +30,11 @@ inline QString text(const std::string& utf8) { return QString::fromStdString(utf
 /// A path as the system writes it.
 inline QString path_text(const std::filesystem::path& path) { return text(path.string()); }
 
+/// The same for findings, whose numbers have a point, as in reports, figures and files.
+QString words_as_published(const Phrase& phrase);
+
+/// A number as windows show it: in the user's locale, without separators of thousands. `format` and `precision` as
+/// QString::number.
+QString shown_number(double value, char format, int precision);
+
 }  // namespace asperity

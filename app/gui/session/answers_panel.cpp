@@ -5,6 +5,7 @@
 #include <QtWidgets/QLabel>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/session/plan_table.h"
 #include "app/gui/session/session_text.h"
 
@@ -50,7 +51,7 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
     } else {
       last = answer;
       if (attempt->from_cue_s) {
-        when = tr("%1 s after the cue").arg(QString::number(*attempt->from_cue_s, 'f', 1));
+        when = tr("%1 s after the cue").arg(shown_number(*attempt->from_cue_s, 'f', 1));
       }
     }
   }

@@ -11,6 +11,7 @@
 
 #include "analysis/compliance.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/session/fitted_label.h"
 
 namespace asperity {
@@ -32,7 +33,7 @@ double round_up(double value) {
   return 10.0 * decade;
 }
 
-QString three_digits(double value) { return QString::number(value, 'g', 3); }
+QString three_digits(double value) { return shown_number(value, 'g', 3); }
 
 QString text_of_band(const Band& band, double scale, const QString& unit) {
   if (band.minimum && band.maximum) {

@@ -6,6 +6,7 @@
 #include <QtCore/QStringList>
 
 #include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -55,7 +56,7 @@ QString NameVeil::veiled(const QString& text) const {
 
 QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial, const int to_come,
                             const QString& condition, double in_phase_s) {
-  const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
+  const QString seconds = shown_number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::idle:
       return tr("The session has not begun");
@@ -69,7 +70,7 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::fore:
       return tr("Trial %1: waiting for the first touch, %2 s").arg(snapshot.trial).arg(seconds);
     case SessionPhase::contact: {
-      const QString contact = QString::number(snapshot.contact_s, 'f', 1);
+      const QString contact = shown_number(snapshot.contact_s, 'f', 1);
       const std::size_t surfaces = trial == nullptr ? 0 : trial->presentations.size();
       if (snapshot.surface > 0 && surfaces > 1) {
         return tr("Trial %1: feeling surface %2 of %3 (%4), %5 s")
@@ -99,12 +100,12 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
 }
 
 QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s) {
-  const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
+  const QString seconds = shown_number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::fore:
       return tr("waiting for touch %1 s").arg(seconds);
     case SessionPhase::contact:
-      return tr("feeling %1 s").arg(QString::number(snapshot.contact_s, 'f', 1));
+      return tr("feeling %1 s").arg(shown_number(snapshot.contact_s, 'f', 1));
     case SessionPhase::response:
       return tr("answering %1 s").arg(seconds);
     case SessionPhase::fault:

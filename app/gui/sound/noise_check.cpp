@@ -19,6 +19,8 @@
 #include <QtWidgets/QSlider>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/decimal_field.h"
+#include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
 
@@ -67,7 +69,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   QString what = tr("This protocol plays no masking noise. Cues are played all the same.");
   const bool white = value_.kind == MaskingNoise::Kind::white;
   if (has_noise && value_.declared_dBA) {
-    const QString level = QString::number(*value_.declared_dBA, 'f', 0);
+    const QString level = shown_number(*value_.declared_dBA, 'f', 0);
     what = white ? tr("The protocol asks for white noise of %1 dB(A) at the ear.").arg(level)
                  : tr("The protocol asks for pink noise of %1 dB(A) at the ear.").arg(level);
   } else if (has_noise) {
@@ -118,7 +120,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   gain_text_->setToolTip(tr("Relative to the highest level that the sound card can play"));
   add_row(0, tr("&Gain"), gain_, gain_text_);
 
-  measured_ = new QDoubleSpinBox(this);
+  measured_ = new DecimalField(this);
   new WheelPasser(measured_);
   measured_->setObjectName("measured_level");
   measured_->setRange(kNotMeasured_dBA, 100.0);
@@ -217,14 +219,14 @@ QString NoiseCheck::reservation() const {
   if (!value_.measured_dBA) return tr("The level of the noise at the ear was not measured.");
   if (*value_.measured_dBA > kLoudest_dBA) {
     return tr("The noise was measured at %1 dB(A): more than %2 dB(A) harms hearing.")
-        .arg(*value_.measured_dBA, 0, 'f', 1)
-        .arg(kLoudest_dBA, 0, 'f', 0);
+        .arg(shown_number(*value_.measured_dBA, 'f', 1))
+        .arg(shown_number(kLoudest_dBA, 'f', 0));
   }
   if (value_.declared_dBA &&
       std::abs(*value_.measured_dBA - *value_.declared_dBA) > kNoiseTolerance_dBA) {
     return tr("The noise was measured at %1 dB(A), the protocol wants %2 dB(A).")
-        .arg(*value_.measured_dBA, 0, 'f', 1)
-        .arg(*value_.declared_dBA, 0, 'f', 1);
+        .arg(shown_number(*value_.measured_dBA, 'f', 1))
+        .arg(shown_number(*value_.declared_dBA, 'f', 1));
   }
   if (value_.verified_by.empty()) return tr("Who measured the noise is not written down.");
   return {};
@@ -232,7 +234,7 @@ QString NoiseCheck::reservation() const {
 
 void NoiseCheck::show_state() {
   gain_text_->setText(
-      tr("%1 dB").arg(QString::number(20.0 * std::log10(value_.gain), 'f', 1).replace('-', "−")));
+      tr("%1 dB").arg(shown_number(20.0 * std::log10(value_.gain), 'f', 1).replace('-', "−")));
   const QString problem = reservation();
   if (problem.isEmpty()) {
     state_->set_state(State::fine, tr("Plays through %1.").arg(output_.name));

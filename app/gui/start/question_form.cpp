@@ -8,6 +8,7 @@
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLineEdit>
 
+#include "app/conductor/form_answer.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -110,7 +111,9 @@ ParticipantAnswers QuestionForm::answers() const {
     } else if (const auto* line = findChild<QLineEdit*>(field_name(question))) {
       text = line->text().trimmed();
     }
-    answers[question.name] = text.toStdString();
+    const bool is_number = question.form == Question::Form::number;
+    answers[question.name] =
+        is_number ? with_decimal_point(text.toStdString()) : text.toStdString();
   }
   return answers;
 }

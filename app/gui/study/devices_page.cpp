@@ -22,7 +22,7 @@ constexpr int kCardWidth = 720;
 constexpr const char* kMouseDriver = "mouse";    // has no handle that could be pushed
 constexpr const char* kReplayDriver = "replay";  // takes a file, and windows offer none
 
-QString fixed_number(double value, int decimals) { return QString::number(value, 'f', decimals); }
+QString fixed_number(double value, int decimals) { return shown_number(value, 'f', decimals); }
 
 /// What a device can do, as name and value.
 std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& device) {

@@ -110,7 +110,10 @@ QStringList available_languages() {
 }
 
 void apply_language(const QString& choice) {
-  const QLocale locale = choice == "system" ? QLocale::system() : QLocale(choice);
+  QLocale locale = choice == "system" ? QLocale::system() : QLocale(choice);
+  // "1000" reads alike everywhere; with separators it is one thing or another.
+  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  QLocale::setDefault(locale);
   exchange_texts("asperity-texts", [&locale](QTranslator& texts) {
     return texts.load(locale, "asperity", "_", ":/translations") ||
            texts.load("asperity_en", ":/translations");

@@ -7,6 +7,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QLocale>
 
+#include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {
@@ -102,7 +103,7 @@ QString text_of_noise(const Protocol::Noise& noise) {
   const QString text =
       is_pink ? QCoreApplication::translate("asperity::ShownText", "pink masking noise, %1 dBA")
               : QCoreApplication::translate("asperity::ShownText", "white masking noise, %1 dBA");
-  return text.arg(*noise.level_dBA, 0, 'f', 0);
+  return text.arg(shown_number(*noise.level_dBA, 'f', 0));
 }
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 
+#include "app/gui/look/words.h"
 #include "app/gui/participant/body_picture.h"
 #include "app/gui/study/study_table.h"
 
@@ -92,7 +93,7 @@ QString kind_of(const StimulusOverview& stimulus) {
 
 /// "100 × 60", or "100 × 60 × 10" of a body.
 QStandardItem* size_cell(const StimulusOverview& stimulus) {
-  const auto millimetres = [](double size_m) { return QString::number(1e3 * size_m, 'g', 3); };
+  const auto millimetres = [](double size_m) { return shown_number(1e3 * size_m, 'g', 3); };
   if (is_body(stimulus)) {
     const glm::dvec3& size_m = stimulus.size_m;
     return number_cell(
@@ -101,14 +102,13 @@ QStandardItem* size_cell(const StimulusOverview& stimulus) {
         size_m.x * size_m.y);
   }
   if (stimulus.kind != StimulusOverview::Kind::height_field) return empty_number_cell();
-  return number_cell(
-      StimuliPage::tr("%1 × %2").arg(QString::number(1e3 * stimulus.width_m, 'g', 4),
-                                     QString::number(1e3 * stimulus.length_m, 'g', 4)),
-      stimulus.width_m * stimulus.length_m);
+  return number_cell(StimuliPage::tr("%1 × %2").arg(shown_number(1e3 * stimulus.width_m, 'g', 4),
+                                                    shown_number(1e3 * stimulus.length_m, 'g', 4)),
+                     stimulus.width_m * stimulus.length_m);
 }
 
 QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
-  return there ? number_cell(QString::number(value, 'f', decimals), value) : empty_number_cell();
+  return there ? number_cell(shown_number(value, 'f', decimals), value) : empty_number_cell();
 }
 
 }  // namespace

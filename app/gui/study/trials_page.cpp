@@ -43,7 +43,7 @@ QString text_of_clock(double time_s) {
 QStandardItem* clock_cell(double time_s) { return number_cell(text_of_clock(time_s), time_s); }
 
 QStandardItem* seconds_cell(const std::optional<double>& time_s) {
-  return time_s ? number_cell(QString::number(*time_s, 'f', 2), *time_s) : empty_number_cell();
+  return time_s ? number_cell(shown_number(*time_s, 'f', 2), *time_s) : empty_number_cell();
 }
 
 QString text_of_outcome(const TrialOverview& trial) {

@@ -15,6 +15,7 @@
 
 #include "analysis/spectrum.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
 
 namespace asperity {
@@ -67,7 +68,7 @@ QString model_name(const ForceModel& model) {
 /// Two digits: more would only flicker.
 QString in_m_per_s2(double acceleration_m_per_s2) {
   const int decimals = acceleration_m_per_s2 < 0.995 ? 2 : acceleration_m_per_s2 < 9.95 ? 1 : 0;
-  return QString::number(acceleration_m_per_s2, 'f', decimals);
+  return shown_number(acceleration_m_per_s2, 'f', decimals);
 }
 
 }  // namespace
@@ -430,7 +431,7 @@ QString ForceComparison::roughness_in_words() const {
     const QString greatest = in_m_per_s2(newest->max_accel_m_per_s2);
     lines << (newest->pacinian_dB
                   ? tr("%1: RMS %2 m/s², greatest %3 m/s², %4 dB over the threshold of touch")
-                        .arg(name, rms, greatest, QString::number(*newest->pacinian_dB, 'f', 0))
+                        .arg(name, rms, greatest, shown_number(*newest->pacinian_dB, 'f', 0))
                   : tr("%1: RMS %2 m/s², greatest %3 m/s²").arg(name, rms, greatest));
   }
   return lines.join('\n');

@@ -48,7 +48,7 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut "
                             "a piece out.")
                .arg(name)
-               .arg(static_cast<double>(bytes) / (1U << 30U), 0, 'f', 1));
+               .arg(shown_number(static_cast<double>(bytes) / (1U << 30U), 'f', 1)));
   }
 }
 

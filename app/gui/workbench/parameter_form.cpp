@@ -19,6 +19,7 @@
 
 #include "analysis/number_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/decimal_field.h"
 
 namespace asperity {
 
@@ -84,10 +85,9 @@ QString short_number(double value) {
 }
 
 /// Shows few digits and keeps all of them until somebody types.
-class NumberField final : public QDoubleSpinBox {
+class NumberField final : public DecimalField {
  public:
-  explicit NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
-    setLocale(QLocale::c());
+  explicit NumberField(QWidget* parent) : DecimalField(parent) {
     setDecimals(12);
     setStepType(AdaptiveDecimalStepType);
     setKeyboardTracking(false);
@@ -95,16 +95,18 @@ class NumberField final : public QDoubleSpinBox {
     setButtonSymbols(NoButtons);  // arrow keys and the slider step as well
     setFocusPolicy(Qt::StrongFocus);
   }
-  QString textFromValue(double value) const override { return short_number(value); }
+  QString textFromValue(double value) const override {
+    return short_number(value).replace('.', locale().decimalPoint());
+  }
   double valueFromText(const QString& text) const override {
     const QString number = QString(text).remove(suffix()).trimmed();
-    return number == short_number(value()) ? value() : QLocale::c().toDouble(number);
+    return number == textFromValue(value()) ? value() : DecimalField::valueFromText(text);
   }
 
  protected:
   // A panel that is scrolled with the wheel must not change what lies under the pointer.
   void wheelEvent(QWheelEvent* event) override {
-    hasFocus() ? QDoubleSpinBox::wheelEvent(event) : event->ignore();
+    hasFocus() ? DecimalField::wheelEvent(event) : event->ignore();
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 
 namespace asperity {
@@ -54,7 +55,7 @@ PhotographTexture whole_texture(const GreyImage& grey, const TextureRecipe& reci
   }
 }
 
-QString in_micrometres(double length_m) { return QString::number(length_m * 1e6, 'f', 0); }
+QString in_micrometres(double length_m) { return shown_number(length_m * 1e6, 'f', 0); }
 
 }  // namespace
 
@@ -84,8 +85,8 @@ QString proposed_name(const std::filesystem::path& file, const std::filesystem::
 
 QString facts_of(const HeightField& field) {
   return SavePanel::tr("%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm")
-      .arg(field.width_m() * 1e3, 0, 'f', 0)
-      .arg(field.length_m() * 1e3, 0, 'f', 0)
+      .arg(shown_number(field.width_m() * 1e3, 'f', 0))
+      .arg(shown_number(field.length_m() * 1e3, 'f', 0))
       .arg(in_micrometres(field.maximum_m() - field.minimum_m()), in_micrometres(field.rms_m()));
 }
 

@@ -2,6 +2,9 @@
 
 #include "app/gui/look/controls.h"
 
+#include <string>
+
+#include <QtCore/QLocale>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -9,6 +12,9 @@
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
 
+#include "app/gui/look/decimal_field.h"
+#include "app/gui/look/words.h"
+#include "app/gui/study/settings.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {
@@ -96,6 +102,32 @@ TEST_F(Controls, ShowWhichOneHasTheFocus) {
       }
     }
   }
+}
+
+TEST_F(Controls, ShowNumbersInTheLocaleAndTakePointAndComma) {
+  struct Restored {
+    ~Restored() { QLocale::setDefault(QLocale::c()); }
+  } restored{};
+  for (const char* const language : {"en", "de"}) {
+    apply_language(language);
+    const bool german = std::string(language) == "de";
+    EXPECT_EQ(shown_number(1234.5, 'f', 1), german ? "1234,5" : "1234.5");
+    const Phrase force = phrase("ControlsTest", "%1 N by %2").with("10.0", "falcon.1");
+    EXPECT_EQ(words_of(force), german ? "10,0 N by falcon.1" : "10.0 N by falcon.1");
+    EXPECT_EQ(words_as_published(force), "10.0 N by falcon.1");
+    for (const char* const typed : {"65.5", "65,5"}) {
+      DecimalField field;
+      field.setRange(0.0, 2000.0);
+      field.setDecimals(1);
+      field.setSuffix(" dB(A)");
+      field.selectAll();
+      QTest::keyClicks(&field, typed);
+      field.interpretText();
+      EXPECT_EQ(field.value(), 65.5) << language << ' ' << typed;
+      EXPECT_EQ(field.text(), german ? "65,5 dB(A)" : "65.5 dB(A)");
+    }
+  }
+  apply_language("en");
 }
 
 TEST_F(Controls, LetTheFocusGoOnFromATable) {
