@@ -61,6 +61,14 @@ std::string meaning_of(std::string_view form) {
          (form.ends_with('k') ? ", of the mean of all ratings" : ", of one rating");
 }
 
+std::string interval_meaning_of(std::string_view form) {
+  return form.starts_with("ICC2")
+             ? "; interval by Satterthwaite's degrees of freedom, which in simulations of normal "
+               "ratings covered 93 to 97 % instead of 95 %, with three raters 87 to 98 %, of two "
+               "targets 80 to 94 %"
+             : "; interval by F, exact for normal ratings";
+}
+
 }  // namespace
 
 std::vector<Finding> icc_findings(const TidyInput& input) {
@@ -94,7 +102,10 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
     const std::string key(one.name);
     const std::string method = meaning_of(one.name);
     Basis shown{.n = n, .method = method, .interval = one.interval};
-    if (one.interval) shown.confidence = confidence;
+    if (one.interval) {
+      shown.confidence = confidence;
+      shown.method += interval_meaning_of(one.name);
+    }
     findings.number("icc", key, one.value, shown);
     const Basis test{.n = n, .method = "F test of " + method + " against 0"};
     findings.number("icc.F", key, one.F, test);
