@@ -170,8 +170,9 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
       phrase("Analysis",
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
              "estimates, with the surfaces in each condition as targets and the repetitions as "
-             "raters; mean over the "
-             "participants with a t interval."),
+             "raters; mean over the participants with a t interval. In simulations with 2 to 20 "
+             "participants and seven surfaces it contained the true mean in at least 88 % of the "
+             "studies."),
       "", &mean);
 }
 

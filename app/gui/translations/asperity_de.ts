@@ -1244,8 +1244,8 @@
         <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
-        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t interval.</source>
-        <translation>Die eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson der Logarithmen der Schätzungen, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem Konfidenzintervall nach t.</translation>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t interval. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
+        <translation>Die eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson der Logarithmen der Schätzungen, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem Konfidenzintervall nach t. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es das wahre Mittel in mindestens 88 % der Studien.</translation>
     </message>
     <message>
         <source>No test of the family (%1) could be made.</source>
