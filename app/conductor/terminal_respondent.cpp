@@ -26,7 +26,7 @@ constexpr const char* kAfterFault =
     "When it is mended and safe, press Return to go on; to end the session here, type: end\n";
 
 /// Of a terminal, as far as lines are read with ease.
-std::size_t columns_of(int terminal) {
+std::size_t columns_of_terminal(int terminal) {
   constexpr std::size_t kUsual = 80;
   constexpr std::size_t kMost = 100;
   winsize size{};
@@ -36,7 +36,7 @@ std::size_t columns_of(int terminal) {
 
 }  // namespace
 
-std::string wrapped(const std::string& text, std::size_t columns) {
+std::string wrapped_text(const std::string& text, std::size_t columns) {
   std::string lines{};
   std::size_t used = 0;  // characters of the line, each one column wide
   std::string word{};
@@ -136,7 +136,7 @@ void TerminalRespondent::forget_typed() {
 }
 
 void TerminalRespondent::read(const std::string& text, double minimum_s, const Wait& wait) {
-  output_ << '\n' << wrapped(text, columns_of(input_)) << '\n';
+  output_ << '\n' << wrapped_text(text, columns_of_terminal(input_)) << '\n';
   if (minimum_s > 0.0) {
     output_ << "(at least " << static_cast<int>(minimum_s) << " s)\n" << std::flush;
     wait(minimum_s);
@@ -162,7 +162,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
   forget_typed();  // while the surfaces were felt: it is no answer to the question that comes now
   const TrialQuestion& question = trial.question;
   const bool assignment = question.form == TrialQuestion::Form::assignment;
-  output_ << '\n' << wrapped(question.prompt, columns_of(input_)) << '\n';
+  output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
   std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
@@ -253,8 +253,8 @@ void TerminalRespondent::tell(const std::string& text, const Wait&) {
 
 std::string TerminalRespondent::answer(const Question& question, const Wait& wait) {
   output_ << '\n'
-          << wrapped(question.prompt + (question.optional ? " (may be left empty)" : ""),
-                     columns_of(input_))
+          << wrapped_text(question.prompt + (question.optional ? " (may be left empty)" : ""),
+                          columns_of_terminal(input_))
           << '\n';
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     output_ << "  " << i + 1 << "  " << question.options[i] << '\n';

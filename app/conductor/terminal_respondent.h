@@ -12,7 +12,7 @@
 namespace asperity {
 
 /// The text in lines of at most so many characters, broken between words; breaks of its own stay.
-std::string wrapped(const std::string& text, std::size_t columns);
+std::string wrapped_text(const std::string& text, std::size_t columns);
 
 /// Asks on a terminal. While it waits for a line the session goes on ticking.
 ///

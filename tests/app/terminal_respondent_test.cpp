@@ -83,11 +83,11 @@ TEST_F(AtTerminal, TakesNoReturnOfABreakForTheNextConfirmation) {
 }
 
 TEST(WrappedText, BreaksBetweenWords) {
-  EXPECT_EQ(wrapped("Feel each surface with your own hand.", 12),
+  EXPECT_EQ(wrapped_text("Feel each surface with your own hand.", 12),
             "Feel each\nsurface with\nyour own\nhand.");
-  EXPECT_EQ(wrapped("One\n\ntwo three", 80), "One\n\ntwo three");
-  EXPECT_EQ(wrapped("Oberflächenstruktur", 8), "Oberflächenstruktur");
-  EXPECT_EQ(wrapped("größte Höhe", 11), "größte Höhe") << "letters are counted, not bytes";
+  EXPECT_EQ(wrapped_text("One\n\ntwo three", 80), "One\n\ntwo three");
+  EXPECT_EQ(wrapped_text("Oberflächenstruktur", 8), "Oberflächenstruktur");
+  EXPECT_EQ(wrapped_text("größte Höhe", 11), "größte Höhe") << "letters are counted, not bytes";
 }
 
 }  // namespace

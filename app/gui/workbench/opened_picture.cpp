@@ -52,6 +52,11 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
   }
 }
 
+[[noreturn]] void refuse_changed(const std::filesystem::path& file) {
+  refuse(OpeningWords::tr("%1 has changed since it was opened. Open it again.")
+             .arg(path_text(file.filename())));
+}
+
 /// In colour where Qt reads the format; its rows are those of the file, as in decode_photograph.
 QImage colour_picture(const std::filesystem::path& file, const GreyImage& grey) {
   QImageReader reader(path_text(file));
@@ -86,10 +91,7 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
 
 std::string photograph_png(const OpenedPicture& opened) {
   const std::string content = read_file(opened.file, kPictureFile);
-  if (sha256_of(content) != opened.loaded.sha256) {
-    refuse(OpeningWords::tr("%1 has changed since it was opened. Open it again.")
-               .arg(path_text(opened.file.filename())));
-  }
+  if (sha256_of(content) != opened.loaded.sha256) refuse_changed(opened.file);
   if (opened.loaded.photograph.facts.format == PictureFormat::png) return content;
   QByteArray bytes =
       QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size()));
