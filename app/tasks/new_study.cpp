@@ -55,11 +55,11 @@ std::vector<BodyRelief> body_reliefs() {
   const auto ridges = [](double spacing_m) {
     return ParameterValues{{"spacing_m", spacing_m},
                            {"height_m", 2e-4},
-                           {"ridge_width_m", 0.2 * spacing_m},
-                           {"flank_width_m", 0.3 * spacing_m}};
+                           {"ridge_width_m", 0.3 * spacing_m},
+                           {"flank_width_m", 0.2 * spacing_m}};
   };
-  return {{"file_fine", "grating", true, 256, ridges(0.0015)},
-          {"file_medium", "grating", true, 256, ridges(0.0020)},
+  return {{"file_fine", "grating", true, 256, ridges(0.0010)},
+          {"file_medium", "grating", true, 256, ridges(0.0016)},
           {"file_coarse", "grating", true, 256, ridges(0.0024)},
           {"file_plate",
            "cones",
