@@ -9,8 +9,9 @@ namespace {
 
 /// Everything that can be translated is shouted.
 std::string loud(const std::string& stored) {
-  return read_reason(stored).translated([](const char*, const char* words) {
+  return read_reason(stored).translated([](const char* context, const char* words) {
     std::string upper = words;
+    if (context == nullptr) return upper;  // of people: the same in every language
     for (char& c : upper) {
       if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     }

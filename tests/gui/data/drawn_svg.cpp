@@ -45,7 +45,12 @@ DrawnSvg read_svg(const QByteArray& svg) {
     } else if (name == u"circle") {
       drawn.circles << QPointF(number("cx"), number("cy"));
     } else if (name == u"rect") {
-      drawn.rectangles << QRectF(number("x"), number("y"), number("width"), number("height"));
+      const QRectF rectangle(number("x"), number("y"), number("width"), number("height"));
+      if (rectangle.width() > 0.999 * drawn.view.width()) {
+        drawn.has_ground = true;
+      } else {
+        drawn.rectangles << rectangle;
+      }
     } else if (name == u"polyline") {
       drawn.polylines << points_in(attributes.value("points").toString());
     } else if (name == u"image") {

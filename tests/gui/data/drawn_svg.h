@@ -23,6 +23,7 @@ struct DrawnSvg {
   QRectF view{};
   QString title{};
   QList<QPointF> circles{};
+  bool has_ground = false;  ///< a rectangle as wide as the picture, which is not among the others
   QList<QRectF> rectangles{};
   QList<QList<QPointF>> polylines{};
   QList<DrawnText> texts{};

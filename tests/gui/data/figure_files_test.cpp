@@ -144,6 +144,7 @@ TEST(FigureFiles, TellSeriesApartByShapeAsWellAsByColourAndNameThem) {
   // Each once in the plot and once in the key.
   EXPECT_EQ(svg.circles.size(), 2);
   EXPECT_EQ(svg.rectangles.size(), 2);
+  EXPECT_TRUE(svg.has_ground) << "words are dark in a viewer whose own ground is dark";
   EXPECT_TRUE(svg.words().contains("slow"));
   EXPECT_TRUE(svg.words().contains("quick"));
 }
