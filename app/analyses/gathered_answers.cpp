@@ -303,6 +303,7 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   std::vector<SessionRow> sessions = study.sessions();
+  std::erase_if(sessions, [](const SessionRow& session) { return session.withdrawn; });
   if (protocol) {
     std::erase_if(sessions, [&](const SessionRow& session) {
       return protocols.at(session.protocol_id).name != *protocol;

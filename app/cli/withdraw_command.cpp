@@ -42,7 +42,9 @@ bool is_confirmed(const std::string& label, const WithdrawalRow& counts) {
 
 void name_outputs(const OutputsOfParticipant& outputs) {
   if (!outputs.recorded.empty()) {
-    std::cout << "made of the study since, and not changed by this:\n";
+    std::cout
+        << "made of the study since the participant was added, and not changed by this; delete "
+           "what holds data of the participant, and make it anew where it is needed:\n";
     for (const OutputRow& output : outputs.recorded) {
       std::cout << "  " << output.made_utc << "  " << text_of(output.kind) << "  " << output.path
                 << '\n';

@@ -234,7 +234,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
     if (stop.stop_requested()) break;
     if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
     const ProtocolRow& of = protocols.at(sessions[i].row.protocol_id);
-    if (protocol && of.name != *protocol) continue;
+    if (sessions[i].row.withdrawn || (protocol && of.name != *protocol)) continue;
     const ParticipantRow& person = people.at(sessions[i].row.participant);
     const AnswerGroup group = group_of(person, sessions[i].row);
     ReportFacts& facts = groups[{of.name, of.version, group}];
@@ -254,10 +254,8 @@ std::vector<ReportFacts> report_facts(const Study& study,
   const std::vector<WithdrawalRow> withdrawals = study.withdrawals();
   for (auto& [key, facts] : groups) {
     const bool is_virtual = facts.group == AnswerGroup::virtual_participants;
-    std::copy_if(withdrawals.begin(), withdrawals.end(), std::back_inserter(facts.deletions),
-                 [is_virtual](const WithdrawalRow& row) {
-                   return row.data == WithdrawnData::deleted && row.is_virtual == is_virtual;
-                 });
+    std::copy_if(withdrawals.begin(), withdrawals.end(), std::back_inserter(facts.withdrawals),
+                 [is_virtual](const WithdrawalRow& row) { return row.is_virtual == is_virtual; });
     all.push_back(std::move(facts));
   }
   return all;

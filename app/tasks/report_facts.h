@@ -86,7 +86,7 @@ struct ReportFacts {
   AnswerGroup group = AnswerGroup::people;
   std::vector<ParticipantRow> participants{};  ///< by label
   std::vector<ReportedSession> sessions{};     ///< by participant, session
-  std::vector<WithdrawalRow> deletions{};      ///< of the whole study, those of this group
+  std::vector<WithdrawalRow> withdrawals{};    ///< from the whole study, those of this group
 
   std::size_t attempts = 0;               ///< of the main phase
   std::size_t counted = 0;                ///< of those: answered, valid and not excluded

@@ -330,22 +330,30 @@ std::string late_text(const ReportedSession& session, const EventRow& event) {
                  reading_number(hours("maximum_age_hours")) + " hours): " + event.text);
 }
 
-/// Of those who are in no row any more; of the study, since a deletion keeps no protocol either.
-ReportText deletions_text(const ReportFacts& facts) {
+/// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
+/// kept first and deleted later has withdrawn twice.
+ReportText withdrawals_text(const ReportFacts& facts) {
   static const std::map<WithdrawalReason, std::string> kWords{
       {WithdrawalReason::consent_withdrawn, "consent withdrawn"},
       {WithdrawalReason::not_eligible, "not eligible"},
       {WithdrawalReason::other, "other reasons"}};
   std::map<std::string, std::size_t> counts{};
-  for (const WithdrawalRow& row : facts.deletions) ++counts[kWords.at(row.reason)];
+  std::size_t deleted = 0;
+  for (const WithdrawalRow& row : facts.withdrawals) {
+    ++counts[kWords.at(row.reason)];
+    if (row.data == WithdrawnData::deleted) ++deleted;
+  }
   std::vector<std::string> reasons{};
   for (const auto& [reason, count] : counts) {
     reasons.push_back(reason + (counts.size() > 1 ? " " + reading_count(count) : ""));
   }
-  const std::size_t count = facts.deletions.size();
-  return {"In the whole study, the data of " + count_in_words(count) +
-          (count == 1 ? " participant" : " participants") + " were deleted (" + listed(reasons) +
-          "); they are in no number of this report."};
+  const std::size_t count = facts.withdrawals.size();
+  const std::string data = deleted == count ? "deleted"
+                           : deleted == 0   ? "kept"
+                                            : "deleted in " + reading_count(deleted) + " of them";
+  return {"The whole study has " + count_in_words(count) +
+          (count == 1 ? " withdrawal" : " withdrawals") + " of participants (" + listed(reasons) +
+          "), with the data " + data + "; they are in no number of this report."};
 }
 
 ReportSection exclusions_section(const ReportFacts& facts) {
@@ -378,7 +386,7 @@ ReportSection exclusions_section(const ReportFacts& facts) {
                    (count == 1 ? " session was excluded:" : " sessions were excluded:")});
     section.parts.emplace_back(std::move(excluded));
   }
-  if (!facts.deletions.empty()) section.parts.emplace_back(deletions_text(facts));
+  if (!facts.withdrawals.empty()) section.parts.emplace_back(withdrawals_text(facts));
   section.parts.emplace_back(attempts_text(facts));
   ReportTable fates = fates_table(facts);
   if (!fates.rows.empty()) section.parts.emplace_back(std::move(fates));

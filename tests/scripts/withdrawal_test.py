@@ -90,3 +90,4 @@ with tempfile.TemporaryDirectory() as folder:
         "export", "copy", "export", "export", "public_export"]
     analysed = asperity("analyze", study, "--json")
     assert KEPT not in analysed and LABEL not in analysed
+    assert "2 participants" in asperity("analyze", study), "of four one was deleted and one is not used"
