@@ -114,9 +114,12 @@ void add_export(CLI::App& program, Job& job) {
       }
       say_what_was_written(options->out, files);
       say_condition(study);
-      if (const auto missing = missing_metadata(study.metadata())) {
-        say("asperity: warning: " + missing->english() + " Enter them with: asperity metadata " +
-            options->study + " --author \"Family, Given\" --license CC-BY-4.0");
+      const StudyMetadata metadata = study.metadata();
+      if (const auto missing = missing_metadata(metadata)) {
+        // Only what is missing: the options replace what is there.
+        say("asperity: warning: " + missing->english() + " Enter that with: asperity metadata " +
+            options->study + (metadata.authors.empty() ? " --author \"Family, Given\"" : "") +
+            (metadata.license ? "" : " --license CC-BY-4.0"));
       }
       say_unrecorded(
           record_output(study, options->published ? OutputKind::public_export : OutputKind::export_,

@@ -22,10 +22,11 @@ bool lasts(std::string_view kind) {
   return known != nullptr && !known->ended_by.empty();
 }
 
+/// The one under way. A break that begins when an attempt ends is not in it, nor one that ends when the next begins.
 const AttemptRow* attempt_at(const std::vector<AttemptRow>& attempts, std::int64_t time_ns) {
   const auto found =
       std::find_if(attempts.begin(), attempts.end(), [time_ns](const AttemptRow& attempt) {
-        return attempt.onset_ns <= time_ns && time_ns <= attempt.offset_ns;
+        return attempt.onset_ns < time_ns && time_ns < attempt.offset_ns;
       });
   return found == attempts.end() ? nullptr : &*found;
 }

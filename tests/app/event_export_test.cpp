@@ -79,6 +79,19 @@ TEST(EventKinds, AreEndedByKinds) {
   }
 }
 
+TEST(SessionTimeline, GivesAnAttemptNothingThatHappensAtItsEnds) {
+  AttemptRow attempt{};
+  attempt.onset_ns = 4 * kOneSecond_ns;
+  attempt.offset_ns = 6 * kOneSecond_ns;
+  const std::vector<AttemptRow> attempts{attempt};
+  for (const TimedEvent& event :
+       session_timeline({event_at(3.0, "break_began"), event_at(4.0, "break_ended"),
+                         event_at(6.0, "break_began")},
+                        attempts)) {
+    EXPECT_EQ(event.attempt, nullptr) << event.row.time_ns;
+  }
+}
+
 TEST(SessionTimeline, GivesWhatLastsTheTimeToItsEnd) {
   AttemptRow attempt{};
   attempt.onset_ns = 4 * kOneSecond_ns;
