@@ -86,7 +86,7 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
   const std::int64_t session =
       made.add_session("anna", protocol, {choice("height_map"), choice("sinusoid")});
   const std::vector<AttemptRow> attempts = made.study().attempts(session);
-  const std::int64_t second_ns = attempts.at(1).onset_ns;
+  const std::int64_t second_ns = attempts.at(1).onset_ns + 1'000'000;  // a moment into it
   made.study().add_event(session, {second_ns, "note", "looked away, 2 s"});
   made.study().add_event(session, {5'250'000'000, "unblinded", "safety"});
   made.study().add_event(session, {66'000'000'000, "trial_repeated",
@@ -106,7 +106,7 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
                           ElementsAre("anna", "1", "0:" + time, "2", "note", "looked away, 2 s"),
                           ElementsAre("anna", "1", "1:01.0", "2", "trial repeated",
                                       "The participant was distracted"),
-          ElementsAre("anna", "1", "1:05.0", "–", "resumed late", "was ill"),
+                          ElementsAre("anna", "1", "1:05.0", "–", "resumed late", "was ill"),
                           ElementsAre("anna", "1", "–", "1", "excluded afterwards",
                                       "wrong hand (decided by MK)")));
 }
