@@ -38,7 +38,7 @@ struct ReportedSession {
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
   std::vector<EventRow> late_resumes{};  ///< see kResumedLate
-  std::vector<ReportedNote> notes{};  ///< by time
+  std::vector<ReportedNote> notes{};     ///< by time
 };
 
 /// Something counted in ticks or records, over attempts or presentations.
