@@ -107,13 +107,7 @@ SessionFacts Conductor::facts_of_session() const {
                      .clock_ahead_ns = rig_.clock().ahead_ns()};
   if (!session_.resumed) return facts;
   facts.earlier_s = study_.session_counts(session_.row.id).running_s;
-  std::vector<EventRow> events = study_.events(session_.row.id);
-  for (const AttemptRow& attempt : session_.attempts) {
-    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
-  }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
-  for (EventRow& event : events) {
+  for (EventRow& event : events_in_order(study_.events(session_.row.id), session_.attempts)) {
     if (event.kind == "note") facts.earlier_notes.push_back(std::move(event.text));
   }
   return facts;

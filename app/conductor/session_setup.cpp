@@ -179,6 +179,16 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   return session;
 }
 
+std::vector<EventRow> events_in_order(std::vector<EventRow> events,
+                                      const std::vector<AttemptRow>& attempts) {
+  for (const AttemptRow& attempt : attempts) {
+    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
+  return events;
+}
+
 bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row) {
   if (row.state != SessionState::stopped) return false;
   const std::vector<EventRow> events = study.events(row.id);

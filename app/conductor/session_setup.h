@@ -56,6 +56,10 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program);
 
+/// What happened in a session in the order of time: what hangs on its attempts among the rest.
+std::vector<EventRow> events_in_order(std::vector<EventRow> events,
+                                      const std::vector<AttemptRow>& attempts);
+
 /// The session has ended as the protocol says although not every trial of it was asked: the
 /// criterion of a practice was not met, and the protocol ends the session then. It is not gone on
 /// with.

@@ -347,19 +347,16 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id) {
   const std::vector<AttemptRow> attempts = study.attempts(session_id);
   detail.overview =
       overview_of(study, row, study.protocol(row.protocol_id), study.session_counts(session_id));
-  detail.events = study.events(session_id);
+  detail.events = events_in_order(study.events(session_id), attempts);
   for (const PlannedTrialRow& planned : study.plan(session_id)) {
     bool begun = false;
     for (const AttemptRow& attempt : attempts) {
       if (attempt.trial != planned.trial) continue;
       begun = true;
       detail.trials.push_back({planned, attempt});
-      detail.events.insert(detail.events.end(), attempt.events.begin(), attempt.events.end());
     }
     if (!begun) detail.trials.push_back({planned, {}});
   }
-  std::stable_sort(detail.events.begin(), detail.events.end(),
-                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
   return detail;
 }
 
