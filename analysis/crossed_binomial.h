@@ -52,6 +52,19 @@ struct CrossedFit {
   double log_likelihood = 0.0;
 };
 
+/// The error of the intercept as that of a mean over a sample of participants and a sample of items,
+/// for t intervals and tests. β₀ varies by σ_p²/P + σ_i²/I besides what its responses vary by; maximum
+/// likelihood estimates σ² too small by (k − 1)/k of k intercepts, so that what is missing,
+/// σ̂_p²/(P(P − 1)) + σ̂_i²/(I(I − 1)), is added to the square of Wald's standard error. The degrees of
+/// freedom are those of the smaller sample, k − 1 (the containment method): Satterthwaite's, from
+/// estimated variances, rejected in up to 7.5 % of simulated tables with four textures at .05.
+struct SampledError {
+  double standard_error = 0.0;
+  double df = 0.0;
+};
+/// Throws std::invalid_argument where a factor that varies has fewer than two intercepts.
+SampledError intercept_error(const CrossedFit& fit, std::size_t participants, std::size_t items);
+
 /// Why there is no fit.
 enum class CrossedProblem {
   no_maximum,               ///< the likelihood grows without bound in β or σ: no maximum exists

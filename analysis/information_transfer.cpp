@@ -2,7 +2,10 @@
 
 #include "analysis/information_transfer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 
@@ -79,6 +82,88 @@ InformationTransfer information_transfer(const ConfusionCounts& counts) {
   answer.p = upper_tail(ChiSquaredStatistic{.value = answer.G, .df = answer.df});
   answer.enough_trials = n >= 5.0 * static_cast<double>(counts.size());
   return answer;
+}
+
+namespace {
+
+/// The trials of all participants one after the other, whose responses are permuted.
+struct PooledTrials {
+  std::vector<std::size_t> stimuli{};
+  std::vector<std::size_t> answers{};
+  std::vector<std::size_t> ends{};  ///< of each participant's trials
+};
+
+PooledTrials pooled_trials(std::span<const std::vector<LabelPair>> trials_of_participants,
+                           std::size_t labels) {
+  PooledTrials pool{};
+  for (const std::vector<LabelPair>& own : trials_of_participants) {
+    for (const LabelPair& trial : own) {
+      if (trial.stimulus >= labels || trial.answer >= labels) {
+        throw std::invalid_argument("trials: a label is not below the number of labels");
+      }
+      pool.stimuli.push_back(trial.stimulus);
+      pool.answers.push_back(trial.answer);
+    }
+    pool.ends.push_back(pool.stimuli.size());
+  }
+  return pool;
+}
+
+bool has_different(const std::vector<std::size_t>& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) != values.end();
+}
+
+/// Σ n·ln n over the cells of a table. The margins are those of every permutation, and G is twice this
+/// sum plus what depends on them alone.
+class CellSum final {
+ public:
+  CellSum(std::size_t labels, std::size_t trials)
+      : labels_(labels), cells_(labels * labels), terms_(trials + 1) {
+    for (std::size_t n = 2; n <= trials; ++n) {
+      terms_[n] = static_cast<double>(n) * std::log(static_cast<double>(n));
+    }
+  }
+
+  double of(const PooledTrials& pool) {
+    std::fill(cells_.begin(), cells_.end(), 0U);
+    for (std::size_t trial = 0; trial < pool.stimuli.size(); ++trial) {
+      ++cells_[pool.stimuli[trial] * labels_ + pool.answers[trial]];
+    }
+    double sum = 0.0;
+    for (const std::uint32_t n : cells_) sum += terms_[n];
+    return sum;
+  }
+
+ private:
+  std::size_t labels_ = 0;
+  std::vector<std::uint32_t> cells_{};
+  std::vector<double> terms_{};  ///< n·ln n
+};
+
+}  // namespace
+
+std::optional<InformationTest> information_test(
+    std::span<const std::vector<LabelPair>> trials_of_participants, std::size_t labels,
+    Random random) {
+  PooledTrials pool = pooled_trials(trials_of_participants, labels);
+  if (!has_different(pool.stimuli) || !has_different(pool.answers)) return std::nullopt;
+  constexpr double kSwaps = 3e7;  // some tenths of a second
+  const auto trials = static_cast<double>(pool.stimuli.size());
+  const auto draws = static_cast<std::size_t>(std::clamp(kSwaps / trials, 199.0, 9999.0));
+  CellSum sum(labels, pool.stimuli.size());
+  constexpr double kRounding = 1e-12;  // of the same cells summed in another order
+  const double observed = sum.of(pool) * (1.0 - kRounding);
+  std::size_t as_large = 1;
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    std::size_t begin = 0;
+    for (const std::size_t end : pool.ends) {
+      random.shuffle(std::span(pool.answers).subspan(begin, end - begin));
+      begin = end;
+    }
+    if (sum.of(pool) >= observed) ++as_large;
+  }
+  return InformationTest{.p = static_cast<double>(as_large) / (static_cast<double>(draws) + 1.0),
+                         .drawn = draws};
 }
 
 }  // namespace asperity

@@ -613,7 +613,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
 
   const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
   tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
-  tests.add("information", "", found, "G.p");
+  tests.add("information", "", found, "G.perm.p");
   std::vector<Finding> textures{};
   if (!findings.empty()) {
     textures =

@@ -25,13 +25,14 @@ Phrase permuted_groups() { return phrase("TestMethods", "permutation test of gro
 std::span<const TestMethod> test_methods() {
   static const std::array kMethods{
       TestMethod{
-          .p = "G.p",
-          .code = "g_test",
-          .name = phrase("TestMethods", "likelihood-ratio test of independence"),
+          .p = "G.perm.p",
+          .code = "g_permutation",
+          .name = phrase("TestMethods", "permutation test of independence"),
           .unit = kAnswers,
           .symbol = "G²",
           .statistic = "G",
           .degrees = {"G.df", ""},
+          .draws = "G.perm.draws",
           .effect_symbol = "IT",
           .effect_name = phrase("TestMethods", "transmitted information in bits, bias-corrected"),
           .effect = "IT.miller1955"},

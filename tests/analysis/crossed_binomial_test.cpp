@@ -182,6 +182,20 @@ TEST(CrossedFit, NamesTheVarianceThatIsEstimatedAsNone) {
   EXPECT_EQ(crossed_fit(same, intercept_of(same)).problem, CrossedProblem::no_variance);
 }
 
+TEST(CrossedFit, ErrsByParticipantsAndByItems) {
+  CrossedFit fit{.standard_error = Eigen::VectorXd::Constant(1, 0.5),
+                 .sigma_participants = 0.6,
+                 .sigma_items = 0.8};
+  const SampledError both = intercept_error(fit, 10, 4);
+  EXPECT_NEAR(both.standard_error * both.standard_error, 0.25 + 0.36 / 90.0 + 0.64 / 12.0, 1e-12);
+  EXPECT_EQ(both.df, 3.0);
+  EXPECT_THROW(intercept_error(fit, 10, 1), std::invalid_argument);
+  fit.sigma_items = 0.0;
+  const SampledError participants = intercept_error(fit, 10, 1);
+  EXPECT_NEAR(participants.standard_error * participants.standard_error, 0.254, 1e-12);
+  EXPECT_EQ(participants.df, 9.0);
+}
+
 TEST(CrossedFit, RefusesWhatIsNoModel) {
   const std::vector<CrossedHits> responses = responses_of({{1, 2}, {2, 1}}, 3);
   EXPECT_THROW(crossed_fit(responses, {.design = Eigen::MatrixXd::Ones(3, 1)}),

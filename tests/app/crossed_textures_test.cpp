@@ -104,7 +104,7 @@ TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {
   const std::vector<Finding> family = of_family(R"({"chance": 0.25})", varied_hits);
   for (const auto& [quantity, key] :
        {std::pair("glmm.beta", "intercept"), std::pair("glmm.sigma", "subject"),
-        std::pair("glmm.sigma", "item"), std::pair("glmm.p", "intercept"),
+        std::pair("glmm.sigma", "item"), std::pair("glmm.t.p", "intercept"),
         std::pair("glmm.proportion", "")}) {
     EXPECT_EQ(found_in(outcome.findings, quantity, key).value,
               found_in(family, quantity, key).value)
@@ -114,7 +114,7 @@ TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {
   const std::string answer = asked_of_textures(outcome)->answer.english();
   EXPECT_THAT(answer, StartsWith("For a participant and a texture of average intercept, the "
                                  "proportion correct is estimated as "));
-  EXPECT_THAT(answer, HasSubstr("where the chance level is 25 %: Wald z = "));
+  EXPECT_THAT(answer, HasSubstr("where the chance level is 25 %: t("));
   EXPECT_THAT(answer, HasSubstr("(N = 4). This test is exploratory."));
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/tail_probabilities.h"
 #include "app/analyses/tidy/tidy_families.h"
 #include "app/cli/analysis_output.h"
 #include "tests/support/refusal.h"
@@ -354,12 +355,30 @@ TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
   const auto [low, high] = interval_of("glmm.beta");
   EXPECT_NEAR(low, 1.200993899 - half, 1e-5);
   EXPECT_NEAR(high, 1.200993899 + half, 1e-5);
+  // t with the degrees of freedom of 4 items.
+  const double df = 3.0;
+  EXPECT_EQ(value_of(found, "glmm.t.df", "intercept"), df);
+  const double error = (1.200993899 + std::log(3.0)) / value_of(found, "glmm.t", "intercept");
+  const double half_of_t = *t_limit({.df = df}) * error;
+  EXPECT_GT(half_of_t, half);
+  EXPECT_EQ(value_of(found, "glmm.t.p", "intercept"),
+            *two_sided_tail({.value = value_of(found, "glmm.t", "intercept"), .df = df}));
   const auto [least, most] = interval_of("glmm.proportion");
-  EXPECT_NEAR(least, 1.0 / (1.0 + std::exp(-1.200993899 + half)), 1e-5);
-  EXPECT_NEAR(most, 1.0 / (1.0 + std::exp(-1.200993899 - half)), 1e-5);
+  EXPECT_NEAR(least, 1.0 / (1.0 + std::exp(-1.200993899 + half_of_t)), 1e-7);
+  EXPECT_NEAR(most, 1.0 / (1.0 + std::exp(-1.200993899 - half_of_t)), 1e-7);
   const auto probit = glmm_findings(
       input_of(table, R"({"fixed": {"condition": ["plain", "masked"]}, "link": "probit"})"));
   EXPECT_NEAR(value_of(probit, "glmm.beta", "intercept"), 0.718190575, 1e-7);
+}
+
+TEST(TidyFamilies, ReferTheLikelihoodRatioOfTwoGroupsToF) {
+  const std::string table =
+      "subject,group,correct,trials\na,x,3,9\nb,x,5,9\nc,x,8,9\nd,y,4,9\ne,y,8,9\nf,y,9,9\n";
+  const auto found = group_findings(input_of(table, R"({"groups": ["x", "y"]})"));
+  EXPECT_EQ(value_of(found, "mixed.lr.group.F.p", ""),
+            *upper_tail(FStatistic{
+                .value = value_of(found, "mixed.lr.group", ""), .df1 = 1.0, .df2 = 4.0}));
+  EXPECT_GT(value_of(found, "mixed.lr.group.F.p", ""), value_of(found, "mixed.lr.group.p", ""));
 }
 
 TEST(TidyFamilies, TakeRowsThatStandForSeveral) {

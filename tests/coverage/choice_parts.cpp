@@ -57,7 +57,10 @@ std::vector<CheckedInterval> recognition_intervals(const CoverageSetting& settin
 
 std::vector<CheckedTest> recognition_tests(const CoverageSetting& setting) {
   if (setting.effect != kChance || setting.spread > 0.0) return {};
-  return {{.quantity = "subj.t.p.two"}, {.quantity = "pc.p.greater"}, {.quantity = "G.p"}};
+  return {{.quantity = "subj.t.p.two"},
+          {.quantity = "pc.p.greater"},
+          {.quantity = "G.p"},
+          {.quantity = "G.perm.p"}};
 }
 
 // --- matching: four pictures to four surfaces ------------------------------------------------------
@@ -316,7 +319,8 @@ std::vector<CheckedTest> group_tests(const CoverageSetting&) {
   return {{.quantity = "perm.p.two"},
           {.quantity = "welch.p.two"},
           {.quantity = "mannwhitney.exact.p.two"},
-          {.quantity = "mixed.lr.group.p"}};
+          {.quantity = "mixed.lr.group.p"},
+          {.quantity = "mixed.lr.group.F.p"}};
 }
 
 }  // namespace

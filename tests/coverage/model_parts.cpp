@@ -148,7 +148,7 @@ std::vector<CheckedInterval> crossed_intervals(const CoverageSetting& setting) {
 
 std::vector<CheckedTest> crossed_tests(const CoverageSetting& setting) {
   if (setting.effect != kChanceOfTextures) return {};
-  return {{.quantity = "glmm.p", .key = "intercept"}};
+  return {{.quantity = "glmm.p", .key = "intercept"}, {.quantity = "glmm.t.p", .key = "intercept"}};
 }
 
 /// The analysis needs five participants.

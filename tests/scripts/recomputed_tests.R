@@ -1,6 +1,7 @@
 # Recomputes the tables of tests of a study from its export, with R alone. Arguments: the folder of the export, a CSV of what the
 # protocols declare (protocol, family, target, condition, conditions; lists are separated by ";"), the file to write. Distributions are R's own; null
-# distributions are those that docs/analysis.md describes, counted in full whatever the program counts or draws.
+# distributions are those that docs/analysis.md describes, counted in full whatever the program counts or draws, but for
+# the responses of a recognition, which are permuted at random.
 options(warn = 2)
 arguments <- commandArgs(trailingOnly = TRUE)
 source(file.path(arguments[1], "import.R"), chdir = TRUE)
@@ -278,9 +279,19 @@ recognition <- function(answers, felt, of) {
   expected <- outer(rowSums(counts), colSums(counts)) / n
   g <- 2 * sum((counts * log(counts / expected))[counts > 0])
   df <- (sum(rowSums(counts) > 0) - 1) * (sum(colSums(counts) > 0) - 1)
-  # Without degrees of freedom no hypothesis is tested.
+  # Without degrees of freedom no hypothesis is tested. G has the order of the sum of n log n over the cells.
   if (df > 0) {
-    test_row("information", "", g, pchisq(g, df, lower.tail = FALSE), n, c((g - df) / (2 * n * log(2)), NA, NA), df)
+    who <- as.integer(factor(answers$participant))
+    row <- match(answers$felt, labels)[order(who)]
+    column <- match(as.character(answers$answer), labels)
+    sum_of <- function(order) {
+      cells <- tabulate(row + m * (column[order] - 1), m * m)
+      sum((cells * log(cells))[cells > 0])
+    }
+    set.seed(1)
+    observed <- sum_of(order(who)) * (1 - 1e-12)
+    permuted <- replicate(50000, sum_of(order(who, runif(n))))
+    test_row("information", "", g, mean(c(TRUE, permuted >= observed)), n, c((g - df) / (2 * n * log(2)), NA, NA), df)
   } else no_test("information", "")
   for (label in labels) if (sum(counts[label, ])) binomial("textures", label, counts[label, label], sum(counts[label, ]), m)
   of_groups(own)

@@ -8,6 +8,7 @@ import itertools
 import json
 import math
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 TOLERANCE = 1e-6
+DRAWS = 20000  # of permutations where the program draws them too
 CONFIDENCE = 0.95
 
 
@@ -102,18 +104,6 @@ def noncentralities(t, df):
             low, high = (middle, high) if t_below(t, df, middle) > probability else (low, middle)
         return (low + high) / 2
     return crossing(1 - tail), crossing(tail)
-
-
-def chi_squared_above(x, df):
-    """Of whole degrees of freedom, by the recurrence of the incomplete gamma function."""
-    if df == 0:
-        return 1.0
-    tail = math.erfc(math.sqrt(x / 2)) if df % 2 else math.exp(-x / 2)
-    term = math.sqrt(2 * x / math.pi) * math.exp(-x / 2) if df % 2 else math.exp(-x / 2) * x / 2
-    for k in range(1 if df % 2 else 2, df, 2):
-        tail += term
-        term *= x / (k + 2)
-    return tail
 
 
 def z_quantile():
@@ -403,13 +393,32 @@ def of_sexes(answers, means):
                   len(first) + len(second))
 
 
+def permuted_responses(trials_of_participants):
+    """Proportion of random permutations of each participant's responses with at least this dependence."""
+    generator = random.Random(1)
+
+    def dependence(trials):
+        return sum(count * math.log(count) for count in collections.Counter(trials).values()) + 1e-9
+
+    felt = [[one for one, _ in own] for own in trials_of_participants]
+    given = [[one for _, one in own] for own in trials_of_participants]
+    observed = dependence(trial for own in trials_of_participants for trial in own) - 2e-9
+    as_large = 1
+    for _ in range(DRAWS):
+        for own in given:
+            generator.shuffle(own)
+        as_large += dependence(trial for own in map(zip, felt, given) for trial in own) >= observed
+    return as_large / (DRAWS + 1)
+
+
 def recognition(answers, _):
     tests, table = {}, collections.Counter()
     labels = sorted({option for trial in answers.trials.values() for option in trial["options"]} - {"cannot_tell"})
-    own = collections.defaultdict(list)
+    own, judged = collections.defaultdict(list), collections.defaultdict(list)
     for trial in answers.trials.values():
         felt, answer = trial["felt"][0]["item"], trial["replies"][0]["answer"]
         own[trial["who"]].append(felt == answer)
+        judged[trial["who"]].append((felt, answer))
         table[felt, answer] += 1
     shares = [mean(own[who]) for who in answers.people]
     m, n = len(labels), sum(table.values())
@@ -425,7 +434,7 @@ def recognition(answers, _):
     g = 2 * sum(count * math.log(count * n / (felt[a] * given[b])) for (a, b), count in table.items() if count)
     df = (sum(map(bool, felt.values())) - 1) * (sum(map(bool, given.values())) - 1)
     bits = g / (2 * n * math.log(2)) - df / (2 * n * math.log(2))
-    tests["information", None] = result("G²", g, chi_squared_above(g, df), (bits, None, None), n, (df,))
+    tests["information", None] = result("G²", g, permuted_responses(judged.values()), (bits, None, None), n, (df,))
     for label in labels:
         if felt[label]:
             hits = table[label, label]
@@ -524,8 +533,11 @@ def check(outcome, tables):
             continue
         test = tests[row["test"], row["about"]]
         assert row["statistic"] == test["statistic"] and row["n"] == test["n"], (place, row, test)
-        assert row["permutations"] in (None, "exact"), place
-        agree((*place, "p"), row["p"], test["p"])
+        if row["permutations"] in (None, "exact"):
+            agree((*place, "p"), row["p"], test["p"])
+        else:
+            variance = test["p"] * (1 - test["p"]) * (1 / DRAWS + 1 / int(row["permutations"]))
+            assert abs(row["p"] - test["p"]) <= 4 * math.sqrt(variance), (place, row["p"], test["p"])
         agree((*place, "p_holm"), row["p_holm"], own)
         agree((*place, "value"), row["value"], test["value"])
         for i, name in enumerate(("df1", "df2")):

@@ -204,22 +204,41 @@ class CrossedFindings final {
       const double statistic = (beta - null) / error;
       number("glmm.z", key, statistic, "Wald's z");
       number("glmm.p", key, std::erfc(std::abs(statistic) / std::sqrt(2.0)), "Wald's z, two-sided");
-      return *shown.interval;
     };
-    const ConfidenceInterval intercept = add("intercept", 0, null_);
-    Basis shown = basis(
-        "proportion correct of a participant and an item of average intercept, at the reference "
-        "levels");
-    shown.interval = {.low = proportion_at(intercept.low, table_.model.link),
-                      .high = proportion_at(intercept.high, table_.model.link)};
-    shown.confidence = confidence_;
-    list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
+    add("intercept", 0, null_);
+    average_proportion(fit);
     for (const FixedFactor& factor : table_.factors) {
       for (Eigen::Index level = 0; level < factor.columns(); ++level) {
         add(both(factor.name, factor.levels[static_cast<std::size_t>(level) + 1]),
             factor.first_column + level, 0.0);
       }
     }
+  }
+
+  /// Of other participants and other items of the same kind: t instead of Wald's z.
+  void average_proportion(const CrossedFit& fit) {
+    const SampledError error = intercept_error(fit, table_.participants, table_.items);
+    const std::string method =
+        "t with the degrees of freedom of the smaller sample, of participants or of items; "
+        "standard "
+        "error corrected for the bias of the variances";
+    const double half_width =
+        error.standard_error *
+        t_limit({.confidence = confidence_, .df = error.df}).value_or(kUndefined);
+    Basis shown = basis(
+        "proportion correct of a participant and an item of average intercept, at the reference "
+        "levels; interval: " +
+        method);
+    shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
+                      .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
+    shown.confidence = confidence_;
+    list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
+    const double t = (fit.beta(0) - null_) / error.standard_error;
+    number("glmm.t", "intercept", t, method);
+    number("glmm.t.df", "intercept", error.df, method);
+    number("glmm.t.p", "intercept",
+           two_sided_tail({.value = t, .df = error.df}).value_or(kUndefined),
+           method + ", two-sided");
   }
 
   /// Against the model without the factor.

@@ -1104,10 +1104,6 @@
         <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
     </message>
     <message>
-        <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), where the chance level is %4: Wald z = %5, %6, uncorrected. SD of the intercepts (logit): participants %7, textures %8. This test is exploratory.</source>
-        <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: Wald-z = %5, %6, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %7, Texturen %8. Dieser Test ist explorativ.</translation>
-    </message>
-    <message>
         <source>%1 (N = %2)</source>
         <translation>%1 (N = %2)</translation>
     </message>
@@ -1236,10 +1232,6 @@
         <translation>%1, gemittelt über die Versuchspersonen.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; Wald test and CI of the fixed intercept. In simulations with SDs of 0.5 and 1 the 95 % CI contained the true value in 82 to 94 % of the studies with an estimate and three or four textures, and in 89 to 94 % with six or ten.</source>
-        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; Wald-Test und Konfidenzintervall des festen Achsenabschnitts. In Simulationen mit Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 82 bis 94 % der Studien mit einer Schätzung und drei oder vier Texturen, und in 89 bis 94 % mit sechs oder zehn.</translation>
-    </message>
-    <message>
         <source>95 % CI: t-based over participants, on the logarithmic scale.</source>
         <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
@@ -1266,6 +1258,14 @@
     <message>
         <source>95 % CI: t-based over participants, of times on the logarithmic and of proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
         <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
+    </message>
+    <message>
+        <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), where the chance level is %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
+        <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
+    </message>
+    <message>
+        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants, four textures and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 99 % of the studies with an estimate.</source>
+        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen, vier Texturen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 99 % der Studien mit einer Schätzung.</translation>
     </message>
 </context>
 <context>
@@ -4695,10 +4695,6 @@
         <translation>Permutationstest der Gruppen</translation>
     </message>
     <message>
-        <source>likelihood-ratio test of independence</source>
-        <translation>Likelihood-Quotienten-Test auf Unabhängigkeit</translation>
-    </message>
-    <message>
         <source>repeated-measures ANOVA</source>
         <translation>Varianzanalyse mit Messwiederholung</translation>
     </message>
@@ -4769,6 +4765,10 @@
     <message>
         <source>Cohen’s d</source>
         <translation>Cohens d</translation>
+    </message>
+    <message>
+        <source>permutation test of independence</source>
+        <translation>Permutationstest auf Unabhängigkeit</translation>
     </message>
 </context>
 <context>
