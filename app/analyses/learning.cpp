@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/learning.h"
 #include "app/analyses/answer_columns.h"
 #include "app/analyses/reading_table.h"
 #include "app/analyses/study_findings.h"
@@ -16,8 +17,6 @@ namespace asperity {
 namespace {
 
 constexpr const char* kLearningFamily = "learning";
-/// A ratio per ten trials of fewer would extrapolate.
-constexpr std::size_t kTrialsOfASlope = 10;
 
 /// Of each answer its number among those of the participant, from 1, in the order of the plan.
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
@@ -43,14 +42,15 @@ TidyInput input_of(std::vector<TidyTable::Column> columns) {
   return input;
 }
 
-TidyInput times_by_trial(const GatheredAnswers& gathered) {
+TidyInput times_by_trial(const GatheredAnswers& gathered, const std::vector<std::size_t>& numbers) {
   return input_of({{"subject", column_of_people(gathered)},
-                   {"trial", column_of_counts(trial_numbers(gathered))},
+                   {"trial", column_of_counts(numbers)},
                    {"time_s", column_of_times(gathered)}});
 }
 
 /// Nothing where a response is neither correct nor incorrect.
-std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered) {
+std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered,
+                                          const std::vector<std::size_t>& numbers) {
   std::vector<std::size_t> correct{};
   std::vector<std::size_t> items{};
   for (const GatheredAnswer& answer : gathered.answers) {
@@ -64,7 +64,7 @@ std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered) {
     items.push_back(replies.size());
   }
   return input_of({{"subject", column_of_people(gathered)},
-                   {"trial", column_of_counts(trial_numbers(gathered))},
+                   {"trial", column_of_counts(numbers)},
                    {"correct", column_of_counts(correct)},
                    {"items", column_of_counts(items)}});
 }
@@ -105,12 +105,6 @@ void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Ta
                           times.cell("block", block->key), low_s, high_s,
                           correct.cell("block", block->key), low, high});
   }
-}
-
-bool has_cells(const Table& table, const std::string& column) {
-  const std::optional<std::size_t> at = column_of(table, column);
-  return at && std::any_of(table.rows.begin(), table.rows.end(),
-                           [&at](const std::vector<Cell>& row) { return row[*at] != Cell{}; });
 }
 
 Phrase note_on_changes(const Table& changes, bool has_proportions) {
@@ -174,15 +168,15 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
 }  // namespace
 
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<std::size_t> numbers = trial_numbers(gathered);
   std::vector<Finding> of_times =
-      analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered));
+      analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered, numbers));
   std::vector<Finding> of_correct{};
-  if (std::optional<TidyInput> input = correct_by_trial(gathered)) {
+  if (std::optional<TidyInput> input = correct_by_trial(gathered, numbers)) {
     of_correct = analysis_of(kLearningCorrect, kLearningFamily, std::move(*input));
   }
-  const std::vector<std::size_t> numbers = trial_numbers(gathered);
   const bool has_ten = std::any_of(numbers.begin(), numbers.end(),
-                                   [](std::size_t number) { return number >= kTrialsOfASlope; });
+                                   [](std::size_t number) { return number >= kTrialsOfSlope; });
   if (!has_ten) {
     std::erase_if(of_times, [](const Finding& finding) {
       return finding.quantity.find("slope.ratio") != std::string::npos;

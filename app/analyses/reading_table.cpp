@@ -46,6 +46,12 @@ std::optional<double> number_of(const Cell& cell) {
   return {};
 }
 
+bool has_cells(const Table& table, const std::string& column) {
+  const std::optional<std::size_t> at = column_of(table, column);
+  return at && std::any_of(table.rows.begin(), table.rows.end(),
+                           [&at](const std::vector<Cell>& row) { return row[*at] != Cell{}; });
+}
+
 void drop_empty_columns(Table& table, std::size_t kept) {
   if (table.rows.empty()) return;
   for (std::size_t column = table.columns.size(); column-- > kept;) {

@@ -13,6 +13,9 @@ namespace asperity {
 /// Where the column of this name is.
 std::optional<std::size_t> column_of(const Table& table, const std::string& name);
 
+/// Whether any row has something in this column; false where there is no such column.
+bool has_cells(const Table& table, const std::string& column);
+
 /// A number, whole or not; nothing for text and what is missing.
 std::optional<double> number_of(const Cell& cell);
 

@@ -118,11 +118,7 @@ Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials
       "From the cue, the first question after the last surface, to the response; presenting a "
       "surface again is part of it. Geometric means over participants of each participant's "
       "geometric mean.");
-  const std::size_t low = column_of(times, "time_s_low").value();
-  const bool has_interval =
-      std::any_of(times.rows.begin(), times.rows.end(),
-                  [low](const std::vector<Cell>& row) { return row[low] != Cell{}; });
-  if (has_interval) {
+  if (has_cells(times, "time_s_low")) {
     note = phrase("Analysis",
                   "%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations "
                   "with 2 to 20 participants it contained the true value in at least 92 % of the "

@@ -251,18 +251,16 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   const TestMethod& by = *test.made_by;
   test.unit = by.unit;
   if (test.unit != kUsualUnit) test.method += "; n counts " + test.unit;
+  if (found.value(by.degrees.front(), key) == 0.0) {  // no hypothesis was tested
+    test.p.reset();
+    test.status = "nothing_varies";
+    return;
+  }
   if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
   if (!test.p) return;  // without a test there is no statistic either
   test.statistic = found.value(by.statistic, key);
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
-  }
-  if (!test.degrees.empty() && test.degrees.front() == 0.0) {  // no hypothesis was tested
-    test.p.reset();
-    test.statistic.reset();
-    test.degrees.clear();
-    test.status = "nothing_varies";
-    return;
   }
   if (!by.draws.empty()) {
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
@@ -367,37 +365,28 @@ std::size_t StudyTests::tests_in_family() const {
 }
 
 // What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
-// others what they would have been, and its own place in the family.
+// others what they would have been, and its own place in the family. Holm's adjusted p do not fall when
+// any raw p rises: what all tests give at their smallest p is the least that each can give.
 void StudyTests::adjust() {
-  std::vector<double> raw{};
-  for (const Test& test : tests_) {
-    if (is_in_family(test.name)) raw.push_back(test.p.value_or(1.0));
-  }
-  const std::vector<double> adjusted = holm_adjusted(raw);
-  std::size_t next = 0;
+  std::vector<Test*> family{};
   for (Test& test : tests_) {
-    if (!is_in_family(test.name)) continue;
-    const double own = adjusted[next++];
+    if (is_in_family(test.name)) family.push_back(&test);
+  }
+  const auto holm_of = [&family](const auto& p_of) {
+    std::vector<double> raw(family.size());
+    std::transform(family.begin(), family.end(), raw.begin(),
+                   [&p_of](const Test* test) { return test->p ? p_of(*test) : 1.0; });
+    return holm_adjusted(raw);
+  };
+  const std::vector<double> adjusted = holm_of([](const Test& test) { return *test.p; });
+  const std::vector<double> smallest =
+      holm_of([](const Test& test) { return test.smallest_p.value_or(0.0); });
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    Test& test = *family[i];
     if (!test.p) continue;
-    test.adjusted = own;
-    test.is_only_confirmatory = raw.size() == 1;
-  }
-  adjust_smallest();
-}
-
-// Holm's adjusted p do not fall when any raw p rises: what all tests give at their smallest p is the
-// least that each can give.
-void StudyTests::adjust_smallest() {
-  std::vector<double> smallest{};
-  for (const Test& test : tests_) {
-    if (is_in_family(test.name)) smallest.push_back(test.p ? test.smallest_p.value_or(0.0) : 1.0);
-  }
-  const std::vector<double> adjusted = holm_adjusted(smallest);
-  std::size_t next = 0;
-  for (Test& test : tests_) {
-    if (!is_in_family(test.name)) continue;
-    const double own = adjusted[next++];
-    if (test.smallest_p) test.smallest_p = own;
+    test.adjusted = adjusted[i];
+    test.is_only_confirmatory = family.size() == 1;
+    if (test.smallest_p) test.smallest_p = smallest[i];
   }
 }
 

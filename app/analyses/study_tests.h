@@ -76,10 +76,9 @@ class StudyTests final {
   bool is_declared() const noexcept { return is_declared_; }
 
  private:
+  /// The p of the family, and the smallest ones that are attainable, with Holm's correction.
   void adjust();
   std::size_t tests_in_family() const;
-  /// The smallest p that are attainable with Holm's correction.
-  void adjust_smallest();
   /// What stands below the table: of how many tests the family is, and what the columns hold.
   Phrase note_on_family(std::size_t tests) const;
   Phrase note_on_columns() const;

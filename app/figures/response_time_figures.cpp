@@ -60,6 +60,17 @@ bool has_interval(const std::vector<const Finding*>& findings) {
                      [](const Finding* one) { return interval_of(*one).has_value(); });
 }
 
+Phrase note_on_geometric_means(const std::vector<const Finding*>& means) {
+  return has_interval(means)
+             ? phrase("Figures",
+                      "Points are geometric means over the participants, bars their %1 % CIs by t "
+                      "on the logarithmic scale. From the cue to the response.")
+                   .with(percent_of(means))
+             : phrase("Figures",
+                      "Points are geometric means over the participants. From the cue to the "
+                      "response.");
+}
+
 /// The lines of single participants over the blocks; none of a single one, nor of too many.
 FigureSeries lines_of_singles(const FoundNumbers& found,
                               const std::map<std::string, double>& place_of_block) {
@@ -148,16 +159,7 @@ Figure response_times_figure(const FoundNumbers& found) {
   figure.x.unit = "s";
   figure.series.push_back(std::move(points));
   figure.series.push_back(singles_in_rows(rows, figure.x, 0));
-  figure.note = with_note_on_singles(
-      has_interval(means)
-          ? phrase("Figures",
-                   "Points are geometric means over the participants, bars their %1 % CIs by t on "
-                   "the logarithmic scale. From the cue to the response.")
-                .with(percent_of(means))
-          : phrase("Figures",
-                   "Points are geometric means over the participants. From the cue to the "
-                   "response."),
-      figure);
+  figure.note = with_note_on_singles(note_on_geometric_means(means), figure);
   return figure;
 }
 
@@ -182,16 +184,7 @@ Figure times_over_trials_figure(const FoundNumbers& found) {
   figure.y.name = phrase("Figures", "response time");
   figure.y.unit = "s";
   const std::vector<const Finding*> blocks = found.all("block");
-  figure.note = with_note_on_lines(
-      has_interval(blocks)
-          ? phrase("Figures",
-                   "Points are geometric means over the participants, bars their %1 % CIs by t on "
-                   "the logarithmic scale. From the cue to the response.")
-                .with(percent_of(blocks))
-          : phrase("Figures",
-                   "Points are geometric means over the participants. From the cue to the "
-                   "response."),
-      figure);
+  figure.note = with_note_on_lines(note_on_geometric_means(blocks), figure);
   return figure;
 }
 

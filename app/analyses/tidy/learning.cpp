@@ -22,7 +22,6 @@ namespace asperity {
 namespace {
 
 constexpr double kMostBlocks = 12.0;
-constexpr double kTrialsOfSlope = 10.0;
 
 /// The rows of each participant that have a result, in the order of their trials.
 struct OrderedTrials {
@@ -123,7 +122,8 @@ std::optional<double> change_per_trials(const std::vector<std::size_t>& rows,
         {.trial = static_cast<double>(ordered.trials[row]), .result = *logarithms[row]});
   }
   const std::optional<double> slope = slope_over_trials(results);
-  return slope ? std::optional(std::exp(kTrialsOfSlope * *slope)) : std::nullopt;
+  return slope ? std::optional(std::exp(static_cast<double>(kTrialsOfSlope) * *slope))
+               : std::nullopt;
 }
 
 std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptions& options) {
