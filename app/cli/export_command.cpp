@@ -102,18 +102,21 @@ void add_export(CLI::App& program, Job& job) {
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       wanted.formats = formats_in(options->formats);
       wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
-      std::vector<ExportedFile> files{};
+      ExportOutcome outcome{};
       {
         Progress progress("exporting");
-        files = export_study(study, models, options->out, wanted, interrupt.token(),
-                             [&progress](double fraction) { progress.show(fraction); });
+        outcome = export_study(study, models, options->out, wanted, interrupt.token(),
+                               [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
         say("asperity: stopped before everything was written; nothing is left of it");
         return 1;
       }
-      say_what_was_written(options->out, files);
+      say_what_was_written(options->out, outcome.files);
       say_condition(study);
+      for (const Phrase& warning : outcome.warnings) {
+        say("asperity: warning: " + warning.english());
+      }
       const StudyMetadata metadata = study.metadata();
       if (const auto missing = missing_metadata(metadata)) {
         // Only what is missing: the options replace what is there.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 #include <utility>
 
 #include "analysis/spectrum.h"
@@ -56,6 +57,12 @@ Columns StimulusTable::columns() {
   add("parameters_json", "json", "", "parameters of the force model, as rendered");
   add("height_field_sha256", "text", "",
       "SHA-256 of the height field's sidecar, as in presentations.tsv", kNoField);
+  add("height_field_state", "text", "",
+      "complete: the study has the height field as the sessions used it; missing: the file or its "
+      "sidecar is not there; changed: the file that is there is another one",
+      kNoField);
+  columns.back().levels = {name_of(FileState::complete), name_of(FileState::missing),
+                           name_of(FileState::changed)};
   add("height_field", "text", "",
       "file of the height field in the study, and in this folder where it holds stimuli/; its "
       "sidecar, with pitch and range of the heights, has .json at the end of the name",
@@ -105,13 +112,28 @@ void StimulusTable::add(const ExportPlace& at) {
   }
 }
 
+const char* StimulusTable::name_of(FileState state) {
+  switch (state) {
+    case FileState::complete:
+      return "complete";
+    case FileState::missing:
+      return "missing";
+    case FileState::changed:
+      return "changed";
+  }
+  return "";
+}
+
 StimulusTable::Relief StimulusTable::relief_of(const std::string& sidecar_sha256) {
   const auto path = paths_.find(sidecar_sha256);
-  if (path == paths_.end()) return {};
+  if (path == paths_.end()) return {.state = FileState::missing};
+  const std::filesystem::path png = study_ / path->second;
+  if (!std::filesystem::exists(png) || !std::filesystem::exists(sidecar_of(png))) {
+    return {.state = FileState::missing};
+  }
   try {
-    const std::filesystem::path png = study_ / path->second;
     const LoadedHeightField loaded = load_height_field(png);
-    if (loaded.sha256 != sidecar_sha256) return {};
+    if (loaded.sha256 != sidecar_sha256) return {.state = FileState::changed};
     const HeightField& field = *loaded.field;
     if (copies_height_fields_) {
       folder_.write(path->second, read_file(png));
@@ -126,18 +148,48 @@ StimulusTable::Relief StimulusTable::relief_of(const std::string& sidecar_sha256
                                                             .columns = field.grid().columns,
                                                             .pitch_m = field.grid().pitch_m})};
   } catch (const std::exception&) {
-    return {};  // `asperity verify` states what is wrong with the file
+    return {.state = FileState::changed};  // `asperity verify` states what is wrong with the file
   }
 }
 
-void StimulusTable::finish() {
+Phrase StimulusTable::complaint_about(const std::string& sidecar_sha256, FileState state) const {
+  std::set<std::pair<std::string, std::string>> users{};  // stimulus, texture
+  for (const auto& [key, row] : rows_) {
+    if (key.height_field_sha256 == sidecar_sha256) users.insert({key.stimulus, key.texture});
+  }
+  std::string stimuli{};
+  for (const auto& [stimulus, texture] : users) {
+    stimuli += (stimuli.empty() ? "\"" : ", \"") + stimulus + '"';
+    if (!texture.empty() && texture != stimulus) stimuli += " (" + texture + ')';
+  }
+  const auto path = paths_.find(sidecar_sha256);
+  const std::string file = path == paths_.end() ? sidecar_sha256 : path->second;
+  const Phrase complaint =
+      state == FileState::missing
+          ? phrase("StimulusTable",
+                   "%1, the height field of the stimulus %2, is missing from the study: the export "
+                   "has neither the file nor its features. Restore it from a backup or a copy of "
+                   "the study, then export again.")
+          : phrase("StimulusTable",
+                   "%1, the height field of the stimulus %2, is not the file that the sessions "
+                   "used: the export has neither that file nor its features. Restore it from a "
+                   "backup or a copy of the study, then export again.");
+  return complaint.with(file, stimuli);
+}
+
+std::vector<Phrase> StimulusTable::finish() {
+  std::vector<Phrase> complaints{};
   std::map<std::string, Relief> reliefs{};
   TableFile file(folder_.path_of("stimuli.tsv"), TableFile::Format::tsv, column_names(columns()));
   for (const auto& [key, row] : rows_) {
     Relief relief{};
     if (const auto& sha256 = key.height_field_sha256) {
-      if (!reliefs.contains(*sha256)) reliefs[*sha256] = relief_of(*sha256);
-      relief = reliefs[*sha256];
+      const auto [found, is_new] = reliefs.try_emplace(*sha256);
+      if (is_new) found->second = relief_of(*sha256);
+      relief = found->second;
+      if (is_new && relief.state != FileState::complete) {
+        complaints.push_back(complaint_about(*sha256, relief.state));
+      }
     }
     const auto text = [](const std::string& value) { return value.empty() ? Cell{} : Cell{value}; };
     file.add({key.protocol,
@@ -150,6 +202,7 @@ void StimulusTable::finish() {
               text(key.texture),
               key.parameters_json,
               optional_cell(key.height_field_sha256),
+              key.height_field_sha256 ? Cell{name_of(relief.state)} : Cell{},
               text(relief.path),
               optional_cell(relief.width_m),
               optional_cell(relief.rms_m),
@@ -162,6 +215,7 @@ void StimulusTable::finish() {
               optional_cell(sd_if_any(row.achieved_N))});
   }
   folder_.add("stimuli.tsv", file.finish());
+  return complaints;
 }
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
+#include "app/phrase.h"
 
 namespace asperity {
 
@@ -29,8 +30,9 @@ class StimulusTable final {
   void begin_session(const ExportPlace& at);
   /// `at` with a presentation.
   void add(const ExportPlace& at);
-  /// Writes the table and copies the files.
-  void finish();
+  /// Writes the table and copies the files. Returns a sentence for each height field that is no longer in the study as
+  /// the sessions used it, with the stimuli that it belongs to and what to do.
+  std::vector<Phrase> finish();
 
  private:
   struct Key {
@@ -51,14 +53,18 @@ class StimulusTable final {
     std::int64_t presentations = 0;
     std::vector<double> achieved_N{};
   };
+  enum class FileState { complete, missing, changed };
   struct Relief {
+    FileState state = FileState::complete;
     std::string path{};  ///< within the study, and within the export where it was copied
     std::optional<double> width_m{};
     std::optional<double> rms_m{};
     std::optional<double> range_m{};
     std::optional<double> dominant_wavelength_m{};
   };
+  static const char* name_of(FileState state);
   Relief relief_of(const std::string& sidecar_sha256);
+  Phrase complaint_about(const std::string& sidecar_sha256, FileState state) const;
 
   ExportFolder& folder_;
   std::filesystem::path study_{};

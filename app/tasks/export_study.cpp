@@ -371,15 +371,17 @@ class StudyExport final {
     return !stop.stop_requested();
   }
 
-  void finish() {
+  /// What could not be exported.
+  std::vector<Phrase> finish() {
     for (GrowingTable& table : tables_) {
       folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
     }
     for (auto& [group, files] : groups_) files->finish(vocabulary_, codebook_);
-    stimuli_.finish();
+    std::vector<Phrase> warnings = stimuli_.finish();
     codebook_.add("stimuli.tsv", StimulusTable::columns());
     codebook_.write(folder_);
     write_event_sidecar();
+    return warnings;
   }
 
  private:
@@ -544,9 +546,11 @@ class StudyExport final {
 };
 
 /// For whoever finds the folder.
-std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark) {
+std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark,
+                   const std::vector<Phrase>& warnings) {
   std::string text = "A study, written by Asperity for other programs.\n\n";
   if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
+  for (const Phrase& warning : warnings) text += "INCOMPLETE: " + warning.english() + "\n\n";
   text +=
       "codebook.tsv says what every column of every file means; MANIFEST.tsv has the "
       "SHA-256 of every file; events.json describes each kind of event.\n"
@@ -615,27 +619,28 @@ std::set<ExportFormat> usual_export_formats() {
           ExportFormat::psychds, ExportFormat::stimuli, ExportFormat::fit};
 }
 
-std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,
-                                       const fs::path& folder, const ExportOptions& options,
-                                       const std::stop_token& stop,
-                                       const std::function<void(double)>& progress) {
+ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
+                           const ExportOptions& options, const std::stop_token& stop,
+                           const std::function<void(double)>& progress) {
   ExportFolder making(folder, options.overwrite);
   const OwnScales own_scales(study, stop);
   if (stop.stop_requested()) return {};
   bool stopped = false;
+  ExportOutcome outcome{};
   read_unless_broken(
       study,
       [&] {
         StudyExport walk(study, models, making, options, own_scales);
         stopped = !walk.walk(stop, progress);
-        if (!stopped) walk.finish();
+        if (!stopped) outcome.warnings = walk.finish();
       },
       stop);
   if (stopped) return {};
-  making.write("README.txt", readme(options, remark_on(study)));
+  making.write("README.txt", readme(options, remark_on(study), outcome.warnings));
   making.write("import.R", import_script_for_r());
   making.write("import.py", import_script_for_python());
-  return making.take_place();
+  outcome.files = making.take_place();
+  return outcome;
 }
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
+#include "app/phrase.h"
 #include "renderers/force_model.h"
 #include "results_schema/study.h"
 
@@ -42,9 +43,15 @@ struct ExportOptions {
   std::set<ExportFormat> formats = usual_export_formats();
 };
 
+/// What an export came to.
+struct ExportOutcome {
+  std::vector<ExportedFile> files{};  ///< by name; none when it was asked to stop
+  /// What of the study could not be exported, and what to do, a sentence each. README.txt has them too.
+  std::vector<Phrase> warnings{};
+};
+
 /// Writes a study into `folder`, which appears complete or not at all: docs/formats/export.md says
-/// which files. Returns every file in it, by name; when asked to stop, none, and leaves nothing
-/// behind. `progress` is told 0 to 1.
+/// which files. When asked to stop it leaves nothing behind. `progress` is told 0 to 1.
 ///
 /// Rows are ordered by natural keys and carry no row ids, so that two simulations that did the same
 /// export the same bytes. From the tables nothing is left out for being invalid, excluded, flagged,
@@ -52,14 +59,13 @@ struct ExportOptions {
 /// SPSS files, the datasets) has people's sessions at the top; those of a pilot are in `pilot/`,
 /// those of virtual participants in `virtual/`.
 ///
-/// README.txt begins by saying so when the study's file was changed (Study::condition).
+/// README.txt begins with it when the study's file was changed (Study::condition).
 ///
 /// Memory: what one session needs, and the wide table. Errors: as ExportFolder's; ResultsError for a
 /// study that is broken.
-std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,
-                                       const std::filesystem::path& folder,
-                                       const ExportOptions& options,
-                                       const std::stop_token& stop = {},
-                                       const std::function<void(double)>& progress = {});
+ExportOutcome export_study(const Study& study, const ModelRegistry& models,
+                           const std::filesystem::path& folder, const ExportOptions& options,
+                           const std::stop_token& stop = {},
+                           const std::function<void(double)>& progress = {});
 
 }  // namespace asperity

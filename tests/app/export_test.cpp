@@ -64,7 +64,8 @@ TEST(Export, NamesEveryFileThatItWroteWithItsRows) {
   fill(made);
   const std::filesystem::path out = made.beside("out");
   std::vector<std::string> named{};
-  for (const ExportedFile& file : export_to(made, out)) {
+  const ExportOutcome outcome = export_to(made, out);
+  for (const ExportedFile& file : outcome.files) {
     named.push_back(file.name);
     if (!file.name.ends_with(".tsv")) continue;
     EXPECT_EQ(file.rows, table_in(out, file.name).rows.size()) << file.name;
@@ -85,7 +86,7 @@ TEST(Export, LeavesNothingBehindWhenItIsStopped) {
   };
   EXPECT_TRUE(export_study(made.study(), built_in_models(), made.beside("out"), {},
                            stop.get_token(), progress)
-                  .empty());
+                  .files.empty());
   EXPECT_TRUE(stop.stop_requested()) << "it tells how far it is";
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("study"));
 }

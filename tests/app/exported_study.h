@@ -76,8 +76,8 @@ inline ExportOptions tables_only() {
   return options;
 }
 
-inline std::vector<ExportedFile> export_to(MadeUpStudy& made, const std::filesystem::path& out,
-                                           const ExportOptions& options = {}) {
+inline ExportOutcome export_to(MadeUpStudy& made, const std::filesystem::path& out,
+                               const ExportOptions& options = {}) {
   return export_study(made.study(), built_in_models(), out, options);
 }
 

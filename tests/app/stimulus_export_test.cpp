@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 /// A wave of 2 mm and 0.1 mm amplitude on 51.2 mm × 51.2 mm; returns the SHA-256 of its sidecar.
@@ -76,19 +78,59 @@ TEST(ExportedStimuli, HaveTheirForcesAndTheFeaturesOfTheirHeightFields) {
   EXPECT_EQ(tables.table("stimuli").rows.size(), 1U);
 }
 
-TEST(ExportedStimuli, HaveNoFeaturesOfAFileThatWasChanged) {
-  MadeUpStudy made;
+/// A study whose only session used the wave of this SHA-256.
+void add_session_with_wave(MadeUpStudy& made, const std::string& sha256) {
   made.add_person("anna", "F");
-  add_wave(made);
-  made.set_files({{"stimuli/wave.png.json", std::string(64, '0'), 1}});
+  made.set_files({{"stimuli/wave.png.json", sha256, 1}});
   made.add_session("anna", made.add_protocol("recognition", "recognition", kExportedProtocol),
-                   {felt(std::string(64, '0'), 0.04)});
+                   {felt(sha256, 0.04)});
+}
+
+TEST(ExportedStimuli, AreCompleteWithoutAWord) {
+  MadeUpStudy made;
+  add_session_with_wave(made, add_wave(made));
+  const ExportOutcome outcome = export_to(made, made.beside("out"));
+  EXPECT_THAT(outcome.warnings, IsEmpty());
+  EXPECT_EQ(cell_of(table_in(made.beside("out"), "stimuli.tsv"), 0, "height_field_state"),
+            Cell{"complete"});
+  EXPECT_THAT(read_file(made.beside("out") / "README.txt"), Not(HasSubstr("INCOMPLETE")));
+}
+
+TEST(ExportedStimuli, HaveNoFeaturesOfAFileThatWasChangedAndTheExportWarnsOfIt) {
+  MadeUpStudy made;
+  add_wave(made);
+  add_session_with_wave(made, std::string(64, '0'));
   const fs::path out = made.beside("out");
-  export_to(made, out);
+  const ExportOutcome outcome = export_to(made, out);
   const Table stimuli = table_in(out, "stimuli.tsv");
   EXPECT_EQ(cell_of(stimuli, 0, "height_field_rms_m"), Cell{});
+  EXPECT_EQ(cell_of(stimuli, 0, "height_field_state"), Cell{"changed"});
   EXPECT_THAT(names_in(out), Not(Contains("stimuli")));
+  ASSERT_EQ(outcome.warnings.size(), 1U);
+  EXPECT_THAT(outcome.warnings[0].english(), HasSubstr("is not the file that the sessions used"));
 }
+
+class MissingStimulusFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(MissingStimulusFile, IsWarnedOfWithStimulusFileAndRemedy) {
+  MadeUpStudy made;
+  add_session_with_wave(made, add_wave(made));
+  fs::remove(made.folder() / GetParam());
+  const fs::path out = made.beside("out");
+  const ExportOutcome outcome = export_to(made, out);
+  ASSERT_EQ(outcome.warnings.size(), 1U);
+  const std::string warning = outcome.warnings[0].english();
+  EXPECT_EQ(
+      warning,
+      "stimuli/wave.png, the height field of the stimulus \"surface\" (stone), is missing from the "
+      "study: the export has neither the file nor its features. Restore it from a backup or "
+      "a copy of the study, then export again.");
+  EXPECT_THAT(read_file(out / "README.txt"), HasSubstr("INCOMPLETE: " + warning));
+  EXPECT_EQ(cell_of(table_in(out, "stimuli.tsv"), 0, "height_field_state"), Cell{"missing"});
+}
+
+INSTANTIATE_TEST_SUITE_P(HeightFieldOrSidecar, MissingStimulusFile,
+                         testing::Values("stimuli/wave.png", "stimuli/wave.png.json"));
 
 MadeUpTrial at_level(double spacing_m, const std::string& answer) {
   MadeUpTrial trial = some_trial();

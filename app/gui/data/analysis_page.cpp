@@ -32,7 +32,19 @@ struct Exported {
   std::size_t files = 0;               ///< none: it was cancelled
   std::optional<Phrase> unrecorded{};  ///< why the study does not list it
   std::optional<Phrase> missing{};     ///< what archives of data will ask for
+  std::vector<Phrase> incomplete{};    ///< what of the study could not be exported
+
+  bool has_remarks() const { return unrecorded || missing || !incomplete.empty(); }
 };
+
+/// The first of them, and how many more README.txt has; a banner holds no list.
+QString incomplete_text(const std::vector<Phrase>& incomplete) {
+  if (incomplete.empty()) return {};
+  const int more = static_cast<int>(incomplete.size()) - 1;
+  const QString first = ' ' + words_of(incomplete.front());
+  if (more == 0) return first;
+  return first + ' ' + AnalysisPage::tr("README.txt states %n further warning(s).", nullptr, more);
+}
 
 QString group_text(AnswerGroup group) {
   switch (group) {
@@ -224,8 +236,8 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         const Study own = Study::open(study, Access::read_only);
-        Exported exported{
-            .files = export_study(own, built_in_models(), to, options, stop, progress).size()};
+        ExportOutcome outcome = export_study(own, built_in_models(), to, options, stop, progress);
+        Exported exported{.files = outcome.files.size(), .incomplete = std::move(outcome.warnings)};
         if (exported.files > 0) {
           const bool is_public = options.audience == ExportAudience::published;
           exported.unrecorded =
@@ -246,11 +258,12 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
           return;
         }
         banner_->show_news(
-            exported.unrecorded || exported.missing ? State::look : State::fine,
+            exported.has_remarks() ? State::look : State::fine,
             with_remark(
                 with_remark(tr("%n files are in %1; codebook.tsv says what every column means.",
                                nullptr, static_cast<int>(exported.files))
-                                .arg(folder),
+                                    .arg(folder) +
+                                incomplete_text(exported.incomplete),
                             exported.unrecorded),
                 exported.missing));
       },

@@ -4605,6 +4605,17 @@
     </message>
 </context>
 <context>
+    <name>StimulusTable</name>
+    <message>
+        <source>%1, the height field of the stimulus %2, is missing from the study: the export has neither the file nor its features. Restore it from a backup or a copy of the study, then export again.</source>
+        <translation>%1, das Höhenfeld des Reizes %2, fehlt in der Studie: Der Export enthält weder die Datei noch ihre Merkmale. Stellen Sie sie aus einer Sicherung oder einer Kopie der Studie wieder her und exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>%1, the height field of the stimulus %2, is not the file that the sessions used: the export has neither that file nor its features. Restore it from a backup or a copy of the study, then export again.</source>
+        <translation>%1, das Höhenfeld des Reizes %2, ist nicht die Datei, die in den Sitzungen verwendet wurde: Der Export enthält weder diese Datei noch ihre Merkmale. Stellen Sie sie aus einer Sicherung oder einer Kopie der Studie wieder her und exportieren Sie erneut.</translation>
+    </message>
+</context>
+<context>
     <name>StudyData</name>
     <message>
         <source>%1; %2</source>
@@ -5007,6 +5018,13 @@
     <message>
         <source>How to read this table</source>
         <translation>Wie diese Tabelle zu lesen ist</translation>
+    </message>
+    <message numerus="yes">
+        <source>README.txt states %n further warning(s).</source>
+        <translation>
+            <numerusform>README.txt nennt %n weitere Warnung.</numerusform>
+            <numerusform>README.txt nennt %n weitere Warnungen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,13 @@
             <numerusform>%n files are in %1; codebook.tsv says what every column means.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>README.txt states %n further warning(s).</source>
+        <translation>
+            <numerusform>README.txt states %n further warning.</numerusform>
+            <numerusform>README.txt states %n further warnings.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>asperity::AttemptPage</name>

@@ -327,6 +327,40 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   EXPECT_TRUE(banner->text().contains("codebook.tsv")) << banner->text().toStdString();
 }
 
+TEST(AnalysisPage, NamesAHeightFieldThatTheExportLacks) {
+  MadeUpStudy made;
+  add_hits(made, 10);
+  std::vector<StimulusFileRow> files{};
+  MadeUpTrial trial{};
+  trial.options = {"height_map", "sinusoid"};
+  trial.answers = {"height_map"};
+  for (const std::string& model : trial.options) {
+    const std::string sha256(64, model == "sinusoid" ? '1' : '0');
+    trial.surfaces.push_back(surface_of(model, model, "brick"));
+    trial.surfaces.back().height_field_sha256 = sha256;
+    files.push_back({"stimuli/" + model + ".png.json", sha256, 1});
+  }
+  made.set_files(files);
+  made.add_session("p10", made.study().sessions().front().protocol_id, {trial});
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  page.findChild<QPushButton*>("export_tables")->click();
+  emit page.findChild<QFileDialog*>("export_dialog")
+      ->fileSelected(QString::fromStdString(made.beside("tables").string()));
+  auto* banner = page.findChild<Banner*>();
+  ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
+  EXPECT_TRUE(
+      banner->text().contains("stimuli/height_map.png, the height field of the "
+                              "stimulus \"surface\" (brick), is missing from the study"))
+      << banner->text().toStdString();
+  EXPECT_TRUE(banner->text().contains("README.txt states 1 further warning."))
+      << banner->text().toStdString();
+  take_screenshot(page, "data-export-incomplete", {1280, 720});
+}
+
 TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   MadeUpStudy made;
   add_hits(made, 10);
