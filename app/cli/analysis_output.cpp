@@ -3,7 +3,6 @@
 #include "app/cli/analysis_output.h"
 
 #include <optional>
-#include <string_view>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "app/analyses/reading_table.h"
 #include "app/analyses/study_tests.h"
 #include "app/cli/terminal.h"
+#include "app/text_parts.h"
 
 namespace asperity {
 
@@ -22,28 +22,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineWidth = 100;
 
 /// Lines no longer than a terminal is wide; `prefix` before the first, as much room before others.
-std::string wrapped(const std::string& prefix, std::string_view text) {
-  std::string out = prefix;
-  std::size_t used = prefix.size();
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (used + word.size() > kLineWidth && used > prefix.size()) {
-      out += '\n' + std::string(prefix.size(), ' ');
-      used = prefix.size();
-    }
-    out += word;
-    used += word.size() + 1;
-    if (!text.empty()) out += ' ';
-  }
-  // No line ends in a blank.
-  std::string tidy{};
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (out[i] == ' ' && i + 1 < out.size() && out[i + 1] == '\n') continue;
-    tidy += out[i];
-  }
-  return tidy + '\n';
+std::string paragraph(const std::string& prefix, const std::string& text) {
+  return wrapped_text(text, kLineWidth, prefix) + '\n';
 }
 
 /// The table with the program's own words in place of its fixed names.
@@ -148,16 +128,16 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
           counted(outcome.count.sessions, "session") + ", " +
           counted(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
           counted(outcome.answers, "answer") + " counted\n";
-  for (const Phrase& remark : outcome.remarks) text += wrapped("! ", remark.english());
+  for (const Phrase& remark : outcome.remarks) text += paragraph("! ", remark.english());
   for (const AnsweredQuestion& question : outcome.questions) {
-    text += '\n' + wrapped("", question.question.english());
-    text += wrapped("  ", question.answer.english());
+    text += '\n' + paragraph("", question.question.english());
+    text += paragraph("  ", question.answer.english());
   }
   for (const NamedTable& table : outcome.tables) {
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
     text += aligned(in_words(reading_table(table)));
-    if (!table.note.empty()) text += wrapped("  ", table.note.english());
+    if (!table.note.empty()) text += paragraph("  ", table.note.english());
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/study_condition.h"
+#include "app/text_parts.h"
 
 namespace asperity {
 
@@ -26,13 +27,6 @@ void write_error(std::string_view text) {
     if (written <= 0) return;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
-}
-
-/// Characters as a terminal counts them: UTF-8 continuation bytes take no room.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
 }
 
 std::string text_of_cell(const Cell& cell) {

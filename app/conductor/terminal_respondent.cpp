@@ -15,6 +15,7 @@
 #include "app/conductor/form_answer.h"
 #include "app/conductor/reason.h"
 #include "app/height_field_files.h"
+#include "app/text_parts.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -35,45 +36,6 @@ std::size_t columns_of_terminal(int terminal) {
 }
 
 }  // namespace
-
-std::string wrapped_text(const std::string& text, std::size_t columns) {
-  std::string lines{};
-  std::size_t used = 0;  // characters of the line, each one column wide
-  std::string word{};
-  const auto width_of = [](const std::string& utf8) {
-    return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char byte) {
-      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // no continuation of another
-    }));
-  };
-  const auto end_word = [&] {
-    if (word.empty()) return;
-    const std::size_t width = width_of(word);
-    if (used > 0 && used + 1 + width > columns) {
-      lines += '\n';
-      used = 0;
-    }
-    if (used > 0) {
-      lines += ' ';
-      ++used;
-    }
-    lines += word;
-    used += width;
-    word.clear();
-  };
-  for (const char character : text) {
-    if (character == ' ' || character == '\n') {
-      end_word();
-    } else {
-      word += character;
-    }
-    if (character == '\n') {
-      lines += '\n';
-      used = 0;
-    }
-  }
-  end_word();
-  return lines;
-}
 
 TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
                                        std::filesystem::path sheet)

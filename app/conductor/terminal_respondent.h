@@ -11,9 +11,6 @@
 
 namespace asperity {
 
-/// The text in lines of at most so many characters, broken between words; breaks of its own stay.
-std::string wrapped_text(const std::string& text, std::size_t columns);
-
 /// Asks on a terminal. While it waits for a line the session goes on ticking.
 ///
 /// What it shows are prompts, codes and option numbers, never names of textures or models.

@@ -82,13 +82,5 @@ TEST_F(AtTerminal, TakesNoReturnOfABreakForTheNextConfirmation) {
   EXPECT_EQ(waits, 3) << "it waits for a Return after the break";
 }
 
-TEST(WrappedText, BreaksBetweenWords) {
-  EXPECT_EQ(wrapped_text("Feel each surface with your own hand.", 12),
-            "Feel each\nsurface with\nyour own\nhand.");
-  EXPECT_EQ(wrapped_text("One\n\ntwo three", 80), "One\n\ntwo three");
-  EXPECT_EQ(wrapped_text("Oberflächenstruktur", 8), "Oberflächenstruktur");
-  EXPECT_EQ(wrapped_text("größte Höhe", 11), "größte Höhe") << "letters are counted, not bytes";
-}
-
 }  // namespace
 }  // namespace asperity
