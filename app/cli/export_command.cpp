@@ -12,9 +12,11 @@
 #include "app/cli/command.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/exports/publication.h"
 #include "app/study_metadata.h"
 #include "app/tasks/export_study.h"
 #include "app/tasks/study_outputs.h"
+#include "app/text_parts.h"
 
 namespace asperity {
 
@@ -75,7 +77,8 @@ void add_export(CLI::App& program, Job& job) {
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New folder for the tables")->required();
   auto* published = command->add_flag("--public", options->published,
-                                      "Leave out dates, free text and answers to questionnaires");
+                                      "Leave out dates, free text, answers to questionnaires and "
+                                      "participants who withdrew; the columns are listed below");
   command
       ->add_option("--with-questions", options->questions,
                    "Questions of questionnaires whose answers the public gets, with commas between")
@@ -92,6 +95,8 @@ void add_export(CLI::App& program, Job& job) {
       ->delimiter(',')
       ->check(CLI::IsMember(
           {"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}));
+  constexpr std::size_t kColumns = 80;
+  command->footer("--public:\n" + wrapped_text(publication_text_of_any_study(), kColumns, "  "));
   command->callback([options, &job] {
     job = [options] {
       const Study study = Study::open(options->study, Access::read_only);

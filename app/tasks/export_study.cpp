@@ -18,6 +18,7 @@
 #include "app/exports/fit_table.h"
 #include "app/exports/import_scripts.h"
 #include "app/exports/psych_ds.h"
+#include "app/exports/publication.h"
 #include "app/exports/sav_table.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
@@ -25,6 +26,7 @@
 #include "app/exports/wide_table.h"
 #include "app/study_condition.h"
 #include "app/tasks/session_timeline.h"
+#include "app/text_parts.h"
 #include "protocols/protocol.h"
 
 namespace asperity {
@@ -371,6 +373,12 @@ class StudyExport final {
     return !stop.stop_requested();
   }
 
+  /// What the public gets of the tables, whose columns depend on the study.
+  std::string publication() const {
+    constexpr std::size_t kColumns = 120;
+    return wrapped_text(publication_text(export_files(vocabulary_)), kColumns);
+  }
+
   /// What could not be exported.
   std::vector<Phrase> finish() {
     for (GrowingTable& table : tables_) {
@@ -546,8 +554,10 @@ class StudyExport final {
 };
 
 /// For whoever finds the folder.
+///
+/// `publication` states what an export for the public has and lacks.
 std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark,
-                   const std::vector<Phrase>& warnings) {
+                   const std::vector<Phrase>& warnings, const std::string& publication) {
   std::string text = "A study, written by Asperity for other programs.\n\n";
   if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
   for (const Phrase& warning : warnings) text += "INCOMPLETE: " + warning.english() + "\n\n";
@@ -561,9 +571,9 @@ std::string readme(const ExportOptions& options, const std::optional<Phrase>& re
       named += (named.empty() ? ", but for " : ", ") + question;
     }
     text +=
-        "This is the form for the public: dates, what was typed freely and answers to "
-        "questionnaires are left out" +
-        named + " (MANIFEST.tsv says which columns).\n\n";
+        "This is the form for the public: without dates, what was typed freely and answers to "
+        "questionnaires" +
+        named + ". Participants who withdrew are not in it.\n" + publication + "\n";
   }
   return text +
          "The .tsv files of this folder hold everything, also what does not count, what was "
@@ -627,16 +637,19 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   if (stop.stop_requested()) return {};
   bool stopped = false;
   ExportOutcome outcome{};
+  std::string publication{};
   read_unless_broken(
       study,
       [&] {
         StudyExport walk(study, models, making, options, own_scales);
         stopped = !walk.walk(stop, progress);
-        if (!stopped) outcome.warnings = walk.finish();
+        if (stopped) return;
+        outcome.warnings = walk.finish();
+        publication = walk.publication();
       },
       stop);
   if (stopped) return {};
-  making.write("README.txt", readme(options, remark_on(study), outcome.warnings));
+  making.write("README.txt", readme(options, remark_on(study), outcome.warnings, publication));
   making.write("import.R", import_script_for_r());
   making.write("import.py", import_script_for_python());
   outcome.files = making.take_place();

@@ -16,6 +16,7 @@
 #include "analysis/number_text.h"
 #include "app/analyses/analyze_study.h"
 #include "app/exports/export_folder.h"
+#include "app/exports/publication.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
@@ -506,7 +507,34 @@ TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
   EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("named")), 9);
   EXPECT_EQ(cells_that_are("777", made.beside("named")), 0);
   EXPECT_THAT(read_file(made.beside("named") / "README.txt"),
-              HasSubstr("left out, but for hand, pain (MANIFEST"));
+              HasSubstr("answers to questionnaires, but for hand, pain. "));
+}
+
+// What becomes of a column stands with the column alone: README.txt and --help are made of it.
+TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
+  MadeUpStudy made;
+  fill(made);
+  export_to(made, made.beside("own"));
+  EXPECT_THAT(read_file(made.beside("own") / "README.txt"), Not(HasSubstr("Kept of each")));
+  ExportOptions options = options_of(ExportAudience::published);
+  options.questions_for_public = {"hand"};
+  export_to(made, made.beside("out"), options);
+  std::string readme = read_file(made.beside("out") / "README.txt");
+  std::replace(readme.begin(), readme.end(), '\n', ' ');
+  EXPECT_THAT(readme, HasSubstr("Kept of each participant: participant, virtual, mode, age_years, "
+                                "sex, handedness, withdrawn, answer_hand (participants.tsv)."));
+  EXPECT_THAT(table_in(made.beside("out"), "participants.tsv").columns,
+              ElementsAre("participant", "virtual", "mode", "age_years", "sex", "handedness",
+                          "withdrawn", "answer_hand"));
+  EXPECT_THAT(readme, HasSubstr("Left out: created_utc, answer_comment, answer_years "
+                                "(participants.tsv), os, consent_utc, started_utc, ended_utc "
+                                "(sessions.tsv), invalid_reason, exclusion_reason, flag_reason "
+                                "(attempts.tsv)."));
+  EXPECT_THAT(readme, HasSubstr("n/a for answers to questionnaires, unless named by "
+                                "--with-questions: answer, answer_number (responses.tsv)."));
+  EXPECT_THAT(publication_text_of_any_study(), HasSubstr("age_years, sex, handedness"));
+  EXPECT_THAT(publication_text_of_any_study(),
+              HasSubstr("Left out unless named by --with-questions: answer_NAME"));
 }
 
 // In one protocol a trial asks how rough something was, in another the questionnaire does.
