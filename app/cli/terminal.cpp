@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <ctime>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -74,6 +75,17 @@ void say_condition(const Study& study) {
 
 void say_unrecorded(const std::optional<Phrase>& why) {
   if (why) say("asperity: " + why->english());
+}
+
+std::string local_time_text(const std::string& utc) {
+  std::tm parts{};
+  if (::strptime(utc.c_str(), "%Y-%m-%dT%H:%M:%S", &parts) == nullptr) return utc;
+  const std::time_t time = ::timegm(&parts);
+  std::tm local{};
+  ::localtime_r(&time, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
+  return text.data();
 }
 
 std::string counted(std::size_t count, const std::string& thing) {

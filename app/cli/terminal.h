@@ -43,6 +43,9 @@ void say_condition(const Study& study);
 /// Why the study does not list what was made of it, if it does not.
 void say_unrecorded(const std::optional<Phrase>& why);
 
+/// "2026-11-22 13:05", on the clock of this machine; a text that is no UTC time as it is.
+std::string local_time_text(const std::string& utc);
+
 /// "1 session", "3 sessions".
 std::string counted(std::size_t count, const std::string& thing);
 

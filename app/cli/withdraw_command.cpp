@@ -10,6 +10,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/cli/text_option.h"
 #include "app/cli/word_option.h"
 #include "app/tasks/study_outputs.h"
 #include "results_schema/study.h"
@@ -31,9 +32,20 @@ std::string held(const WithdrawalRow& counts) {
          of(counts.answers, "answer") + ", " + of(counts.recordings, "recording");
 }
 
-/// A mistyped label would delete the data of somebody else: at a terminal it is asked for twice.
-bool is_confirmed(const std::string& label, const WithdrawalRow& counts) {
-  if (::isatty(STDIN_FILENO) == 0) return true;
+/// A mistyped label would delete the data of another participant: it is given twice, by --confirm or at a terminal.
+/// Errors: WrongUsage where it was not given again and nobody can be asked, or as another one.
+bool is_confirmed(const std::string& label, const std::string& confirmed,
+                  const WithdrawalRow& counts) {
+  if (!confirmed.empty()) {
+    if (confirmed == label) return true;
+    throw WrongUsage("--confirm " + confirmed + " is not the participant " + label +
+                     "; nothing was deleted");
+  }
+  if (::isatty(STDIN_FILENO) == 0) {
+    throw WrongUsage("withdraw --delete cannot ask without a terminal; repeat the label with " +
+                     ("--confirm " + label) + " to delete " + held(counts) +
+                     " for good. Nothing was deleted");
+  }
   std::cerr << label << ": " << held(counts)
             << ". They cannot be brought back. Type the label again to delete them: " << std::flush;
   std::string typed{};
@@ -44,15 +56,15 @@ void name_outputs(const OutputsOfParticipant& outputs) {
   if (!outputs.recorded.empty()) {
     std::cout
         << "made of the study since the participant was added, and not changed by this; delete "
-           "what holds data of the participant, and make it anew where it is needed:\n";
+           "what holds data of the participant, and export or report anew where needed:\n";
     for (const OutputRow& output : outputs.recorded) {
-      std::cout << "  " << output.made_utc << "  " << text_of(output.kind) << "  " << output.path
-                << '\n';
+      std::cout << "  " << local_time_text(output.made_utc) << "  "
+                << kind_words(output.kind).english() << "  " << output.path << '\n';
     }
   }
   if (outputs.unknown_before_utc) {
-    std::cout << "what was made of the study before " << *outputs.unknown_before_utc
-              << " is not recorded\n";
+    std::cout << "what was made of the study before "
+              << local_time_text(*outputs.unknown_before_utc) << " is not recorded\n";
   }
 }
 
@@ -65,15 +77,22 @@ void add_withdraw(CLI::App& program, Job& job) {
     bool deletes = false;
     WithdrawalReason reason = WithdrawalReason::consent_withdrawn;
     std::string by{};
+    std::string confirmed{};
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "withdraw", "A participant withdraws: their data are kept and never used, or deleted.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("LABEL", options->label, "Label of the participant")->required();
-  command->add_flag("--delete", options->deletes,
-                    "Delete every trace of the participant from the folder of the study. Without "
-                    "it the data stay, and no analysis uses them");
+  auto* deletes = command->add_flag(
+      "--delete", options->deletes,
+      "Delete every trace of the participant from the folder of the study. Without it the data "
+      "stay, and no analysis uses them");
+  command
+      ->add_option("--confirm", options->confirmed,
+                   "With --delete: LABEL once more. Without it the terminal asks for the label; "
+                   "where there is no terminal it is required")
+      ->needs(deletes);
   const std::map<std::string, WithdrawalReason> reasons{
       {text_of(WithdrawalReason::consent_withdrawn), WithdrawalReason::consent_withdrawn},
       {text_of(WithdrawalReason::not_eligible), WithdrawalReason::not_eligible},
@@ -82,13 +101,15 @@ void add_withdraw(CLI::App& program, Job& job) {
       ->add_option("--reason", options->reason,
                    "consent_withdrawn (the default), not_eligible or other")
       ->transform(word_of(reasons));
-  command->add_option("--by", options->by,
-                      "Who decided it; without it the name of the user of this computer");
+  command
+      ->add_option("--by", options->by,
+                   "Who decided it; without it the name of the user of this computer")
+      ->transform(not_blank("who decided it"));
   command->callback([options, &job] {
     job = [options] {
       Study study = Study::open(options->study, Access::read_write);
       const WithdrawalRow counts = study.counts_of_participant(options->label);
-      if (options->deletes && !is_confirmed(options->label, counts)) {
+      if (options->deletes && !is_confirmed(options->label, options->confirmed, counts)) {
         say("asperity: the label was not repeated; nothing was deleted");
         return 1;
       }

@@ -3,8 +3,53 @@
 #include <algorithm>
 
 #include "app/program.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/table.h"
 
 namespace asperity {
+
+namespace {
+
+/// Whether what is in its place now has no row of the participant. An export lists its participants; a report does not
+/// list all of them, and what was moved cannot be looked into.
+bool is_without(const OutputRow& output, const std::string& label) {
+  const std::filesystem::path path = output.path;
+  try {
+    switch (output.kind) {
+      case OutputKind::export_:
+      case OutputKind::public_export: {
+        const std::filesystem::path file = path / "participants.tsv";
+        if (!std::filesystem::exists(file)) return false;
+        const Table table = read_tsv(read_file(file), file.string());
+        return std::none_of(table.rows.begin(), table.rows.end(),
+                            [&](const auto& row) { return row.front() == Cell{label}; });
+      }
+      case OutputKind::copy:
+        return Study::exists(path) && !Study::open(path, Access::read_only).participant(label);
+      case OutputKind::report:
+        return false;
+    }
+  } catch (const std::exception&) {
+    return false;  // not what it was: it may hold anything
+  }
+  return false;
+}
+
+}  // namespace
+
+Phrase kind_words(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::export_:
+      return phrase("StudyOutputs", "export");
+    case OutputKind::public_export:
+      return phrase("StudyOutputs", "public export");
+    case OutputKind::report:
+      return phrase("StudyOutputs", "report");
+    case OutputKind::copy:
+      return phrase("StudyOutputs", "copy of the study");
+  }
+  return {};
+}
 
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path) {
@@ -39,12 +84,13 @@ OutputsOfParticipant outputs_of_participant(const Study& study, const std::strin
     throw ResultsError("the study " + study.folder().string() + " has no participant " + label,
                        study.folder());
   }
-  // A virtual participant is of a simulated calendar, and may be in all of them.
+  // A virtual participant is of a simulated calendar.
   const std::string& since = participant->created_utc;
   const bool is_dated = !participant->is_virtual;
   OutputsOfParticipant outputs{};
   for (OutputRow& output : study.outputs()) {
-    if (!is_dated || output.made_utc >= since) outputs.recorded.push_back(std::move(output));
+    const bool may_hold_them = is_dated ? output.made_utc >= since : !is_without(output, label);
+    if (may_hold_them) outputs.recorded.push_back(std::move(output));
   }
   const std::string recorded_since = study.outputs_since_utc();
   if (is_dated && since < recorded_since) outputs.unknown_before_utc = recorded_since;

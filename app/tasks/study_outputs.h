@@ -18,13 +18,18 @@ namespace asperity {
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path);
 
+/// "public export": what it is, where it is listed.
+Phrase kind_words(OutputKind kind);
+
 /// Of a participant: what the study knows of that may hold their data.
 struct OutputsOfParticipant {
   std::vector<OutputRow> recorded{};
   /// Where they took part before outputs were recorded: since when they are, UTC. Earlier ones are unknown.
   std::optional<std::string> unknown_before_utc{};
 };
-/// To be read before their rows are deleted. Errors: ResultsError for a label that is not there.
+/// To be read before their rows are deleted: of a participant who took part in person, what was made since they were
+/// added. A simulated participant has no date; of those, what holds the label or cannot be looked into now.
+/// Errors: ResultsError for a label that is not there.
 OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label);
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 Argument: the program asperity.
 """
 import pathlib
+import re
 import sqlite3
 import subprocess
 import sys
@@ -38,6 +39,7 @@ with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     study = folder / "study"
     asperity("new", study, "--demo")
+    exported(study, folder / "without_participants")
     asperity("simulate", study / "protocols" / "chapter_selection.json", "--study", study, "--participants", "4",
              "--seed", "1", "--recordings", "all")
     (study / f"sheet-{LABEL}.png").write_bytes(b"the last question")
@@ -47,9 +49,20 @@ with tempfile.TemporaryDirectory() as folder:
 
     unknown = run("withdraw", study, "nobody", "--delete")
     assert unknown.returncode == 1 and "has no participant nobody" in unknown.stderr, unknown
-    said = asperity("withdraw", study, LABEL, "--delete", "--by", "R. Keeper")
+    unasked = run("withdraw", study, LABEL, "--delete")
+    assert unasked.returncode == 2 and f"--confirm {LABEL}" in unasked.stderr and "Nothing was deleted" in unasked.stderr, unasked
+    mistyped = run("withdraw", study, LABEL, "--delete", "--confirm", KEPT)
+    assert mistyped.returncode == 2 and "nothing was deleted" in mistyped.stderr, mistyped
+    alone = run("withdraw", study, LABEL, "--confirm", LABEL)
+    assert alone.returncode == 2, alone
+    for blank in ("", "  "):
+        nobody = run("withdraw", study, LABEL, "--delete", "--confirm", LABEL, "--by", blank)
+        assert nobody.returncode == 2 and "--by: the text is blank: enter who decided it" in nobody.stderr, nobody
+    assert rows_of(study, "SELECT count(*) FROM withdrawal") == [(0,)]
+    said = asperity("withdraw", study, LABEL, "--delete", "--confirm", LABEL, "--by", "R. Keeper")
     assert "1 session" in said and "deleted" in said, said
-    assert str(folder / "before") in said and str(folder / "copy") in said, said
+    listed = re.findall(r"^  \d{4}-\d\d-\d\d \d\d:\d\d  ([a-z ]+)  (.*)$", said, re.MULTILINE)
+    assert listed == [("export", str(folder / "before")), ("copy of the study", str(folder / "copy"))], said
 
     assert "everything holds" in asperity("verify", study)
     holding = [path for path in study.rglob("*") if LABEL in path.name
@@ -87,7 +100,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert rows_of(study, "SELECT data, reason, sessions FROM withdrawal ORDER BY id") == [
         ("deleted", "consent_withdrawn", 1), ("kept", "not_eligible", 1)]
     assert [kind for (kind,) in rows_of(study, "SELECT kind FROM output ORDER BY id")] == [
-        "export", "copy", "export", "export", "public_export"]
+        "export", "export", "copy", "export", "export", "public_export"]
     analysed = asperity("analyze", study, "--json")
     assert KEPT not in analysed and LABEL not in analysed
     assert "2 participants" in asperity("analyze", study), "of four one was deleted and one is not used"

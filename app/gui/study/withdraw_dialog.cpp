@@ -28,25 +28,12 @@ QString text_of_counts(const WithdrawalRow& row) {
       .join(", ");
 }
 
-QString text_of_kind(OutputKind kind) {
-  switch (kind) {
-    case OutputKind::export_:
-      return WithdrawDialog::tr("Export");
-    case OutputKind::public_export:
-      return WithdrawDialog::tr("Public export");
-    case OutputKind::report:
-      return WithdrawDialog::tr("Report");
-    case OutputKind::copy:
-      return WithdrawDialog::tr("Copy of the study");
-  }
-  return {};
-}
-
 QString text_of_outputs(const OutputsOfParticipant& outputs) {
   QStringList lines{};
   for (const OutputRow& output : outputs.recorded) {
-    lines << WithdrawDialog::tr("%1, %2: %3")
-                 .arg(text_of_kind(output.kind), text_of_time(output.made_utc), text(output.path));
+    lines << WithdrawDialog::tr("%2, %1: %3")
+                 .arg(words_of(kind_words(output.kind)), text_of_time(output.made_utc),
+                      text(output.path));
   }
   if (outputs.unknown_before_utc) {
     lines << WithdrawDialog::tr("What was made before %1 is not recorded.")

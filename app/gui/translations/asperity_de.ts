@@ -4671,6 +4671,22 @@
         <source>%1 is complete, but the study does not list it: %2</source>
         <translation>%1 ist vollständig, die Studie führt es aber nicht auf: %2</translation>
     </message>
+    <message>
+        <source>export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>public export</source>
+        <translation>Export für die Öffentlichkeit</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>copy of the study</source>
+        <translation>Kopie der Studie</translation>
+    </message>
 </context>
 <context>
     <name>StudyProtocols</name>
@@ -9920,26 +9936,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         </translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Public export</source>
-        <translation>Export für die Öffentlichkeit</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Copy of the study</source>
-        <translation>Kopie der Studie</translation>
-    </message>
-    <message>
-        <source>%1, %2: %3</source>
-        <translation>%1, %2: %3</translation>
-    </message>
-    <message>
         <source>What was made before %1 is not recorded.</source>
         <translation>Was vor %1 entstand, ist nicht verzeichnet.</translation>
     </message>
@@ -10050,6 +10046,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>This cannot be undone.</source>
         <translation>Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>%2, %1: %3</source>
+        <translation>%2, %1: %3</translation>
     </message>
 </context>
 <context>
