@@ -38,7 +38,7 @@ struct TextureRecipe {
 ParameterValues parameter_values(const TextureRecipe& recipe);
 
 /// What a form may offer of each: unit, range, default and meaning, in the order of the steps. The
-/// ranges are those of photographs of surfaces that a hand feels; the pipeline itself refuses less.
+/// ranges are those of photographs of surfaces that a hand feels; but for the width the pipeline refuses less.
 std::vector<Parameter> texture_recipe_parameters();
 
 /// The reverse of `parameter_values`; what is not given keeps its default.
@@ -74,8 +74,9 @@ struct PhotographTexture {
 /// change of lighting (in the logarithm) and does not remove it.
 ///
 /// Errors: std::invalid_argument, a sentence that begins with `name` or names the field of the
-/// recipe: a picture of less than 16 pixels a side, one without contrast, a cut-off wavelength
-/// shorter than two pixels, a length, RMS or γ that is not positive.
+/// recipe: a picture of less than 16 pixels a side, one without contrast, a width outside the declared
+/// range, pixels of more than 1 mm of the surface, a cut-off wavelength shorter than two pixels, a length, RMS or γ that
+/// is not positive.
 ///
 /// The same picture and recipe give the same heights, bit for bit, on the same machine.
 ///

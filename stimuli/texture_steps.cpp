@@ -13,13 +13,15 @@
 
 #include "analysis/number_text.h"
 #include "stimuli/bands.h"
+#include "stimuli/parameter.h"
 
 namespace asperity {
 
 namespace {
 
-// A wider one is a length in millimetres, given in metres by mistake.
-constexpr double kWidestPhotograph_m = 5.0;
+// The shortest wave that a photograph shows is two pixels long. A tip of 2 mm, a usual one, follows no shorter wave than
+// its own size: a picture whose pixels are larger than 1 mm of the surface has shape and no texture that a probe feels.
+constexpr double kLargestPitch_m = 1e-3;
 constexpr std::size_t kSmallestSide = 16;  // below, there is nothing between pixel and picture
 constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
 // RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
@@ -62,6 +64,33 @@ GreyImage equalized(const GreyImage& image) {
   return result;
 }
 
+/// Refuses a width that is no piece of a surface that a hand explores, or whose pixels no probe feels.
+void check_width(const GreyImage& photograph, double width_m, const std::string& name) {
+  refuse_unless_positive(width_m, "width_m");
+  const std::vector<Parameter> declared = texture_recipe_parameters();
+  const auto width = std::find_if(declared.begin(), declared.end(), [](const Parameter& parameter) {
+    return parameter.name == "width_m";
+  });
+  if (const auto complaint = complaint_about(*width, width_m)) {
+    const std::string given = number_text(width_m);
+    throw std::invalid_argument(
+        *complaint + " That is what " + name +
+        " shows of the surface, from its left to its right edge, in metres: " + given + " mm are " +
+        number_text(width_m * 1e-3) + ", and " + given + " cm " + number_text(width_m * 1e-2) +
+        ".");
+  }
+  const double pitch_m = width_m / static_cast<double>(photograph.columns);
+  if (pitch_m > kLargestPitch_m) {
+    throw std::invalid_argument(
+        "width_m is " + number_text(width_m) + " m: each of the " +
+        std::to_string(photograph.columns) + " pixels of " + name + " would be " +
+        number_text(pitch_m * 1e3) +
+        " mm of the surface, and a probe feels no texture in pixels of more than " +
+        number_text(kLargestPitch_m * 1e3) +
+        " mm. Take a photograph of a smaller part of the surface, or one with more pixels.");
+  }
+}
+
 }  // namespace
 
 void refuse_unless_positive(double value, const char* field) {
@@ -73,7 +102,6 @@ void refuse_unless_positive(double value, const char* field) {
 
 void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
                   const std::string& name) {
-  refuse_unless_positive(recipe.width_m, "width_m");
   refuse_unless_positive(recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m");
   refuse_unless_positive(recipe.gamma_low, "gamma_low");
   refuse_unless_positive(recipe.gamma_high, "gamma_high");
@@ -85,17 +113,12 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
                                 std::to_string(photograph.rows) +
                                 " pixels; a texture needs at least 16 by 16.");
   }
+  check_width(photograph, recipe.width_m, name);
   const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);
   for (const auto& [wavelength_m, field] :
        {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
         std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
     if (wavelength_m < 2.0 * pitch_m) {
-      if (recipe.width_m > kWidestPhotograph_m) {
-        throw std::invalid_argument("width_m is " + number_text(recipe.width_m) + ": " + name +
-                                    " would show " + number_text(recipe.width_m) +
-                                    " metres of a surface; did you mean " +
-                                    number_text(recipe.width_m * 1e-3) + "?");
-      }
       throw std::invalid_argument(std::string(field) + " is " + number_text(wavelength_m) +
                                   " m; over " + number_text(recipe.width_m) + " m " + name +
                                   " shows nothing shorter than two pixels, " +

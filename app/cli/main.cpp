@@ -10,6 +10,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/cli/usage_errors.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/gui/program_window.h"
 #endif
@@ -45,26 +46,6 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
   });
 }
 #endif
-
-/// What is wrong with an option that does not exist, with the one that may be meant; nothing if it is
-/// something else that was not expected.
-std::optional<std::string> unknown_option(const CLI::App& program) {
-  const auto chosen = program.get_subcommands();
-  if (chosen.empty()) return {};
-  const CLI::App& command = *chosen.front();
-  for (const std::string& word : program.remaining(true)) {
-    const std::string name = word.substr(0, word.find('='));
-    if (name.size() < 3 || !name.starts_with("--")) continue;
-    std::string sentence = "asperity: " + command.get_name() + " has no option " + name + "; ";
-    for (const CLI::Option* option : command.get_options()) {
-      for (const std::string& there : option->get_lnames()) {
-        if (there.starts_with(name.substr(2))) return sentence + "there is --" + there;
-      }
-    }
-    return sentence + "see asperity " + command.get_name() + " --help";
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -110,7 +91,10 @@ int main(int argc, char** argv) {
     }
     return kWrongUsage;
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : kWrongUsage;
+    const auto sentence = unreadable_number(program);
+    if (!sentence) return program.exit(error) == 0 ? 0 : kWrongUsage;
+    say(*sentence);
+    return kWrongUsage;
   }
   try {
     return job();

@@ -30,8 +30,10 @@ ParameterValues parameters_from(const std::vector<std::string>& assignments,
     if (parameter->kind != ParameterKind::choice) {
       const std::optional<double> number = number_in(text);
       if (!number) {
-        throw std::runtime_error(what + ": the parameter " + name + " takes a number, not \"" +
-                                 text + '"');
+        const bool has_unit = parameter->unit != "1" && !parameter->unit.empty();
+        throw std::runtime_error(what + ": the parameter " + name + " takes a number" +
+                                 (has_unit ? " in " + parameter->unit : "") + ", not \"" + text +
+                                 '"');
       }
       value = *number;
     }

@@ -12,6 +12,7 @@
 #include "app/figures/figure_files.h"
 #include "app/report/report_file.h"
 #include "app/study_condition.h"
+#include "app/tasks/study_outputs.h"
 
 namespace asperity {
 

@@ -63,11 +63,15 @@ struct SweepOptions {
   bool force = false;
 };
 
-std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator) {
+/// `expected`: how it is written right.
+std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator,
+                               const std::string& expected) {
   std::vector<double> numbers{};
   for (const std::string& piece : parts_of(text, separator)) {
     const std::optional<double> number = number_in(piece);
-    if (!number) throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number");
+    if (!number) {
+      throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number; " + expected);
+    }
     numbers.push_back(*number);
   }
   return numbers;
@@ -104,16 +108,19 @@ void require_unit(const std::string& option, double number, const Given& given) 
 }
 
 std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
-  std::vector<double> values = numbers_of("--values", text, ',');
-  for (const double value : values) require_unit("--values " + text, value, given_of(varied));
+  const Given given = given_of(varied);
+  std::vector<double> values =
+      numbers_of("--values", text, ',',
+                 std::string(given.name) + " is given in " + given.unit + ": " + given.like);
+  for (const double value : values) require_unit("--values " + text, value, given);
   return values;
 }
 
 std::vector<double> spacings_of(const std::string& text) {
-  const std::vector<double> numbers = numbers_of("--spacings", text, ':');
+  constexpr const char* kExpected = "write FROM:TO:COUNT, in metres, like 0.0005:0.008:40";
+  const std::vector<double> numbers = numbers_of("--spacings", text, ':', kExpected);
   if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
-    throw WrongUsage("--spacings " + text +
-                     ": write FROM:TO:COUNT, in metres, like 0.0005:0.008:40");
+    throw WrongUsage("--spacings " + text + ": " + kExpected);
   }
   for (const double spacing_m : {numbers[0], numbers[1]}) {
     require_unit("--spacings " + text, spacing_m, kGivenSpacing);
@@ -126,10 +133,9 @@ std::vector<double> spacings_of(const std::string& text) {
 }
 
 HandModel hand_of(const std::string& text) {
-  const std::vector<double> numbers = numbers_of("--hand", text, ',');
-  if (numbers.size() != 3) {
-    throw WrongUsage("--hand " + text + ": write M_kg,B_N_s_per_m,K_N_per_m, like 0.05,3,200");
-  }
+  constexpr const char* kExpected = "write M_kg,B_N_s_per_m,K_N_per_m, like 0.05,3,200";
+  const std::vector<double> numbers = numbers_of("--hand", text, ',', kExpected);
+  if (numbers.size() != 3) throw WrongUsage("--hand " + text + ": " + kExpected);
   return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};
 }
 

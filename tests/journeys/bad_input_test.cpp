@@ -255,6 +255,8 @@ TEST(BadPicture, OrSettingIsRefusedWithItsRange) {
   const fs::path made = small.place() / "made.png";
   expect_refused(small.place(), {"texture", photograph, "--out", made, "--width-m", "-1"},
                  {"width_m"});
+  expect_refused(small.place(), {"texture", photograph, "--out", made, "--width-m", "4"},
+                 {"width_m is 4 m", "from 0.001 to 1 m", "4 cm 0.04"});
   expect_refused(small.place(),
                  {"texture", photograph, "--out", made, "--width-m", "0.02", "--rms-m", "nan"},
                  {"rms_m"});
@@ -264,6 +266,49 @@ TEST(BadPicture, OrSettingIsRefusedWithItsRange) {
                  {"height", "amplitude_m"});
   expect_refused(small.place(), {"synth", "sinusoid", "--out", made, "--pixels", "0"}, {"pixels"});
 }
+
+struct UnreadableNumber {
+  std::vector<std::string> arguments;
+  std::string sentence;
+};
+
+class NumberOfAnOption : public testing::TestWithParam<UnreadableNumber> {};
+
+TEST_P(NumberOfAnOption, IsRefusedWithOptionTextAndWhatIsExpected) {
+  const Outcome refused = asperity(GetParam().arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err, "asperity: " + GetParam().sentence + "\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Units, NumberOfAnOption,
+    testing::Values(
+        UnreadableNumber{{"texture", "a.png", "--out", "b.png", "--width-m", "10cm"},
+                         "--width-m: \"10cm\" is not a number of metres, such as 0.1"},
+        UnreadableNumber{{"texture", "a.png", "--out", "b.png", "--width-m", "0,1"},
+                         "--width-m: \"0,1\" is not a number of metres, such as 0.1"},
+        UnreadableNumber{
+            {"texture", "a.png", "--out", "b.png", "--width-m", "0.1", "--gamma-low", "x"},
+            "--gamma-low: \"x\" is not a number, such as 0.5"},
+        UnreadableNumber{
+            {"render", "--model", "plane", "--path", "a", "--out", "b", "--stiffness-n-per-m",
+             "1kN/m"},
+            "--stiffness-n-per-m: \"1kN/m\" is not a number of newtons per metre, such "
+            "as 1000"},
+        UnreadableNumber{{"sweep", "--model", "plane", "--vary", "probe_diameter", "--out", "b",
+                          "--exploratory-speed-m-per-s", "fast"},
+                         "--exploratory-speed-m-per-s: \"fast\" is not a number of metres per "
+                         "second, such as 0.1"},
+        UnreadableNumber{
+            {"sweep", "--model", "sinusoid", "--vary", "probe_diameter", "--out", "b", "--values",
+             "0.001,2mm"},
+            "--values 0.001,2mm: \"2mm\" is not a number; a probe diameter is given in m: "
+            "2 mm is 0.002"},
+        UnreadableNumber{{"device-test", "simulated", "--rate-hz", "1kHz"},
+                         "--rate-hz: \"1kHz\" is not a number of hertz, such as 1000"},
+        UnreadableNumber{
+            {"simulate", "a.json", "--study", "s", "--seed", "1", "--participants", "ten"},
+            "--participants: \"ten\" is not a whole number, such as 10"}));
 
 /// What needs a study, on a folder that is none that this program can use.
 void expect_study_refused(const SmallStudy& small, const fs::path& study,

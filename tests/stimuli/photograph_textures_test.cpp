@@ -33,7 +33,7 @@ std::vector<std::function<void(TextureRecipe&)>> changes() {
       [](TextureRecipe& recipe) { recipe.gamma_low = 0.8; },
       [](TextureRecipe& recipe) { recipe.homomorphic_wavelength_m = 0.015; },
       [](TextureRecipe& recipe) { recipe.histogram = HistogramTransformation::equalize; },
-      [](TextureRecipe& recipe) { recipe.width_m = 0.2; },
+      [](TextureRecipe& recipe) { recipe.width_m = 0.12; },
       [](TextureRecipe& recipe) { recipe.histogram = HistogramTransformation::none; },
       [](TextureRecipe& recipe) { recipe = {}; },
   };

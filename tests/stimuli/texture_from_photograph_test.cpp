@@ -158,7 +158,7 @@ TEST(TextureFromPhotograph, GivesTheSameHeightsEveryTime) {
 
 TEST(TextureFromPhotograph, RefusesAPictureWithoutContrast) {
   for (const float level : {0.0F, 0.3F, 1.0F}) {
-    const GreyImage flat{64, 64, std::vector<float>(64 * 64, level)};
+    const GreyImage flat{128, 128, std::vector<float>(128 * 128, level)};
     EXPECT_THAT(texture_refusal(flat, {}), HasSubstr("wall.png has no contrast"));
   }
   GreyImage broken = waves(0.004, 0.10);
@@ -180,6 +180,7 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
     return texture_refusal(image, recipe);
   };
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.width_m = 0.0; }), HasSubstr("width_m is 0"));
+  EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.width_m = NAN; }), HasSubstr("width_m is"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gamma_low = -1.0; }), HasSubstr("gamma_low"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gamma_high = NAN; }), HasSubstr("gamma_high"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.rms_m = -1e-4; }), HasSubstr("rms_m"));
@@ -188,6 +189,28 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
   // 400 pixels over 0.1 m: two pixels are 0.5 mm.
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = 4e-4; }),
               HasSubstr("nothing shorter than two pixels, 5e-04 m"));
+}
+
+// A hand explores at most a metre, and what is wider was meant in another unit.
+TEST(TextureFromPhotograph, RefusesAWidthThatNoHandExplores) {
+  const auto refusal_of_width = [](double width_m, std::size_t columns) {
+    const GreyImage image{16, columns, std::vector<float>(16 * columns, 0.5F)};
+    TextureRecipe recipe;
+    recipe.width_m = width_m;
+    return texture_refusal(image, recipe);
+  };
+  EXPECT_THAT(
+      refusal_of_width(4.0, 8000),
+      HasSubstr("width_m is 4 m; it must be a number from 0.001 to 1 m. That is what wall.png "
+                "shows of the surface, from its left to its right edge, in metres: 4 mm "
+                "are 0.004, and 4 cm 0.04."));
+  EXPECT_THAT(refusal_of_width(100.0, 8000), HasSubstr("100 mm are 0.1, and 100 cm 1."));
+  EXPECT_THAT(refusal_of_width(0.0009, 8000), HasSubstr("it must be a number from 0.001 to 1 m"));
+  EXPECT_THAT(
+      refusal_of_width(0.9, 600),
+      HasSubstr("width_m is 0.9 m: each of the 600 pixels of wall.png would be 1.5 mm of the "
+                "surface, and a probe feels no texture in pixels of more than 1 mm."));
+  EXPECT_THAT(refusal_of_width(0.6, 600), HasSubstr("no contrast")) << "1 mm is acceptable";
 }
 
 TEST(TextureRecipe, IsWrittenUnderTheNamesOfTheCommandLine) {
