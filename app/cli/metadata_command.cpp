@@ -11,6 +11,7 @@
 #include "app/cli/command.h"
 #include "app/cli/metadata_options.h"
 #include "app/cli/terminal.h"
+#include "app/cli/text_option.h"
 #include "app/study_metadata.h"
 #include "results_schema/study.h"
 
@@ -59,12 +60,20 @@ StudyMetadata MetadataOptions::applied_to(StudyMetadata metadata) const {
   return metadata;
 }
 
-void add_metadata_options(CLI::App& command, MetadataOptions& options) {
-  command.add_option("--author", options.authors,
-                     "An author, \"Family, Given\"; once for each, in the order of a byline");
-  command.add_option("--license", options.license, "License of the data, such as CC-BY-4.0");
-  command.add_option("--ethics", options.ethics,
-                     "Ethics approval: committee and number of the approval");
+void add_metadata_options(CLI::App& command, MetadataOptions& options, EmptyText empty) {
+  const auto words = [empty](const std::string& what) {
+    return empty == EmptyText::takes_away ? empty_or_not_blank(what) : not_blank(what);
+  };
+  command
+      .add_option("--author", options.authors,
+                  "An author, \"Family, Given\"; once for each, in the order of a byline")
+      ->transform(words("an author"));
+  command.add_option("--license", options.license, "License of the data, such as CC-BY-4.0")
+      ->transform(words("a license"));
+  command
+      .add_option("--ethics", options.ethics,
+                  "Ethics approval: committee and number of the approval")
+      ->transform(words("an ethics approval"));
 }
 
 void add_metadata(CLI::App& program, Job& job) {
@@ -77,7 +86,7 @@ void add_metadata(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "metadata", "Show or change the authors, the license and the ethics approval of a study.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
-  add_metadata_options(*command, options->metadata);
+  add_metadata_options(*command, options->metadata, EmptyText::takes_away);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {

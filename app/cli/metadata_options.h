@@ -24,7 +24,10 @@ struct MetadataOptions {
   StudyMetadata applied_to(StudyMetadata metadata) const;
 };
 
+/// What an option with an empty text, --license "", means. One of blanks alone is a mistake everywhere.
+enum class EmptyText { mistake, takes_away };
+
 /// --author, --license and --ethics.
-void add_metadata_options(CLI::App& command, MetadataOptions& options);
+void add_metadata_options(CLI::App& command, MetadataOptions& options, EmptyText empty);
 
 }  // namespace asperity

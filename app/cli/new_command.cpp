@@ -36,7 +36,7 @@ void add_new(CLI::App& program, Job& job) {
       ->add_option("--group", options->group,
                    "With --shared: the group, one that you are a member of")
       ->needs(shared);
-  add_metadata_options(*command, options->metadata);
+  add_metadata_options(*command, options->metadata, EmptyText::mistake);
   command->callback([options, &job] {
     job = [options] {
       require_group(options->group);

@@ -17,4 +17,12 @@ inline CLI::Validator not_blank(const std::string& what) {
   return {read, "TEXT"};
 }
 
+/// The same where an empty text takes away what there is.
+inline CLI::Validator empty_or_not_blank(const std::string& what) {
+  const auto read = [refused = not_blank(what)](std::string& text) -> std::string {
+    return text.empty() ? "" : refused(text);
+  };
+  return {read, "TEXT"};
+}
+
 }  // namespace asperity

@@ -30,10 +30,22 @@ with tempfile.TemporaryDirectory() as folder:
     assert stated(study) == (["Doe, Jane", "Roe, Richard"], "CC-BY-4.0", None)
     assert WARNING not in asperity("export", study, "--out", folder / "stated", "--formats", "none").stderr
 
+    for blank in ("--author", "--license", "--ethics"):
+        for command in (["new", folder / "blank"], ["metadata", study]):
+            refused = subprocess.run([PROGRAM, *map(str, command), blank, " \t "], text=True, capture_output=True, check=False)
+            assert refused.returncode == 2 and f"{blank}: the text is blank: enter a" in refused.stderr, refused
+    refused = subprocess.run([PROGRAM, "new", folder / "blank", "--license", ""], text=True, capture_output=True, check=False)
+    assert refused.returncode == 2 and not (folder / "blank").exists(), refused
+    asperity("metadata", study, "--license", "  CC0-1.0 ")
+    assert stated(study) == (["Doe, Jane", "Roe, Richard"], "CC0-1.0", None)
+
     asperity("new", bare)
     assert stated(bare) == ([], None, None)
     told = asperity("export", bare, "--out", folder / "not_stated", "--formats", "none").stderr
     assert f"{WARNING} neither authors nor a license" in told and f"asperity metadata {bare} --author" in told, told
     asperity("metadata", bare, "--license", "CC0-1.0")
     told = asperity("export", bare, "--out", folder / "no_authors", "--formats", "none").stderr
-    assert f"{WARNING} no authors" in told, told
+    assert f"{WARNING} no authors" in told and "--author" in told and "--license" not in told, told
+    asperity("metadata", bare, "--license", "", "--author", "Doe, Jane")
+    told = asperity("export", bare, "--out", folder / "no_license", "--formats", "none").stderr
+    assert f"{WARNING} no license" in told and "--author" not in told and "--license" in told, told
