@@ -119,6 +119,9 @@ void add_export(CLI::App& program, Job& job) {
       }
       say_what_was_written(options->out, outcome.files);
       say_condition(study);
+      if (!options->formats.empty()) {
+        for (const Phrase& why : outcome.not_written) say("asperity: " + why.english());
+      }
       for (const Phrase& warning : outcome.warnings) {
         say("asperity: warning: " + warning.english());
       }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/analyses/gathered_answers.h"
 #include "app/exports/column_making.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/table_file.h"
@@ -21,11 +22,11 @@ std::string factor_level_text(const nlohmann::json& level) {
   return level.is_string() ? level.get<std::string>() : level.dump();
 }
 
-/// "order = first, texture = stone": all factors but one.
+/// "order = first, texture = stone": all factors but one and the repetition.
 std::string others_text(const nlohmann::json& factors, const std::string& but) {
   std::string text{};
   for (const auto& [name, level] : factors.items()) {
-    if (name == but) continue;
+    if (name == but || name == kColumnFactor) continue;
     text += (text.empty() ? "" : ", ") + name + " = " + factor_level_text(level);
   }
   return text;
@@ -40,7 +41,7 @@ Columns FitTable::columns() {
   };
   add("condition", "text",
       "what one psychometric function is fitted to: participant, protocol, question, what is "
-      "counted, and the levels of all factors but x");
+      "counted, and the levels of all factors but x and the repetition (column)");
   add("x", "number", "level of the numeric factor that the column factor names, in its unit");
   add("k", "integer",
       "responses at this level that the column counted names, of completed sessions: sessions that "
@@ -63,8 +64,9 @@ void FitTable::add(const ExportPlace& at) {
       use_in_analyses(*at.trial, *at.attempt) != AnalysisUse::counted) {
     return;
   }
+  has_choices_ = true;
   for (const auto& [name, level] : at.factors->items()) {
-    if (!level.is_number()) continue;
+    if (!level.is_number() || name == kColumnFactor) continue;
     Count& count = curves_[{at.participant->label, at.protocol->name, at.protocol->version,
                             at.protocol->source_sha256, response.question, name,
                             others_text(*at.factors, name)}][level.get<double>()];
@@ -77,9 +79,26 @@ void FitTable::add(const ExportPlace& at) {
   }
 }
 
-bool FitTable::is_empty() const {
-  return std::none_of(curves_.begin(), curves_.end(),
-                      [](const auto& curve) { return curve.second.size() > 1; });
+std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
+  if (!has_choices_) {
+    return phrase("FitTable",
+                  "%1 was not written: no completed session has choices that analyses count.")
+        .with(name);
+  }
+  if (curves_.empty()) {
+    return phrase("FitTable",
+                  "%1 was not written: no factor of the trials has numbers as levels. A repetition "
+                  "(column) is not a level.")
+        .with(name);
+  }
+  if (std::none_of(curves_.begin(), curves_.end(),
+                   [](const auto& curve) { return curve.second.size() > 1; })) {
+    return phrase("FitTable",
+                  "%1 was not written: no participant has choices at two levels of a factor that "
+                  "has numbers as levels.")
+        .with(name);
+  }
+  return {};
 }
 
 void FitTable::write(ExportFolder& folder, const std::string& name) const {

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
+#include "app/phrase.h"
 
 namespace asperity {
 
@@ -18,15 +20,16 @@ namespace asperity {
 /// none is correct or incorrect those of one answer, with rows for each answer.
 ///
 /// Counted are responses that analyses count, of completed sessions: those of a session that was not
-/// completed are a selection of its conditions. Answers that are numbers have no rows.
+/// completed are a selection of its conditions. Answers that are numbers have no rows. The repetition (`kColumnFactor`)
+/// is neither a level nor a condition, whatever its levels are called: its responses are pooled.
 class FitTable final {
  public:
   static std::vector<ExportColumn> columns();
 
   /// `at` with a session, a trial, an attempt and one of its responses.
   void add(const ExportPlace& at);
-  /// No file where there is nothing to fit.
-  bool is_empty() const;
+  /// Why there is nothing to fit, of a file that would have this name; nothing where there is.
+  std::optional<Phrase> why_empty(const std::string& name) const;
   void write(ExportFolder& folder, const std::string& name) const;
 
  private:
@@ -48,6 +51,7 @@ class FitTable final {
   };
   using Levels = std::map<double, Count>;
 
+  bool has_choices_ = false;  ///< that analyses count, in a completed session
   std::map<Curve, Levels> curves_{};
 };
 

@@ -213,13 +213,10 @@ class GroupFiles final {
     if (trials_) trials_->add(std::move(row));
   }
 
-  void finish(const StudyVocabulary& vocabulary, Codebook& codebook) {
+  void finish(const StudyVocabulary& vocabulary, Codebook& codebook,
+              std::vector<Phrase>& not_written) {
     if (wide_) finish_wide(codebook);
-    if (fit_ && !fit_->is_empty()) {
-      const std::string name = root_ + "fit.tsv";
-      fit_->write(folder_, name);
-      codebook.add(name, FitTable::columns());
-    }
+    if (fit_) finish_fit(codebook, not_written);
     if (trials_) {
       const std::string name = root_ + "trials.sav";
       folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);
@@ -246,6 +243,16 @@ class GroupFiles final {
                                            const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].name = names[i];
     return columns;
+  }
+
+  void finish_fit(Codebook& codebook, std::vector<Phrase>& not_written) {
+    const std::string name = root_ + "fit.tsv";
+    if (const auto why = fit_->why_empty(name)) {
+      not_written.push_back(*why);
+      return;
+    }
+    fit_->write(folder_, name);
+    codebook.add(name, FitTable::columns());
   }
 
   void finish_wide(Codebook& codebook) {
@@ -379,17 +386,22 @@ class StudyExport final {
     return wrapped_text(publication_text(export_files(vocabulary_)), kColumns);
   }
 
-  /// What could not be exported.
-  std::vector<Phrase> finish() {
+  /// What could not be exported, and what there was nothing to write of.
+  void finish(ExportOutcome& outcome) {
     for (GrowingTable& table : tables_) {
       folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
     }
-    for (auto& [group, files] : groups_) files->finish(vocabulary_, codebook_);
-    std::vector<Phrase> warnings = stimuli_.finish();
+    for (auto& [group, files] : groups_) {
+      files->finish(vocabulary_, codebook_, outcome.not_written);
+    }
+    if (groups_.empty() && !options_.formats.empty()) {
+      outcome.not_written.push_back(phrase(
+          "StudyExport", "The study has no sessions: there are no files for other programs."));
+    }
+    outcome.warnings = stimuli_.finish();
     codebook_.add("stimuli.tsv", StimulusTable::columns());
     codebook_.write(folder_);
     write_event_sidecar();
-    return warnings;
   }
 
  private:
@@ -644,7 +656,7 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
         StudyExport walk(study, models, making, options, own_scales);
         stopped = !walk.walk(stop, progress);
         if (stopped) return;
-        outcome.warnings = walk.finish();
+        walk.finish(outcome);
         publication = walk.publication();
       },
       stop);

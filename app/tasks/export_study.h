@@ -48,6 +48,8 @@ struct ExportOutcome {
   std::vector<ExportedFile> files{};  ///< by name; none when it was asked to stop
   /// What of the study could not be exported, and what to do, a sentence each. README.txt has them too.
   std::vector<Phrase> warnings{};
+  /// Which of the formats that were asked for there was nothing to write of, and why.
+  std::vector<Phrase> not_written{};
 };
 
 /// Writes a study into `folder`, which appears complete or not at all: docs/formats/export.md says

@@ -190,14 +190,70 @@ TEST(ExportedCounts, AreOfEachAnswerWhereNoneIsCorrect) {
                                 "wood 0.01 1 1 "));
 }
 
-TEST(ExportedCounts, HaveNoFileWhereNoFactorIsNumeric) {
+// A repetition is a number in many protocols, and no level of anything: responses of all are counted together.
+TEST(ExportedCounts, TakeNoRepetitionForALevel) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  std::vector<MadeUpTrial> trials{};
+  for (const int column : {1, 2}) {
+    for (const char* spacing_m : {"0.001", "0.01"}) {
+      trials.push_back(some_trial());
+      trials.back().factors_json =
+          R"({"column": )" + std::to_string(column) + R"(, "spacing_m": )" + spacing_m + "}";
+    }
+  }
+  made.add_session("anna", made.add_protocol("recognition", "recognition", kExportedProtocol),
+                   trials);
+  export_to(made, made.beside("out"));
+  const Table fit = table_in(made.beside("out"), "fit.tsv");
+  ASSERT_EQ(fit.rows.size(), 2U);
+  for (std::size_t row = 0; row < 2; ++row) {
+    EXPECT_EQ(cell_of(fit, row, "factor"), Cell{"spacing_m"});
+    EXPECT_EQ(cell_of(fit, row, "n"), Cell{"2"});
+    EXPECT_EQ(cell_of(fit, row, "condition"), Cell{"anna: recognition 1, which, correct"});
+  }
+}
+
+struct NothingToFit {
+  const char* factors_json;
+  SessionState state;
+  const char* why;
+};
+
+class NoCounts : public testing::TestWithParam<NothingToFit> {};
+
+TEST_P(NoCounts, HaveNoFileAndTheExportSaysWhy) {
   MadeUpStudy made;
   made.add_person("anna", "F");
   MadeUpTrial trial = some_trial();
-  trial.factors_json = R"({"texture": "stone"})";
+  trial.factors_json = GetParam().factors_json;
+  made.set_state(GetParam().state);
   made.add_session("anna", made.add_protocol("recognition", "recognition"), {trial, trial});
-  export_to(made, made.beside("out"));
+  const ExportOutcome outcome = export_to(made, made.beside("out"));
   EXPECT_THAT(names_in(made.beside("out")), Not(Contains("fit.tsv")));
+  ASSERT_EQ(outcome.not_written.size(), 1U);
+  EXPECT_EQ(outcome.not_written[0].english(),
+            std::string("fit.tsv was not written: ") + GetParam().why);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reasons, NoCounts,
+    testing::Values(
+        NothingToFit{
+            R"({"texture": "stone", "column": 1})", SessionState::completed,
+            "no factor of the trials has numbers as levels. A repetition (column) is not a "
+            "level."},
+        NothingToFit{R"({"spacing_m": 0.01})", SessionState::completed,
+                     "no participant has choices at two levels of a factor that has numbers as "
+                     "levels."},
+        NothingToFit{R"({"spacing_m": 0.01})", SessionState::stopped,
+                     "no completed session has choices that analyses count."}));
+
+TEST(Export, StatesThatAStudyWithoutSessionsHasNoFilesForOtherPrograms) {
+  MadeUpStudy made;
+  const ExportOutcome outcome = export_to(made, made.beside("out"));
+  ASSERT_EQ(outcome.not_written.size(), 1U);
+  EXPECT_THAT(outcome.not_written[0].english(), HasSubstr("has no sessions"));
 }
 
 }  // namespace

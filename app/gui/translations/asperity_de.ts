@@ -3021,6 +3021,21 @@
     </message>
 </context>
 <context>
+    <name>FitTable</name>
+    <message>
+        <source>%1 was not written: no completed session has choices that analyses count.</source>
+        <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Auswahlen, die in Auswertungen zählen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: no factor of the trials has numbers as levels. A repetition (column) is not a level.</source>
+        <translation>%1 wurde nicht geschrieben: Kein Faktor der Durchgänge hat Zahlen als Stufen. Eine Wiederholung (column) ist keine Stufe.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: no participant has choices at two levels of a factor that has numbers as levels.</source>
+        <translation>%1 wurde nicht geschrieben: Von keiner Versuchsperson liegen Auswahlen auf zwei Stufen eines Faktors mit Zahlen als Stufen vor.</translation>
+    </message>
+</context>
+<context>
     <name>FormWords</name>
     <message>
         <source>As it is</source>
@@ -4640,6 +4655,13 @@
     <message>
         <source>try the session out in Pilot (--mode pilot), or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
         <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>StudyExport</name>
+    <message>
+        <source>The study has no sessions: there are no files for other programs.</source>
+        <translation>Die Studie hat keine Sitzungen: Es gibt keine Dateien für andere Programme.</translation>
     </message>
 </context>
 <context>
