@@ -57,22 +57,31 @@ int number_in_label(const std::string& label) {
   return number;
 }
 
-/// The batch to add, or the one to go on with.
-Batch choose_batch(const Study& study, const SimulationInputs& inputs) {
+/// The virtual participants that a study has already.
+struct Batches {
+  std::optional<Batch> begun{};  ///< the latest of the same seed and number of participants
   int largest_number = 0;
-  std::optional<Batch> begun{};
   bool any_virtual = false;
+};
+
+Batches batches_in(const Study& study, const SimulationInputs& inputs) {
+  Batches there{};
   for (const ParticipantRow& person : study.participants()) {
-    largest_number = std::max(largest_number, number_in_label(person.label));
-    any_virtual = any_virtual || person.is_virtual;
+    there.largest_number = std::max(there.largest_number, number_in_label(person.label));
+    there.any_virtual = there.any_virtual || person.is_virtual;
     const std::optional<Batch> batch = batch_of(person);
     if (batch && batch->seed == inputs.seed && batch->participants == inputs.participants) {
-      begun = batch;  // the latest of equals: labels come in order
+      there.begun = batch;  // labels come in order
     }
   }
-  if (!inputs.resume) return {inputs.seed, largest_number + 1, inputs.participants};
-  if (begun) return *begun;
-  if (!any_virtual) return {inputs.seed, 1, inputs.participants};
+  return there;
+}
+
+/// The batch to add, or the one to resume.
+Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
+  if (!inputs.resume) return {inputs.seed, there.largest_number + 1, inputs.participants};
+  if (there.begun) return *there.begun;
+  if (!there.any_virtual) return {inputs.seed, 1, inputs.participants};
   throw std::runtime_error("there is nothing to go on with in " + inputs.study.string() +
                            ": no simulation of " + std::to_string(inputs.participants) +
                            " participants with the seed " + std::to_string(inputs.seed) +
@@ -90,6 +99,11 @@ std::vector<SessionRow> sessions_with(const Study& study, const std::string& par
     }
   }
   return found;
+}
+
+/// Completed, or ended by a rule of the protocol: nothing is left to resume.
+bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  return row.state == SessionState::completed || has_ended_by_rule(study, protocol, row);
 }
 
 /// What all jobs share.
@@ -115,6 +129,7 @@ class Simulation final {
  private:
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
+  bool is_interrupted(const Study& study, const Batch& batch) const;
   std::uint64_t seed_of(int number, int sitting) const;
   void work();
   void take_through(Study& study, int number);
@@ -176,9 +191,44 @@ void Simulation::check_sessions(const Study& study) const {
   }
 }
 
+/// Whether a batch has begun with these protocols, or with nothing at all, and has not done all of their sessions.
+bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
+  const std::vector<SessionRow> sessions = study.sessions();
+  bool has_begun = false;
+  bool has_sessions = false;
+  bool is_complete = true;
+  for (int i = 0; i < batch.participants; ++i) {
+    const std::string label = virtual_person(batch.first + i, random_, "").label;
+    has_sessions = has_sessions ||
+                   std::any_of(sessions.begin(), sessions.end(), [&label](const SessionRow& row) {
+                     return row.participant == label;
+                   });
+    for (const Protocol& protocol : protocols_) {
+      const std::vector<SessionRow> done = sessions_with(study, label, protocol);
+      has_begun = has_begun || !done.empty();
+      is_complete = is_complete && done.size() >= static_cast<std::size_t>(protocol.sessions) &&
+                    std::all_of(done.begin(), done.end(), [&](const SessionRow& row) {
+                      return has_ended(study, protocol, row);
+                    });
+    }
+  }
+  return !is_complete && (has_begun || !has_sessions);
+}
+
 void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
-  batch_ = choose_batch(study, inputs_);
+  const Batches there = batches_in(study, inputs_);
+  if (!inputs_.resume && there.begun && is_interrupted(study, *there.begun)) {
+    throw PhrasedError(
+        phrase(
+            "Simulation",
+            "the simulation of %1 participants with the seed %2 in %3 is not complete; to complete "
+            "it, add --resume; to add further participants, take another --seed. Nothing was "
+            "written")
+            .with(std::to_string(inputs_.participants), std::to_string(inputs_.seed),
+                  inputs_.study.string()));
+  }
+  batch_ = choose_batch(there, inputs_);
   check_sessions(study);
   for (int i = 0; i < batch_.participants; ++i) {
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
@@ -241,9 +291,7 @@ void Simulation::take_through(Study& study, int number) {
       const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + sitting;
       const std::optional<SessionRow> row =
           repeat < before.size() ? std::optional(before[repeat]) : std::nullopt;
-      const bool has_ended = row && (row->state == SessionState::completed ||
-                                     has_ended_by_rule(study, protocol, *row));
-      if (!has_ended) {
+      if (!row || !has_ended(study, protocol, *row)) {
         hold(study, person, protocol, index, seed, row);
       }
       const std::lock_guard lock(mutex_);

@@ -22,8 +22,8 @@ struct SimulationInputs {
   std::uint64_t seed = 1;
   int jobs = 1;
   Recordings recordings = Recordings::first;
-  /// Go on with the interrupted simulation of the same seed and number of participants, or begin it
-  /// in a study that has no virtual participants yet.
+  /// Resume the interrupted simulation of the same seed and number of participants, or begin it
+  /// in a study that has no virtual participants yet. Without it such a simulation is refused.
   bool resume = false;
 };
 
@@ -45,7 +45,8 @@ struct SimulationResult {
 /// `progress` and `done` may be empty. Both are called from the jobs' threads.
 ///
 /// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
-/// nothing to go on with).
+/// nothing to go on with; an interrupted simulation of the same seed, number of participants and protocols, without
+/// `resume`).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
                           const std::stop_token& stop, const std::function<void(double)>& progress,
                           const std::function<void(const AttemptDone&)>& done);

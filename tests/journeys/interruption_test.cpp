@@ -179,6 +179,16 @@ TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
   const std::vector<std::string> done = stored_attempts_in(stopped.err);
   EXPECT_LT(done.size(), 160U);
   EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
+
+  // The same arguments once more would add other participants next to those that are not complete.
+  const Outcome again = asperity(arguments);
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(
+      again.err.find("to complete it, add --resume; to add further participants, take another "
+                     "--seed"),
+      std::string::npos)
+      << again.err;
+  EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
 }
 
 // As a debugger does, or a computer that is suspended.

@@ -4567,6 +4567,10 @@
         <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored, go on with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
+    <message>
+        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, take another --seed. Nothing was written</source>
+        <translation>die Simulation von %1 Versuchspersonen mit dem Startwert %2 in %3 ist nicht abgeschlossen; mit --resume wird sie abgeschlossen, mit einem anderen --seed kommen weitere hinzu. Es wurde nichts geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>StepWords</name>
