@@ -96,9 +96,13 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
   for (ExportColumn& column : columns) {
     if (column.name == "age_years") column.name = "age";
     if (column.name != "sex") continue;
-    // BIDS has a word of its own for who is neither.
+    // BIDS 1.10 takes F, M and O alone: an X is an error of its validator.
+    column.description = "reported sex";
     column.levels = {"F", "M", "O"};
-    column.description += "; O: other";
+    column.level_meanings = {
+        {"F", {"female", ""}},
+        {"M", {"male", ""}},
+        {"O", {"neither female nor male: X in participants.tsv of the export", ""}}};
     column.cell = [told = std::move(column.cell)](const ExportPlace& at) -> Cell {
       const Cell cell = told(at);
       return cell == Cell{"X"} ? Cell{"O"} : cell;
@@ -258,7 +262,6 @@ void BidsDataset::finish() {
   Json sidecar{};
   for (const ExportColumn& column : participant_columns_) {
     sidecar[column.name] = sidecar_of(column);
-    if (column.name == "age") sidecar[column.name]["Units"] = "year";
   }
   for (const std::vector<Cell>& row : participants_) participants.add(row);
   folder_.add(root_ + "participants.tsv", participants.finish(), participants_left_out_);

@@ -35,11 +35,14 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
     return [member](const Place& at) { return optional_cell(at.participant->*member); };
   };
   columns.push_back(
-      missing("not reported", at_least(0, column("age_years", "number", "a", "age",
+      missing("not reported", at_least(0, column("age_years", "number", "year", "age",
                                                  participant(&ParticipantRow::age_years)))));
-  columns.push_back(missing("not reported", with_levels(column("sex", "text", "", "reported sex",
-                                                               participant(&ParticipantRow::sex)),
-                                                        {"F", "M", "X"})));
+  columns.push_back(missing(
+      "not reported",
+      with_levels(column("sex", "text", "",
+                         "reported sex: F female, M male, X neither (O in BIDS, which has no X)",
+                         participant(&ParticipantRow::sex)),
+                  {"F", "M", "X"})));
   columns.push_back(missing("not reported",
                             with_levels(column("handedness", "text", "", "reported preferred hand",
                                                participant(&ParticipantRow::handedness)),
