@@ -152,10 +152,16 @@ struct Question {
   std::string name{};
   std::string prompt{};
   Form form = Form::choice;
-  std::vector<std::string> options{};
+  std::vector<std::string> options{};  ///< what is stored
+  /// What is shown for each option, where that is another text (of another language); else empty.
+  std::vector<std::string> option_texts{};
   std::optional<double> minimum{};
   std::optional<double> maximum{};
   bool optional = false;
+
+  const std::string& text_of_option(std::size_t i) const {
+    return option_texts.empty() ? options.at(i) : option_texts.at(i);
+  }
 };
 
 /// How a virtual participant judges; see virtual_observer.h.
@@ -194,6 +200,8 @@ struct Protocol {
   std::string name{};
   std::string version{};
   std::string title{};
+  std::string language =
+      "en";  ///< of its texts, a BCP 47 tag; the program's own to participants follow
   std::string description{};
   std::vector<std::string> authors{};
   std::string license{};

@@ -196,6 +196,18 @@ Exploration exploration_of(const std::string& name, const json& object) {
   return exploration;
 }
 
+/// Texts of their own only where an option has one.
+void read_options(const json& object, Question& question) {
+  const auto found = object.find("options");
+  if (found == object.end()) return;
+  for (const json& option : *found) {
+    const bool has_text = option.is_object();
+    question.options.push_back((has_text ? option.at("value") : option).get<std::string>());
+    question.option_texts.push_back((has_text ? option.at("text") : option).get<std::string>());
+  }
+  if (question.option_texts == question.options) question.option_texts.clear();
+}
+
 Question question_of(const std::string& name, const json& object) {
   Question question{};
   question.name = name;
@@ -203,7 +215,7 @@ Question question_of(const std::string& name, const json& object) {
   using Form = Question::Form;
   read_choice(object, "form", question.form,
               {{"choice", Form::choice}, {"number", Form::number}, {"text", Form::text}});
-  read(object, "options", question.options);
+  read_options(object, question);
   read(object, "minimum", question.minimum);
   read(object, "maximum", question.maximum);
   read(object, "optional", question.optional);
@@ -325,6 +337,7 @@ void read_head(const json& root, Protocol& protocol) {
   read(root, "name", protocol.name);
   read(root, "version", protocol.version);
   read(root, "title", protocol.title);
+  read(root, "language", protocol.language);
   read(root, "description", protocol.description);
   if (const auto found = root.find("authors"); found != root.end()) {
     for (const json& author : *found) protocol.authors.push_back(author.at("name"));

@@ -298,6 +298,12 @@ void Meaning::check_questions() {
       if (std::find(question.options.begin(), here, *here) != here) {
         report(pointer_to(pointer + "/options", i), in_quotes(*here) + " is listed twice");
       }
+      const auto& texts = question.option_texts;
+      if (texts.empty()) continue;
+      const auto text = texts.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::find(texts.begin(), text, *text) != text) {
+        report(pointer_to(pointer + "/options", i), in_quotes(*text) + " is shown twice");
+      }
     }
   }
   if (!root.contains("participants") || !root.at("participants").contains("questions")) return;

@@ -174,11 +174,21 @@ StoredProtocol stored_protocol(const std::string& source) {
     }
   });
   for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
-    read.questions[name] = {.prompt = text_in(asked, "prompt"),
-                            .form = text_in(asked, "form"),
-                            .minimum = number_at(asked, "minimum"),
-                            .maximum = number_at(asked, "maximum"),
-                            .options = texts_in(asked, "options")};
+    StoredProtocol::Question& question = read.questions[name];
+    question = {.prompt = text_in(asked, "prompt"),
+                .form = text_in(asked, "form"),
+                .minimum = number_at(asked, "minimum"),
+                .maximum = number_at(asked, "maximum")};
+    const Json& options = member_of(asked, "options");
+    if (!options.is_array()) return;
+    for (const Json& option : options) {
+      if (option.is_string()) {
+        question.options.push_back(option.get<std::string>());
+      } else if (const std::string value = text_in(option, "value"); !value.empty()) {
+        question.options.push_back(value);
+        question.option_texts[value] = text_in(option, "text");
+      }
+    }
   });
   for_each_object(member_of(root, "blocks"), [&](const std::string& name, const Json& block) {
     const Json& asked = member_of(block, "question");

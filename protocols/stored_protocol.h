@@ -26,6 +26,7 @@ struct StoredProtocol {
     std::optional<double> minimum{};
     std::optional<double> maximum{};
     std::vector<std::string> options{};
+    std::map<std::string, std::string> option_texts{};  ///< by option, where another text was shown
   };
   struct TrialQuestion {
     std::string name{};

@@ -78,6 +78,11 @@ std::optional<Saying> refusal_of(const Question& question, std::string& answer) 
           question.options.end()) {
         return {};
       }
+      const auto& texts = question.option_texts;
+      if (const auto text = std::find(texts.begin(), texts.end(), answer); text != texts.end()) {
+        answer = question.options[static_cast<std::size_t>(text - texts.begin())];
+        return {};
+      }
       const std::optional<std::size_t> number = whole_number(answer);
       if (number && *number >= 1 && *number <= question.options.size()) {
         answer = question.options[*number - 1];

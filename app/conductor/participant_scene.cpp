@@ -64,7 +64,7 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::feel_surface:
       return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
     case Saying::What::lift:
-      return phrase("ParticipantWords", "That is enough of surface %1. Please lift.")
+      return phrase("ParticipantWords", "That is enough of surface %1. Please lift the handle.")
           .with(saying.code);
     case Saying::What::put_mask_on:
       return phrase("ParticipantWords", "Please put on the eye mask.");
@@ -86,20 +86,19 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::choose_first:
       return phrase("ParticipantWords", "Please choose first.");
     case Saying::What::assign_first:
-      return phrase("ParticipantWords", "Please give surface %1 a picture first.")
+      return phrase("ParticipantWords", "Please assign a picture to surface %1 first.")
           .with(saying.code);
     case Saying::What::feel_again:
       return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
     case Saying::What::no_going_back:
       return phrase("ParticipantWords", "The surfaces cannot be felt again.");
     case Saying::What::was_right:
-      return phrase("ParticipantWords", "That was right.");
+      return phrase("ParticipantWords", "Correct.");
     case Saying::What::was_wrong:
-      if (saying.code.empty()) return phrase("ParticipantWords", "That was not right.");
-      return phrase("ParticipantWords", "That was not right. The right answer: %1")
-          .with(saying.code);
+      if (saying.code.empty()) return phrase("ParticipantWords", "Incorrect.");
+      return phrase("ParticipantWords", "Incorrect. The correct answer: %1").with(saying.code);
     case Saying::What::answer_needed:
-      return phrase("ParticipantWords", "This question needs an answer.");
+      return phrase("ParticipantWords", "Please answer this question.");
     case Saying::What::number_needed:
       if (saying.minimum && saying.maximum) {
         return phrase("ParticipantWords", "A number from %1 to %2 is needed.")
@@ -121,15 +120,16 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::estimate_unclear:
       return phrase(
                  "ParticipantWords",
-                 "%1 can be read in two ways. Please write thousands without a point or a comma, "
-                 "and decimals with one or two digits after it.")
+                 "%1 is ambiguous. Please write thousands without a point or a comma, and decimals "
+                 "with one or two digits after it.")
           .with(saying.code);
     case Saying::What::session_resumes:
       return phrase("ParticipantWords",
                     "The session continues where it was interrupted. Confirm when you are ready.");
     case Saying::What::check_estimate:
-      return phrase("ParticipantWords",
-                    "Please check the number %1: give it once more, or the one that you meant.")
+      return phrase(
+                 "ParticipantWords",
+                 "Please check the number %1: enter it again, or enter the number that you meant.")
           .with(saying.code);
   }
   return {};

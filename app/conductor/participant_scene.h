@@ -100,6 +100,8 @@ struct ParticipantScene {
   };
 
   Kind kind = Kind::blank;
+  /// Of the program's own sentences in it, as `Protocol::language`; the protocol's are as they are.
+  std::string language = "en";
   /// When it was shown, on the session's clock: what was pressed before does not answer it. 0 where
   /// whoever shows it does not say.
   std::int64_t shown_ns = 0;

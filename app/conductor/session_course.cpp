@@ -195,6 +195,7 @@ void SessionCourse::show(ParticipantScene scene) {
   if (links_.monitor == nullptr) return;
   const SessionSnapshot snapshot = links_.monitor->snapshot();
   scene.shown_ns = now_ns();
+  scene.language = protocol_.language;
   scene.block = snapshot.block;
   scene.blocks = snapshot.block == 0 ? 0 : snapshot.blocks;
   // A reminder is known as new by its number: it goes on counting from scene to scene.

@@ -219,7 +219,7 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
                           columns_of_terminal(input_))
           << '\n';
   for (std::size_t i = 0; i < question.options.size(); ++i) {
-    output_ << "  " << i + 1 << "  " << question.options[i] << '\n';
+    output_ << "  " << i + 1 << "  " << question.text_of_option(i) << '\n';
   }
   for (;;) {
     output_ << "Your answer: " << std::flush;

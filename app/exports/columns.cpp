@@ -65,6 +65,7 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
                                                                 : Publication::dropped_unless_named;
     if (known) {
       answer.levels = question->second.options;
+      answer.level_meanings = question->second.option_meanings;
       answer.minimum = question->second.minimum;
       answer.maximum = question->second.maximum;
       answer.source = question->second.source;

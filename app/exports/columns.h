@@ -113,6 +113,8 @@ struct StudyVocabulary {
     bool free_text = true;      ///< unless a protocol declares a choice or a number
     bool questionnaire = true;  ///< about a person or a session, not about a trial
     std::vector<std::string> options{};
+    std::map<std::string, LevelMeaning>
+        option_meanings{};  ///< of those that were shown as another text
     std::optional<double> minimum{};
     std::optional<double> maximum{};
     std::string source{};

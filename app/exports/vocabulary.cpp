@@ -24,6 +24,9 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     meaning.minimum = asked.minimum;
     meaning.maximum = asked.maximum;
     meaning.options = asked.options;
+    for (const auto& [option, text] : asked.option_texts) {
+      meaning.option_meanings[option].description = text;
+    }
     meaning.source = place_in(protocol, "/questions/" + name);
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
     const bool free_text = meaning.free_text;

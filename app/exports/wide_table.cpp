@@ -206,7 +206,10 @@ WideTable::Made WideTable::make() const {
         vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
     if (meaning != vocabulary_.questions_of_source.end()) {
       column.description += ": " + meaning->second.prompt;
-      if (!is_number) column.levels = meaning->second.options;
+      if (!is_number) {
+        column.levels = meaning->second.options;
+        column.level_meanings = meaning->second.option_meanings;
+      }
       column.minimum = meaning->second.minimum;
       column.maximum = meaning->second.maximum;
       column.source = meaning->second.source;

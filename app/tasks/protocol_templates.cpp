@@ -11,18 +11,19 @@ namespace asperity {
 
 namespace {
 
-const LibraryProtocol& library_protocol(std::string_view name) {
-  for (const LibraryProtocol& protocol : library_protocols()) {
+const LibraryProtocol& library_protocol(std::string_view name, std::string_view language) {
+  for (const LibraryProtocol& protocol : library_protocols(language)) {
     if (protocol.name == name) return protocol;
   }
-  throw std::invalid_argument("the library has no protocol \"" + std::string(name) + "\"");
+  throw std::invalid_argument("the library has no protocol \"" + std::string(name) +
+                              "\" in the language \"" + std::string(language) + "\"");
 }
 
 }  // namespace
 
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name) {
-  const LibraryProtocol& protocol = library_protocol(name);
+                                             std::string_view name, std::string_view language) {
+  const LibraryProtocol& protocol = library_protocol(name, language);
   const std::string first(name);
   std::string free_name = first;
   const auto file_of = [&study](const std::string& stem) {

@@ -468,8 +468,8 @@ TEST_F(ConductorTest, EndsAPracticeWithItsCriterion) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 5U);  // wrong, right, right, right, and the main trial
   EXPECT_EQ(rows[4].trial, 6);
-  EXPECT_EQ(person_.texts[0], "That was not right.");
-  EXPECT_EQ(person_.texts[1], "That was right.");
+  EXPECT_EQ(person_.texts[0], "Incorrect.");
+  EXPECT_EQ(person_.texts[1], "Correct.");
 }
 
 TEST_F(ConductorTest, EndsTheSessionWhereThePracticeFailsAndTheProtocolSaysSo) {
@@ -777,7 +777,7 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   EXPECT_NE(shown.str().find("How rough was it?\nYour number: A number above 0 is needed"),
             std::string::npos)
       << shown.str();
-  EXPECT_NE(shown.str().find("1,000 can be read in two ways."), std::string::npos) << shown.str();
+  EXPECT_NE(shown.str().find("1,000 is ambiguous."), std::string::npos) << shown.str();
   ::close(ends[0]);
   ::close(ends[1]);
 }

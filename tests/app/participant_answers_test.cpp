@@ -16,6 +16,20 @@ std::vector<ParticipantRow> people(const std::vector<std::string>& labels) {
   return rows;
 }
 
+TEST(FormAnswer, IsTheValueOfAnOptionWhoseTextWasTyped) {
+  const Question question{.form = Question::Form::choice,
+                          .options = {"right", "left"},
+                          .option_texts = {"rechts", "links"}};
+  std::string typed = "links";
+  EXPECT_FALSE(refusal_of(question, typed));
+  EXPECT_EQ(typed, "left");
+  typed = "1";
+  EXPECT_FALSE(refusal_of(question, typed));
+  EXPECT_EQ(typed, "right");
+  typed = "beide";
+  EXPECT_TRUE(refusal_of(question, typed));
+}
+
 TEST(SuggestedLabel, ContinuesThePatternOfTheStudy) {
   EXPECT_EQ(suggested_label(people({})), "sub001");
   EXPECT_EQ(suggested_label(people({"P008", "P009"})), "P010");

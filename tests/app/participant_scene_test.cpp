@@ -133,14 +133,14 @@ TEST(SceneOfSurface, SaysWhenItIsEnough) {
   const Trial trial = make_plan(library_protocol("chapter_selection"), {1, 0}).trials.front();
   const ParticipantScene scene = scene_of_lifting(trial, {1}, 2);
   EXPECT_EQ(scene.kind, ParticipantScene::Kind::feel);
-  EXPECT_EQ(scene.text, "That is enough of surface B. Please lift.");
+  EXPECT_EQ(scene.text, "That is enough of surface B. Please lift the handle.");
   EXPECT_TRUE(scene.surfaces[1].now);
 }
 
 TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {
-  EXPECT_EQ(scene_of_feedback(true, "3").text, "That was right.");
-  EXPECT_EQ(scene_of_feedback(false, "3").text, "That was not right. The right answer: 3");
-  EXPECT_EQ(scene_of_feedback(false, "").text, "That was not right.");
+  EXPECT_EQ(scene_of_feedback(true, "3").text, "Correct.");
+  EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct answer: 3");
+  EXPECT_EQ(scene_of_feedback(false, "").text, "Incorrect.");
   EXPECT_EQ(scene_of_feedback(false, "3").text_saying.what, Saying::What::was_wrong);
 }
 

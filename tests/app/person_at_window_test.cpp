@@ -593,7 +593,7 @@ TEST_F(AnAssignment, IsNotConfirmedBeforeEverySurfaceHasAPicture) {
   press(2.0, Kind::option, 2);
   press(3.0, Kind::confirm);
   look(3.5, [](const ParticipantScene& scene) {
-    EXPECT_EQ(scene.cue, "Please give surface C a picture first.");
+    EXPECT_EQ(scene.cue, "Please assign a picture to surface C first.");
     EXPECT_EQ(scene.cue_saying.code, "C");
   });
   press(4.0, Kind::option, 3);
@@ -859,8 +859,8 @@ TEST_F(Reading, MeansTheMaskTooAndHasATone) {
 
 TEST_F(Reading, OfFeedbackIsOverByItself) {
   const std::int64_t began_ns = now_ns_;
-  person_.tell("That was right.", wait_);
-  EXPECT_EQ(scene()->text, "That was right.");
+  person_.tell("Correct.", wait_);
+  EXPECT_EQ(scene()->text, "Correct.");
   EXPECT_NEAR(1e-9 * static_cast<double>(now_ns_ - began_ns), 1.5, 1e-6);
 }
 
@@ -876,7 +876,7 @@ TEST_F(HeldAcross, TheDeadlineItAnswersNothingThatComesAfter) {
   EXPECT_TRUE(ask(selection(), 4.0).options.empty());
   const std::int64_t told_ns = now_ns_;
   monitor_.show(scene_of_feedback(false, ""));
-  person_.tell("That was not right.", wait_);
+  person_.tell("Incorrect.", wait_);
   EXPECT_GE(now_ns_, told_ns + nanoseconds(1.5)) << "the feedback stays";
   hold_button(0.5, 1, 0.1);
   const std::int64_t began_ns = now_ns_;
@@ -964,7 +964,7 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
   type(2.1, "121");
   type(2.2, "");
   look(2.5, [](const ParticipantScene& scene) {
-    EXPECT_EQ(scene.cue, "This question needs an answer.");
+    EXPECT_EQ(scene.cue, "Please answer this question.");
     EXPECT_EQ(scene.cue_number, 4U);
   });
   type(3.0, " 42 ");

@@ -164,6 +164,11 @@ TEST(ProtocolFromTemplate, GetsANameOfItsOwnWhereTheStudyHasOneOfThatName) {
   EXPECT_EQ(load_protocol(first, models, std::nullopt).name, "chapter_matching");
   EXPECT_EQ(load_protocol(second, models, std::nullopt).name, "chapter_matching_2");
   EXPECT_THROW(protocol_from_template(folder.path() / "study", "nothing"), std::invalid_argument);
+  const auto german = protocol_from_template(folder.path() / "study", "photo_matching", "de");
+  EXPECT_EQ(german.filename(), "photo_matching.json");
+  EXPECT_EQ(load_protocol(german, models, std::nullopt).language, "de");
+  EXPECT_THROW(protocol_from_template(folder.path() / "study", "photo_matching", "fr"),
+               std::invalid_argument);
 }
 
 }  // namespace

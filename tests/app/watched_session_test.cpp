@@ -122,6 +122,16 @@ TEST_F(WatchedSession, RendersTheSameWhetherOrNotItIsWatched) {
   EXPECT_EQ(columns(), watched);
 }
 
+TEST_F(WatchedSession, ShowsScenesInTheLanguageOfTheProtocol) {
+  begin(with(one_trial(), "\"textures\"", R"("language": "de", )"));
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    EXPECT_EQ(monitor_.snapshot().scene->language, "de");
+    return {{1}, {}};
+  };
+  run();
+  EXPECT_EQ(monitor_.snapshot().scene->language, "de");
+}
+
 TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
   begin(small_protocol());
   std::vector<std::optional<double>> left_s{};

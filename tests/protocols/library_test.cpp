@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/doubts.h"
 #include "protocols/library_protocols.h"
 #include "protocols/plan.h"
@@ -40,7 +42,7 @@ TEST_P(Library, LeavesNothingToDoubt) {
 TEST_P(Library, AsksWhatAnEthicsBoardExpects) {
   const Protocol read = protocol();
   EXPECT_FALSE(read.consent_version.empty());
-  EXPECT_NE(read.consent_statement.find("stop at any moment"), std::string::npos);
+  EXPECT_NE(read.consent_statement.find("stop at any time"), std::string::npos);
   std::set<std::string> asked{};
   for (const Question& question : read.participant_questions) asked.insert(question.name);
   for (const char* const name : {"age", "sex", "handedness", "hand_used", "hand_problems"}) {
@@ -48,7 +50,7 @@ TEST_P(Library, AsksWhatAnEthicsBoardExpects) {
   }
   const auto* const first = std::get_if<Protocol::Screen>(&read.flow.front());
   ASSERT_NE(first, nullptr);
-  EXPECT_NE(first->text.find("stop at any moment"), std::string::npos);
+  EXPECT_NE(first->text.find("stop at any time"), std::string::npos);
   EXPECT_TRUE(std::any_of(read.flow.begin(), read.flow.end(), [](const Protocol::Step& step) {
     return std::holds_alternative<Protocol::Ask>(step);
   })) << "closing questions";
@@ -98,6 +100,85 @@ TEST(LibraryProtocols, CoverTheThreeExperimentsTwiceThePhotographsABlindfoldOneT
                 "improved_recognition", "improved_selection", "improved_selection_blindfold",
                 "photo_matching", "photo_recognition", "roughness_diameter", "roughness_force",
                 "roughness_speed", "tools_matching"}));
+}
+
+/// A protocol in German and in English, without what its language decides.
+struct InBothLanguages {
+  Protocol english{};
+  Protocol german{};
+  nlohmann::json english_rest{};
+  nlohmann::json german_rest{};
+};
+
+/// Texts that are read; of an option, what is shown.
+nlohmann::json without_texts(nlohmann::json document) {
+  static const std::set<std::string> kTexts{"title",     "language", "description", "instructions",
+                                            "statement", "screen",   "text",        "prompt",
+                                            "meaning",   "note"};
+  if (document.is_array()) {
+    for (nlohmann::json& one : document) one = without_texts(one);
+  }
+  if (!document.is_object()) return document;
+  nlohmann::json kept = nlohmann::json::object();
+  for (const auto& [key, value] : document.items()) {
+    if (kTexts.contains(key)) continue;
+    kept[key] = without_texts(value);
+    if (key != "options") continue;
+    for (nlohmann::json& option : kept[key]) {
+      if (option.is_object()) option = option.at("value");
+    }
+  }
+  return kept;
+}
+
+std::vector<InBothLanguages> in_both_languages() {
+  std::vector<InBothLanguages> all{};
+  const auto german = library_protocols("de");
+  for (std::size_t i = 0; i < german.size(); ++i) {
+    const LibraryProtocol& english = library_protocols()[i];
+    EXPECT_EQ(german[i].name, english.name);
+    const auto read = [](const LibraryProtocol& one) {
+      return read_protocol(one.text, std::string(one.name), test::example_models());
+    };
+    all.push_back({.english = read(english),
+                   .german = read(german[i]),
+                   .english_rest = without_texts(nlohmann::json::parse(english.text)),
+                   .german_rest = without_texts(nlohmann::json::parse(german[i].text))});
+  }
+  return all;
+}
+
+TEST(LibraryProtocols, AreTheSameInGermanButForTheirTexts) {
+  ASSERT_EQ(library_protocols("de").size(), library_protocols().size());
+  EXPECT_TRUE(library_protocols("fr").empty());
+  for (const InBothLanguages& both : in_both_languages()) {
+    EXPECT_EQ(both.german.language, "de");
+    EXPECT_EQ(both.english.language, "en");
+    EXPECT_EQ(both.german.version, both.english.version) << both.german.name;
+    EXPECT_EQ(both.german_rest, both.english_rest) << both.german.name;
+    EXPECT_NE(both.german.consent_statement.find("jederzeit"), std::string::npos);
+    for (const auto& [name, question] : both.german.questions) {
+      EXPECT_EQ(question.options, both.english.questions.at(name).options) << name;
+      EXPECT_NE(question.prompt, both.english.questions.at(name).prompt) << name;
+      EXPECT_EQ(question.option_texts.size(), question.options.size()) << name;
+    }
+  }
+}
+
+TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
+  for (const InBothLanguages& both : in_both_languages()) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Allocation request{.seed = seed, .counterbalance_row = static_cast<int>(seed)};
+      const Plan english = make_plan(both.english, request);
+      const Plan german = make_plan(both.german, request);
+      ASSERT_EQ(german.trials.size(), english.trials.size());
+      for (std::size_t i = 0; i < german.trials.size(); ++i) {
+        EXPECT_EQ(without_texts(nlohmann::json::parse(json_of(german.trials[i]))),
+                  without_texts(nlohmann::json::parse(json_of(english.trials[i]))))
+            << both.german.name << ", trial " << i;
+      }
+    }
+  }
 }
 
 Protocol library_protocol(const std::string& name) {

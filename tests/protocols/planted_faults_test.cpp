@@ -621,7 +621,7 @@ TEST(Doubts, AreAboutWhatIsValidAndMayNotBeMeant) {
        "/explorations/light/speed_m_per_s/minimum", "40 mm/s are 0.04"},
       {R"("target": 2, "maximum": 2.6)", R"("target": 4.5, "maximum": 4.8)",
        "/explorations/firm/normal_force_N/target", "ask for 4 N or less"},
-      {R"(to and fro, from left to right. Two bars)", R"(to and fro. Two low tones)",
+      {R"(back and forth, from left to right. Two bars)", R"(back and forth. Two low tones)",
        "/instructions", "speaks of \"tones\""},
   };
   for (const auto& each : kCases) {

@@ -121,7 +121,7 @@ TEST(ReaderFuzz, ValuesSwappedDroppedOrReplacedNeverBreakIt) {
 
 TEST(ReaderFuzz, TheLongestTextsAndKeysThatAreReadDoNotExhaustTheStack) {
   const std::string longest(8192, 'a');
-  for (const char* const from : {"\"1.0.0\"", "\"improved_selection\"", "\"texture\": {",
+  for (const char* const from : {"\"1.1.0\"", "\"improved_selection\"", "\"texture\": {",
                                  "\"stroking\": {", "\"hand_occluded\""}) {
     std::string text{};
     for (const LibraryProtocol& each : library_protocols()) {

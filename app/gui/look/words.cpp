@@ -1,8 +1,11 @@
 #include "app/gui/look/words.h"
 
+#include <map>
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
+#include <QtCore/QTranslator>
 
 namespace asperity {
 
@@ -14,10 +17,10 @@ struct DriverWords {
 };
 
 /// "10.0" → "10,0"; what is not a number with a point stays.
-std::string with_locale_point(const char* words) {
+std::string with_point_of(const QLocale& locale, const char* words) {
   static const QRegularExpression kNumber("^[-−]?[0-9]+\\.[0-9]+$");
   QString text = QString::fromUtf8(words);
-  if (kNumber.match(text).hasMatch()) text.replace('.', QLocale().decimalPoint());
+  if (kNumber.match(text).hasMatch()) text.replace('.', locale.decimalPoint());
   return text.toStdString();
 }
 
@@ -28,6 +31,22 @@ Phrase::LookUp language_of_windows() {
     if (context == nullptr) return std::string(words);
     return QCoreApplication::translate(context, words).toStdString();
   };
+}
+
+QString words_in_language(const std::string& tag, const Phrase& phrase) {
+  // Loaded once each: a picture of the participant is laid out many times a second.
+  static std::map<std::string, QTranslator> texts_of{};
+  const QLocale locale(QString::fromStdString(tag));
+  const auto [texts, is_new] = texts_of.try_emplace(tag);
+  if (is_new && !texts->second.load(locale, "asperity", "_", ":/translations")) {
+    (void)texts->second.load("asperity_en", ":/translations");
+  }
+  return QString::fromStdString(
+      phrase.translated([&](const char* context, const char* words) -> std::string {
+        if (context == nullptr) return with_point_of(locale, words);
+        const QString found = texts->second.translate(context, words);
+        return found.isEmpty() ? words : found.toStdString();
+      }));
 }
 
 QString words_of(const Phrase& phrase) {
@@ -44,7 +63,7 @@ QString shown_number(double value, char format, int precision) {
 
 QString words_of(const Phrase& phrase, const QString& control) {
   const auto look_up = [look = language_of_windows()](const char* context, const char* words) {
-    return context == nullptr ? with_locale_point(words) : look(context, words);
+    return context == nullptr ? with_point_of(QLocale(), words) : look(context, words);
   };
   QString words = QString::fromStdString(phrase.translated(look_up));
   if (words.contains("--")) {

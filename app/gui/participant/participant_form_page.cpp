@@ -16,16 +16,16 @@ ParticipantPage::OptionRows ParticipantPage::option_rows(const Question& questio
     const double room = (body_.width() - (columns - 1) * px(2 * kGap)) / columns;
     double width = 0.0;
     double longest_word = 0.0;
-    for (const std::string& option : question.options) {
-      width = std::max(width, width_of_answer(text_from(option)));
+    for (int i = 0; i < count; ++i) {
+      width = std::max(width, width_of_answer(text_of(question, i)));
       longest_word =
-          std::max(longest_word, width_of_longest_word(text_from(option), letters(kText)));
+          std::max(longest_word, width_of_longest_word(text_of(question, i), letters(kText)));
     }
     if (columns > 1 && longest_word + em(kAroundAnswer) > room) break;
     width = std::min(width, room);
     OptionRows rows{.columns = columns, .width = width};
-    for (const std::string& option : question.options) {
-      rows.row_height = std::max(rows.row_height, height_of_answer(text_from(option), width));
+    for (int i = 0; i < count; ++i) {
+      rows.row_height = std::max(rows.row_height, height_of_answer(text_of(question, i), width));
     }
     const int needed = (count + columns - 1) / columns;
     rows.rows = std::max(1, static_cast<int>((height + gap) / (rows.row_height + gap)));
@@ -58,7 +58,7 @@ void ParticipantPage::form_choice(const Question& question) {
     add({.kind = Item::Kind::option,
          .rect = QRectF(body_.center().x() - total / 2.0 + column * (rows.width + px(2 * kGap)),
                         top + row * (rows.row_height + gap), rows.width, rows.row_height),
-         .text = text_from(question.options[static_cast<std::size_t>(i)]),
+         .text = text_of(question, i),
          .key = key_of_form_option(i + 1),
          .size_px = letters(kText),
          .chosen = inputs_.draft.option == i + 1,
@@ -66,13 +66,16 @@ void ParticipantPage::form_choice(const Question& question) {
   }
 }
 
-QString ParticipantPage::range_text(const Question& question) {
-  const auto number = [](double value) { return QString::number(value, 'g', 12); };
+QString ParticipantPage::range_text(const Question& question) const {
+  const auto number = [](double value) { return QString::number(value, 'g', 12).toStdString(); };
   if (question.minimum && question.maximum) {
-    return tr("From %1 to %2").arg(number(*question.minimum), number(*question.maximum));
+    return said(phrase("ParticipantLayout", "From %1 to %2")
+                    .with(number(*question.minimum), number(*question.maximum)));
   }
-  if (question.minimum) return tr("%1 or more").arg(number(*question.minimum));
-  if (question.maximum) return tr("%1 or less").arg(number(*question.maximum));
+  if (question.minimum)
+    return said(phrase("ParticipantLayout", "%1 or more").with(number(*question.minimum)));
+  if (question.maximum)
+    return said(phrase("ParticipantLayout", "%1 or less").with(number(*question.maximum)));
   return {};
 }
 
@@ -81,8 +84,9 @@ void ParticipantPage::form_number(const Question& question) {
 }
 
 QString ParticipantPage::no_number_text() const {
-  return scene_.kind == Scene::Kind::question ? tr("That is no number above 0. Please correct it.")
-                                              : tr("That is no number. Please correct it.");
+  return scene_.kind == Scene::Kind::question
+             ? said(phrase("ParticipantLayout", "This is not a number above 0. Please correct it."))
+             : said(phrase("ParticipantLayout", "This is not a number. Please correct it."));
 }
 
 bool ParticipantPage::is_enough_for_number(double height) const {

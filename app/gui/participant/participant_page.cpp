@@ -36,7 +36,8 @@ void ParticipantPage::progress() {
   if (is_tight() && shows_cue()) return;
   if (scene_.block <= 0) return;
   add({.rect = line,
-       .text = tr("Block %1 of %2").arg(scene_.block).arg(scene_.blocks),
+       .text = said(phrase("ParticipantLayout", "Block %1 of %2")
+                        .with(std::to_string(scene_.block), std::to_string(scene_.blocks))),
        .size_px = letters(kText),
        .muted = true});
 }
@@ -107,10 +108,10 @@ QString ParticipantPage::again_text() const {
   const bool names_it = picked && static_cast<std::size_t>(*picked) <= scene_.surfaces.size();
   // Where controls have little room their size stays the same.
   if (!names_it || !is_wide()) {
-    return tr("Feel again");
+    return said(phrase("ParticipantLayout", "Feel again"));
   }
-  return tr("Feel %1 again")
-      .arg(text_from(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code));
+  return said(phrase("ParticipantLayout", "Feel %1 again")
+                  .with(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code));
 }
 
 /// As it is printed on the key, where there is no room for its name.
@@ -120,18 +121,21 @@ QString ParticipantPage::key_name(const QString& name, const QString& sign) cons
 
 void ParticipantPage::turning_controls() {
   if (page_ < pages_) {
-    add_control(tr("Go on"), key_name(tr("Return"), QStringLiteral("⏎")),
+    add_control(said(phrase("ParticipantLayout", "Continue")),
+                key_name(said(phrase("ParticipantLayout", "Return")), QStringLiteral("⏎")),
                 Action{.what = Action::What::turn_to, .number = page_ + 1}, true);
   }
   if (page_ > 1) {
     // In a field for text the arrow moves among the letters.
     const bool is_text = scene_.kind == Scene::Kind::form && scene_.question &&
                          scene_.question->form == Question::Form::text && page_ == pages_;
-    add_control(tr("Back"), is_text ? tr("Page up") : QStringLiteral("←"),
+    add_control(said(phrase("ParticipantLayout", "Back")),
+                is_text ? said(phrase("ParticipantLayout", "Page up")) : QStringLiteral("←"),
                 Action{.what = Action::What::turn_to, .number = page_ - 1}, false);
   }
   if (pages_ > 1) {
-    const QString text = tr("Page %1 of %2").arg(page_).arg(pages_);
+    const QString text = said(phrase("ParticipantLayout", "Page %1 of %2")
+                                  .with(std::to_string(page_), std::to_string(pages_)));
     add_at_inner_end({.text = text, .size_px = letters(kText), .muted = true},
                      width_of(text, letters(kText), false) + em(kGap));
   }
@@ -148,24 +152,28 @@ void ParticipantPage::controls() {
   }
   const Action confirm{.what = Action::What::confirm};
   const Action next{.what = Action::What::next};
-  const QString return_key = key_name(tr("Return"), QStringLiteral("⏎"));
-  const QString space_key = key_name(tr("Space"), QStringLiteral("␣"));
+  const QString return_key =
+      key_name(said(phrase("ParticipantLayout", "Return")), QStringLiteral("⏎"));
+  const QString space_key =
+      key_name(said(phrase("ParticipantLayout", "Space")), QStringLiteral("␣"));
   switch (scene_.kind) {
     case Scene::Kind::text:
-      add_control(tr("Go on"), return_key, confirm, true);
+      add_control(said(phrase("ParticipantLayout", "Continue")), return_key, confirm, true);
       break;
     case Scene::Kind::mask_on:
     case Scene::Kind::mask_off:
-      add_control(tr("Done"), return_key, confirm, true);
+      add_control(said(phrase("ParticipantLayout", "Done")), return_key, confirm, true);
       break;
     case Scene::Kind::rest:
-      add_control(tr("Go on"), return_key, confirm, inputs_.rest_left_s <= 0);
+      add_control(said(phrase("ParticipantLayout", "Continue")), return_key, confirm,
+                  inputs_.rest_left_s <= 0);
       break;
     case Scene::Kind::feel:
-      add_control(tr("Enough of this surface"), space_key, next, false);
+      add_control(said(phrase("ParticipantLayout", "Done with this surface")), space_key, next,
+                  false);
       break;
     case Scene::Kind::question:
-      add_control(tr("Confirm"), return_key, confirm,
+      add_control(said(phrase("ParticipantLayout", "Confirm")), return_key, confirm,
                   scene_.takes_number ? !inputs_.draft.number.isEmpty() &&
                                             !is_no_number(scene_, inputs_.draft.number)
                                       : scene_.can_confirm);
@@ -179,11 +187,12 @@ void ParticipantPage::controls() {
               ? !inputs_.draft.option
               : scene_.question->form == Question::Form::number && inputs_.draft.number.isEmpty();
       if (scene_.question->optional && empty) {
-        add_control(tr("Leave out"), return_key, confirm, true);
+        add_control(said(phrase("ParticipantLayout", "Skip")), return_key, confirm, true);
       } else {
         const bool is_amiss =
             takes_typed_number(scene_) && is_no_number(scene_, inputs_.draft.number);
-        add_control(tr("Confirm"), return_key, confirm, !empty && !is_amiss);
+        add_control(said(phrase("ParticipantLayout", "Confirm")), return_key, confirm,
+                    !empty && !is_amiss);
       }
       break;
     }
@@ -214,7 +223,7 @@ void ParticipantPage::reserve_cue() {
 // Last of all: one that takes more lines covers what is above it.
 void ParticipantPage::cue() {
   if (!shows_cue()) return;
-  const QString text = words_of(scene_.cue_saying, scene_.cue);
+  const QString text = words_of(scene_.cue_saying, scene_.cue, scene_.language);
   const double width =
       std::min(cue_strip_.width(), width_of(text, letters(kText), false) + em(2 * kEdge));
   const double height =
@@ -273,8 +282,9 @@ std::vector<ParticipantItem> ParticipantPage::lay_out() {
       case Scene::Kind::rest:
         words(scene_text(),
               inputs_.rest_left_s > 0
-                  ? tr("You can go on in %1").arg(minutes_and_seconds(inputs_.rest_left_s))
-                  : tr("You can go on when you are ready."));
+                  ? said(phrase("ParticipantLayout", "You can continue in %1")
+                             .with(minutes_and_seconds(inputs_.rest_left_s).toStdString()))
+                  : said(phrase("ParticipantLayout", "You can continue when you are ready.")));
         break;
       case Scene::Kind::feel:
         feel();
@@ -286,11 +296,14 @@ std::vector<ParticipantItem> ParticipantPage::lay_out() {
         form();
         break;
       case Scene::Kind::paused:
-        words(scene_.text.empty() ? tr("One moment, please. You may let go of the handle.")
+        words(scene_.text.empty() ? said(phrase("ParticipantLayout",
+                                                "One moment, please. You may release the handle."))
                                   : scene_text());
         break;
       case Scene::Kind::ended:
-        words(scene_.text.empty() ? tr("Thank you. You may let go of the handle.") : scene_text());
+        words(scene_.text.empty()
+                  ? said(phrase("ParticipantLayout", "Thank you. You may release the handle."))
+                  : scene_text());
         break;
     }
     cue();

@@ -13,6 +13,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtGui/QFontMetricsF>
 
+#include "app/gui/look/words.h"
 #include "app/gui/participant/participant_layout.h"
 #include "app/gui/participant/participant_words.h"
 
@@ -21,7 +22,6 @@ namespace asperity {
 /// Puts items into the picture from its edges inwards; `body_` is what is left. Frame, words, trials
 /// and forms are in a file each.
 class ParticipantPage final {
-  Q_DECLARE_TR_FUNCTIONS(ParticipantLayout)
  public:
   ParticipantPage(const ParticipantScene& scene, const ParticipantLayoutInputs& inputs);
 
@@ -49,9 +49,15 @@ class ParticipantPage final {
   static constexpr double kPrompt = 38.0;
   static constexpr double kLarge = 54.0;
 
+  /// In the language of the scene.
+  QString said(const Phrase& phrase) const { return words_in_language(scene_.language, phrase); }
   static QString text_from(const std::string& text) { return QString::fromStdString(text); }
+  /// Of a form's option, from 0.
+  static QString text_of(const Question& question, int option) {
+    return text_from(question.text_of_option(static_cast<std::size_t>(option)));
+  }
   bool shows_pictures() const;
-  QString scene_text() const { return words_of(scene_.text_saying, scene_.text); }
+  QString scene_text() const { return words_of(scene_.text_saying, scene_.text, scene_.language); }
   bool is_wide() const { return inputs_.size.width() > 1.1 * inputs_.size.height(); }
   /// Half a small screen, or large letters on one.
   bool is_tight() const {
@@ -182,7 +188,7 @@ class ParticipantPage final {
   /// What stands in the place of the range while what was typed is no number.
   QString no_number_text() const;
   bool is_enough_for_number(double height) const;
-  static QString range_text(const Question& question);
+  QString range_text(const Question& question) const;
   Item answer_in_words(std::size_t index) const;
 
   Item& add(Item item) {

@@ -161,7 +161,7 @@ void ParticipantPage::chips_beside() {
 ParticipantItem ParticipantPage::answer_in_words(std::size_t index) const {
   const Scene::Choice& choice = scene_.choices[index];
   return {.kind = Item::Kind::option,
-          .text = words_of(choice.saying, choice.text),
+          .text = words_of(choice.saying, choice.text, scene_.language),
           .key = text_from(choice.key),
           .size_px = letters(kText),
           .chosen = choice.chosen,
@@ -181,7 +181,7 @@ double ParticipantPage::height_of_answers_in_words() const {
   double height = 0.0;
   for (const Scene::Choice& choice : scene_.choices) {
     if (choice.picture || choice.text.empty()) continue;
-    const QString text = words_of(choice.saying, choice.text);
+    const QString text = words_of(choice.saying, choice.text, scene_.language);
     height += height_of_answer(text, std::min(body_.width(), width_of_answer(text))) + px(kGap);
   }
   return height;
@@ -357,8 +357,12 @@ void ParticipantPage::guide(const QRectF& place) {
     row = place.height() / rows.count();
   }
   std::vector<QString> names{};
-  if (rows.force) names.push_back(has_numbers ? tr("Force, N") : tr("Force"));
-  if (rows.speed) names.push_back(has_numbers ? tr("Speed, mm/s") : tr("Speed"));
+  if (rows.force)
+    names.push_back(has_numbers ? said(phrase("ParticipantLayout", "Force, N"))
+                                : said(phrase("ParticipantLayout", "Force")));
+  if (rows.speed)
+    names.push_back(has_numbers ? said(phrase("ParticipantLayout", "Speed, mm/s"))
+                                : said(phrase("ParticipantLayout", "Speed")));
   double beside = 0.0;
   for (const QString& name : names) {
     beside = std::max(beside, width_of(name, letters(kText), true) + px(kGap));
@@ -452,7 +456,8 @@ void ParticipantPage::question() {
     const bool is_answered_here =
         question_over(scene_text(), [this](double height) { return is_enough_for_number(height); });
     pages_ = std::max(pages_, question_pages_ + 1);
-    if (is_answered_here) number_pad(tr("Any number above 0"), Sign::none);
+    if (is_answered_here)
+      number_pad(said(phrase("ParticipantLayout", "Any number above 0")), Sign::none);
     return;
   }
   const bool answers =

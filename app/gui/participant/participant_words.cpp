@@ -4,9 +4,9 @@
 
 namespace asperity {
 
-QString words_of(const Saying& saying, const std::string& text) {
+QString words_of(const Saying& saying, const std::string& text, const std::string& language) {
   return saying.what == Saying::What::nothing ? QString::fromStdString(text)
-                                              : words_of(phrase_of(saying));
+                                              : words_in_language(language, phrase_of(saying));
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The program's own sentences to the participant, in the language of the windows.
+// The program's own sentences to the participant, in the language of the protocol.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What `saying` says; where it says nothing, `text` as the protocol wrote it.
-QString words_of(const Saying& saying, const std::string& text);
+/// The sentence of `saying` in this language (a BCP 47 tag); where it has none, `text` as the protocol wrote it.
+QString words_of(const Saying& saying, const std::string& text, const std::string& language);
 
 }  // namespace asperity

@@ -137,8 +137,12 @@ void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
         tr("The session did not begin and no trial was run. When the cause is mended, start it "
            "again.");
   }
+  const std::string language = monitor_.snapshot().scene->language;
   monitor_.show({.kind = ParticipantScene::Kind::ended,
-                 .text = tr("Please wait for the experimenter.").toStdString()});
+                 .language = language,
+                 .text = words_in_language(language, phrase("ParticipantWords",
+                                                            "Please wait for the experimenter."))
+                             .toStdString()});
   monitor_.update([&text](SessionSnapshot& snapshot) {
     snapshot.phase = SessionPhase::ended;
     snapshot.trouble = SessionTrouble{.what = text.toStdString(),

@@ -36,8 +36,8 @@ QString field_name(const Question& question) {
 
 /// So that two forms can be compared.
 auto comparable(const Question& question) {
-  return std::tie(question.name, question.prompt, question.form, question.options, question.minimum,
-                  question.maximum, question.optional);
+  return std::tie(question.name, question.prompt, question.form, question.options,
+                  question.option_texts, question.minimum, question.maximum, question.optional);
 }
 
 }  // namespace
@@ -82,7 +82,10 @@ void QuestionForm::add_row(const Question& question, int row) {
   QWidget* field = nullptr;
   if (question.form == Question::Form::choice) {
     auto* box = new QComboBox(this);
-    for (const std::string& option : question.options) box->addItem(QString::fromStdString(option));
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+      box->addItem(QString::fromStdString(question.text_of_option(i)),
+                   QString::fromStdString(question.options[i]));
+    }
     box->setPlaceholderText(tr("Choose"));
     box->setCurrentIndex(-1);
     ignore_wheel(*box);
@@ -107,7 +110,7 @@ ParticipantAnswers QuestionForm::answers() const {
   for (const Question& question : questions_) {
     QString text{};
     if (const auto* box = findChild<QComboBox*>(field_name(question))) {
-      if (box->currentIndex() >= 0) text = box->currentText();
+      if (box->currentIndex() >= 0) text = box->currentData().toString();
     } else if (const auto* line = findChild<QLineEdit*>(field_name(question))) {
       text = line->text().trimmed();
     }
@@ -123,7 +126,7 @@ void QuestionForm::set_answers(const ParticipantAnswers& answers) {
     const QString name = "question_" + QString::fromStdString(question);
     const QString text = QString::fromStdString(answer);
     if (auto* box = findChild<QComboBox*>(name)) {
-      box->setCurrentIndex(box->findText(text));
+      box->setCurrentIndex(box->findData(text));
     } else if (auto* line = findChild<QLineEdit*>(name)) {
       line->setText(text);
     }

@@ -36,7 +36,7 @@ class ProtocolsPage final : public StudyPage {
 
   QWidget* make_detail();
   void add_templates(QPushButton* button);
-  void add_from_template(const std::string& name);
+  void add_from_template(const std::string& name, const std::string& language);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
   void show_broken_off(const std::vector<BrokenOffSession>& sessions);
   void show_selected();

@@ -3234,40 +3234,12 @@
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Enough of this surface</source>
-        <translation>Genug von dieser Oberfläche</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>Bestätigen</translation>
-    </message>
-    <message>
-        <source>Leave out</source>
-        <translation>Auslassen</translation>
-    </message>
-    <message>
-        <source>You can go on in %1</source>
-        <translation>Weiter geht es in %1</translation>
-    </message>
-    <message>
-        <source>You can go on when you are ready.</source>
-        <translation>Sie können weitermachen, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
-        <source>One moment, please. You may let go of the handle.</source>
-        <translation>Einen Moment bitte. Sie dürfen den Griff loslassen.</translation>
-    </message>
-    <message>
-        <source>Thank you. You may let go of the handle.</source>
-        <translation>Vielen Dank. Sie dürfen den Griff loslassen.</translation>
     </message>
     <message>
         <source>Back</source>
@@ -3294,20 +3266,48 @@
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>That is no number above 0. Please correct it.</source>
-        <translation>Das ist keine Zahl über 0. Bitte verbessern Sie sie.</translation>
-    </message>
-    <message>
-        <source>That is no number. Please correct it.</source>
-        <translation>Das ist keine Zahl. Bitte verbessern Sie die Eingabe.</translation>
-    </message>
-    <message>
         <source>Force, N</source>
         <translation>Kraft, N</translation>
     </message>
     <message>
         <source>Speed, mm/s</source>
         <translation>Geschwindigkeit, mm/s</translation>
+    </message>
+    <message>
+        <source>This is not a number above 0. Please correct it.</source>
+        <translation>Das ist keine Zahl über 0. Bitte berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>This is not a number. Please correct it.</source>
+        <translation>Das ist keine Zahl. Bitte berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done with this surface</source>
+        <translation>Fertig mit dieser Oberfläche</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>You can continue in %1</source>
+        <translation>Sie können in %1 fortfahren</translation>
+    </message>
+    <message>
+        <source>You can continue when you are ready.</source>
+        <translation>Sie können fortfahren, sobald Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>One moment, please. You may release the handle.</source>
+        <translation>Einen Moment bitte. Sie können den Griff loslassen.</translation>
+    </message>
+    <message>
+        <source>Thank you. You may release the handle.</source>
+        <translation>Vielen Dank. Sie können den Griff loslassen.</translation>
     </message>
 </context>
 <context>
@@ -3341,28 +3341,8 @@
         <translation>Bitte wählen Sie zuerst.</translation>
     </message>
     <message>
-        <source>Please give surface %1 a picture first.</source>
-        <translation>Bitte geben Sie zuerst Oberfläche %1 ein Bild.</translation>
-    </message>
-    <message>
         <source>The surfaces cannot be felt again.</source>
         <translation>Die Oberflächen können nicht noch einmal gefühlt werden.</translation>
-    </message>
-    <message>
-        <source>That was right.</source>
-        <translation>Das war richtig.</translation>
-    </message>
-    <message>
-        <source>That was not right.</source>
-        <translation>Das war nicht richtig.</translation>
-    </message>
-    <message>
-        <source>That was not right. The right answer: %1</source>
-        <translation>Das war nicht richtig. Die richtige Antwort: %1</translation>
-    </message>
-    <message>
-        <source>This question needs an answer.</source>
-        <translation>Diese Frage braucht eine Antwort.</translation>
     </message>
     <message>
         <source>A number from %1 to %2 is needed.</source>
@@ -3385,10 +3365,6 @@
         <translation>Bitte wählen Sie eine der Antworten.</translation>
     </message>
     <message>
-        <source>That is enough of surface %1. Please lift.</source>
-        <translation>Das reicht von Oberfläche %1. Bitte abheben.</translation>
-    </message>
-    <message>
         <source>Please wait for the question.</source>
         <translation>Bitte warten Sie auf die Frage.</translation>
     </message>
@@ -3409,16 +3385,44 @@
         <translation>Bitte eine Zahl über 0, etwa 7 oder 0,5.</translation>
     </message>
     <message>
-        <source>Please check the number %1: give it once more, or the one that you meant.</source>
-        <translation>Bitte prüfen Sie die Zahl %1: Geben Sie sie noch einmal ein oder die, die Sie meinten.</translation>
-    </message>
-    <message>
-        <source>%1 can be read in two ways. Please write thousands without a point or a comma, and decimals with one or two digits after it.</source>
-        <translation>%1 lässt sich auf zwei Arten lesen. Bitte Tausender ohne Punkt oder Komma schreiben und nach dem Komma eine oder zwei Ziffern.</translation>
-    </message>
-    <message>
         <source>The session continues where it was interrupted. Confirm when you are ready.</source>
         <translation>Die Sitzung geht dort weiter, wo sie unterbrochen wurde. Bestätigen Sie, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>That is enough of surface %1. Please lift the handle.</source>
+        <translation>Das genügt für Oberfläche %1. Bitte heben Sie den Griff an.</translation>
+    </message>
+    <message>
+        <source>Please assign a picture to surface %1 first.</source>
+        <translation>Bitte ordnen Sie zuerst Oberfläche %1 ein Bild zu.</translation>
+    </message>
+    <message>
+        <source>Correct.</source>
+        <translation>Richtig.</translation>
+    </message>
+    <message>
+        <source>Incorrect.</source>
+        <translation>Nicht richtig.</translation>
+    </message>
+    <message>
+        <source>Incorrect. The correct answer: %1</source>
+        <translation>Nicht richtig. Die richtige Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Please answer this question.</source>
+        <translation>Bitte beantworten Sie diese Frage.</translation>
+    </message>
+    <message>
+        <source>%1 is ambiguous. Please write thousands without a point or a comma, and decimals with one or two digits after it.</source>
+        <translation>%1 ist mehrdeutig. Bitte schreiben Sie Tausender ohne Punkt oder Komma und Dezimalzahlen mit einer oder zwei Nachkommastellen.</translation>
+    </message>
+    <message>
+        <source>Please check the number %1: enter it again, or enter the number that you meant.</source>
+        <translation>Bitte prüfen Sie die Zahl %1: Geben Sie sie noch einmal ein oder die Zahl, die Sie meinten.</translation>
+    </message>
+    <message>
+        <source>Please wait for the experimenter.</source>
+        <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
     </message>
 </context>
 <context>
@@ -7923,6 +7927,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>A protocol says what is felt and asked, in which order. Begin with one from the library, or copy a protocol file into the study&apos;s folder “protocols”: it appears here at once.</source>
         <translation>Ein Protokoll sagt, was in welcher Reihenfolge gefühlt und gefragt wird. Am besten mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
     </message>
+    <message>
+        <source>In German</source>
+        <translation>Auf Deutsch</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -8594,10 +8602,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
         <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
-    </message>
-    <message>
-        <source>Please wait for the experimenter.</source>
-        <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
     </message>
     <message numerus="yes">
         <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>

@@ -111,6 +111,10 @@ TEST_P(LibraryScenes, SayNoNameAndFitBothSizes) {
 INSTANTIATE_TEST_SUITE_P(Protocols, LibraryScenes,
                          testing::ValuesIn(library_protocols().begin(), library_protocols().end()),
                          [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(InGerman, LibraryScenes,
+                         testing::ValuesIn(library_protocols("de").begin(),
+                                           library_protocols("de").end()),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace asperity

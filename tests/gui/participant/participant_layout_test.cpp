@@ -201,7 +201,7 @@ TEST(ParticipantLayout, DividesWordsThatDoNotFitAndLeavesNoneOut) {
         if (item.kind == Item::Kind::words && item.text.startsWith("Sentence")) read << item.text;
       }
       EXPECT_EQ(find(items, Item::Kind::control, "Back") != nullptr, i > 0);
-      const Item* on = find(items, Item::Kind::control, "Go on");
+      const Item* on = find(items, Item::Kind::control, "Continue");
       ASSERT_NE(on, nullptr);
       EXPECT_TRUE(on->key == "Return" || on->key == "⏎");
       EXPECT_EQ(on->action->what == ParticipantAction::What::confirm, i + 1 == pages.size());
@@ -339,7 +339,7 @@ TEST(ParticipantLayout, GivesACueAPlaceOfItsOwnAndMovesNothingForIt) {
   for (const QSizeF size :
        {QSizeF(683.0, 700.0), QSizeF(683.0, 768.0), QSizeF(960.0, 1016.0), QSizeF(1366.0, 768.0)}) {
     ParticipantScene scene = scenes::matching(6);
-    scene.cue = "Please give surface C a picture first.";
+    scene.cue = "Please assign a picture to surface C first.";
     const auto quiet = lay_out(scene, {.size = size});
     const auto told = lay_out(scene, {.size = size, .cue_shown = true});
     const Item* cue = find(told, Item::Kind::cue, QString::fromStdString(scene.cue));
@@ -380,11 +380,27 @@ TEST(ParticipantLayout, SaysProgressByBlocksOnly) {
 
 TEST(ParticipantLayout, SaysHowLongARestStillLasts) {
   const auto waiting = lay_out(scenes::rest(0), {.rest_left_s = 83});
-  EXPECT_NE(find(waiting, Item::Kind::words, "You can go on in 1:23"), nullptr);
-  EXPECT_FALSE(find(waiting, Item::Kind::control, "Go on")->ready);
+  EXPECT_NE(find(waiting, Item::Kind::words, "You can continue in 1:23"), nullptr);
+  EXPECT_FALSE(find(waiting, Item::Kind::control, "Continue")->ready);
   const auto over = lay_out(scenes::rest(0), {});
-  EXPECT_NE(find(over, Item::Kind::words, "You can go on when you are ready."), nullptr);
-  EXPECT_TRUE(find(over, Item::Kind::control, "Go on")->ready);
+  EXPECT_NE(find(over, Item::Kind::words, "You can continue when you are ready."), nullptr);
+  EXPECT_TRUE(find(over, Item::Kind::control, "Continue")->ready);
+}
+
+// Whatever the language of the windows is: here English.
+TEST(ParticipantLayout, SpeaksTheLanguageOfTheProtocol) {
+  ParticipantScene rest = scenes::rest(0);
+  rest.language = "de";
+  EXPECT_NE(find(lay_out(rest, {}), Item::Kind::control, "Weiter"), nullptr);
+  rest.language = "de-AT";
+  EXPECT_NE(find(lay_out(rest, {}), Item::Kind::control, "Weiter"), nullptr);
+  rest.language = "fi";  // the program has no Finnish
+  EXPECT_NE(find(lay_out(rest, {}), Item::Kind::control, "Continue"), nullptr);
+  ParticipantScene number = scenes::form_number();
+  number.language = "de";
+  number.question->minimum = 0.5;
+  number.question->maximum = 120.0;
+  EXPECT_NE(find(lay_out(number, {}), Item::Kind::words, "Von 0,5 bis 120"), nullptr);
 }
 
 TEST(ParticipantLayout, GivesEveryThingThatCanBePressedAKey) {

@@ -184,7 +184,7 @@ TEST(ParticipantView, KeepsWhatIsUnderTheHandWhenACueComesOrGoes) {
     quiet.cue.clear();
     quiet.choices[3].assigned_to = "C";
     ParticipantScene with_cue = quiet;
-    with_cue.cue = "Please give surface D a picture first.";
+    with_cue.cue = "Please assign a picture to surface D first.";
     with_cue.cue_number = 7;
     seat.show(first_with_cue ? with_cue : quiet);
     const QPoint from = seat.place_of(Item::Kind::picture, "4");
@@ -322,7 +322,7 @@ TEST(ParticipantView, TellsAtOnceOfWhatIsNoNumberAndTakesNothingUntilItIsCorrect
     return std::any_of(items.begin(), items.end(),
                        [&text](const Item& item) { return item.text == text; });
   };
-  const QString of_trial = "That is no number above 0. Please correct it.";
+  const QString of_trial = "This is not a number above 0. Please correct it.";
   for (const auto& [typed, corrected] :
        {std::pair{"1/2", "1"}, std::pair{"-5", ""}, std::pair{"1.2.3", "1.2"}, std::pair{"x", ""},
         std::pair{"1234567890123456", "123456789012345"}}) {
@@ -344,7 +344,7 @@ TEST(ParticipantView, TellsAtOnceOfWhatIsNoNumberAndTakesNothingUntilItIsCorrect
   }
   seat.show(scenes::form_number());
   QTest::keyClicks(&seat.view, "2z");
-  EXPECT_TRUE(shows("That is no number. Please correct it."));
+  EXPECT_TRUE(shows("This is not a number. Please correct it."));
   seat.key(Qt::Key_Return);
   seat.key(Qt::Key_Backspace);
   seat.key(Qt::Key_Return);
@@ -400,6 +400,17 @@ TEST(ParticipantView, TakesAChoiceOfAFormAfterConfirmation) {
   EXPECT_EQ(seat.last().text, "yes");
 }
 
+TEST(ParticipantView, ShowsTheTextOfAnOptionAndGivesItsValue) {
+  Seat seat{};
+  ParticipantScene scene = scenes::form_choice();
+  scene.question->options = {"right", "left"};
+  scene.question->option_texts = {"rechts", "links"};
+  seat.show(scene);
+  seat.click(Item::Kind::option, "links");
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "left");
+}
+
 TEST(ParticipantView, LeavesOutWhatMayBeLeftOut) {
   Seat seat{};
   ParticipantScene scene = scenes::form_choice();
@@ -407,7 +418,7 @@ TEST(ParticipantView, LeavesOutWhatMayBeLeftOut) {
   seat.show(scene);
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_1);  // taken back
-  seat.click(Item::Kind::control, "Leave out");
+  seat.click(Item::Kind::control, "Skip");
   EXPECT_EQ(seat.last().kind, Kind::text);
   EXPECT_EQ(seat.last().text, "");
 }
@@ -640,7 +651,7 @@ TEST(ParticipantView, TurnsThePagesOfALongTextAndGoesOnFromTheLast) {
   EXPECT_EQ(page(), "Page 3 of 3");
   seat.click(Item::Kind::control, "Back");
   EXPECT_EQ(page(), "Page 2 of 3");
-  seat.click(Item::Kind::control, "Go on");
+  seat.click(Item::Kind::control, "Continue");
   EXPECT_EQ(page(), "Page 3 of 3");
   EXPECT_TRUE(seat.inputs.empty());
   seat.key(Qt::Key_Return);

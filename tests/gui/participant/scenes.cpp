@@ -197,7 +197,7 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   matched.choices[0].assigned_to = "B";
   matched.assigning = 2;
   matched.can_switch = true;
-  matched.cue = "Please give surface C a picture first.";
+  matched.cue = "Please assign a picture to surface C first.";
   matched.cue_number = 1;
   scenes.emplace_back("matching", matched);
   ParticipantScene selected = selection(3);
