@@ -219,6 +219,12 @@ std::string micrometres_text(double length_m) {
   return fixed(kMicrometres_per_m * length_m, 0) + " µm";
 }
 
+/// To whole micrometres: a cell of this width holds the waves of which it was computed.
+double rounded_down_m(double cell_m) {
+  constexpr double kMicrometre_m = 1e-6;
+  return cell_m > kMicrometre_m ? kMicrometre_m * std::floor(cell_m / kMicrometre_m) : cell_m;
+}
+
 /// Both numbers of a texture that is finer than the samples of a contact, and what would be right;
 /// nothing where the cause is another one, such as a contact that is too wide.
 std::string why_too_fine(const PreparedStimulus& stimulus) {
@@ -233,7 +239,7 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
          micrometres_text(cell_m) + " (cell_m) hold waves of " +
          micrometres_text(kSamplesPerWave * cell_m) +
          " and longer; a texture without finer waves would be right, or a cell_m of " +
-         micrometres_text(finest_m / kSamplesPerWave) +
+         micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
          " or less, which takes longer to render. A step where a tile that is repeated does not "
          "close is the finest wave of all";
 }

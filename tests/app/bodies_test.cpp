@@ -423,8 +423,24 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   const ProtocolCheck check = check_protocol(file, models, study, "simulated");
   EXPECT_THAT(check.diagnostics, IsEmpty());
   EXPECT_EQ(check.cost.contacts, 3 * check.cost.trials);
+  const auto warnings_of = [&](const Protocol& rehearsed) {
+    StimulusBuilder builder(models, study);
+    const RehearsedStimuli found = rehearse_with_doubts(rehearsed, file.string(), builder);
+    EXPECT_THAT(found.problems, IsEmpty());
+    return found.doubts;
+  };
+  EXPECT_THAT(warnings_of(*check.protocol), IsEmpty());
 
   auto protocol = nlohmann::ordered_json::parse(read_file(file));
+  // Samples 100 µm apart are too few for its finest waves, eight times 74.75 µm.
+  auto coarse = protocol;
+  coarse["stimuli"]["tool_on_plate"].erase("parameters");
+  write_file(file, coarse.dump(1), Overwrite::allow);
+  const std::vector<Diagnostic> warnings = warnings_of(load_protocol(file, models, study));
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_THAT(warnings[0].message, HasSubstr("its finest waves are 598 µm long"));
+  EXPECT_THAT(warnings[0].message, HasSubstr("or a cell_m of 74 µm or less"));
+
   auto main = protocol["blocks"]["main"];
   main["repetitions"] = 1;
   main["positions"] = "shuffle";

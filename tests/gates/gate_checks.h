@@ -55,6 +55,11 @@ inline void expect_items_by_chance(const GateCounts& counts, std::size_t items, 
   std::cout << figures << '\n';
 }
 
+inline void expect_every_item_right(const std::string& what, const GateCounts& counts) {
+  EXPECT_EQ(counts.right, counts.items) << what;
+  EXPECT_EQ(counts.guess_sources, 0U) << "answers that were judged are not marked as guesses";
+}
+
 inline void expect_most_items_right(const std::string& what, const GateCounts& counts) {
   const double share = static_cast<double>(counts.right) / static_cast<double>(counts.items);
   const std::string figures = what + ": " + std::to_string(counts.right) + " of " +

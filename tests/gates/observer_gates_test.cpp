@@ -117,7 +117,7 @@ TEST(NoiselessObserver, GetsMostItemsRightOnTexturesWithKnownHeights) {
   expect_most_items_right(
       "recognised", study.run({"improved_recognition", GateObserver::noiseless, 10, 5, {105}, {}}));
   // Expected are the same bodies, felt by another hand.
-  expect_most_items_right(
+  expect_every_item_right(
       "matched tools",
       study.run({"tools_matching", GateObserver::noiseless, 3, 1, {106}, kFewStrokes}));
 }
