@@ -98,9 +98,18 @@ void save_picture(const std::filesystem::path& png, const GreyImage& picture, Ov
   write_file(png, encode_png(picture), overwrite);
 }
 
+void save_color_picture(const std::filesystem::path& png, const ColorPlanes& picture,
+                        Overwrite overwrite) {
+  write_file(png, encode_color_png(picture), overwrite);
+}
+
 LoadedPhotograph load_photograph(const std::filesystem::path& file) {
   const std::string content = read_file(file, kPictureFile);
   return {decode_photograph(bytes_of(content), file.string()), sha256_of(content)};
+}
+
+ColorPlanes load_color_picture(const std::filesystem::path& file) {
+  return decode_color_picture(bytes_of(read_file(file, kPictureFile)), file.string());
 }
 
 }  // namespace asperity

@@ -54,6 +54,8 @@ void save_height_field(const std::filesystem::path& png, const HeightField& fiel
 
 /// An 8-bit PNG for people.
 void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite);
+void save_color_picture(const std::filesystem::path& png, const ColorPlanes& picture,
+                        Overwrite overwrite);
 
 /// A decoded photograph and the name of its content.
 struct LoadedPhotograph {
@@ -61,5 +63,7 @@ struct LoadedPhotograph {
   std::string sha256{};
 };
 LoadedPhotograph load_photograph(const std::filesystem::path& file);
+/// A picture with its colours.
+ColorPlanes load_color_picture(const std::filesystem::path& file);
 
 }  // namespace asperity

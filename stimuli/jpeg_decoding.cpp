@@ -33,8 +33,9 @@ void note_warning(j_common_ptr common, int level) {
 }
 
 /// Nothing in here may need a destructor: an error jumps out of it.
-bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes,
+bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes, JpegPixels wanted,
                     std::span<std::uint8_t> pixels, std::size_t columns) {
+  const std::size_t row = columns * (wanted == JpegPixels::colour ? 3 : 1);
   jpeg_decompress_struct& picture = decoding.picture;
   if (setjmp(decoding.on_error) != 0) {
     jpeg_destroy_decompress(&picture);
@@ -43,17 +44,17 @@ bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes,
   jpeg_create_decompress(&picture);
   jpeg_mem_src(&picture, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   jpeg_read_header(&picture, TRUE);
-  picture.out_color_space = JCS_GRAYSCALE;
+  picture.out_color_space = wanted == JpegPixels::colour ? JCS_RGB : JCS_GRAYSCALE;
   picture.dct_method = JDCT_ISLOW;  // the accurate one, the same on every processor
   jpeg_start_decompress(&picture);
   if (picture.output_width != columns ||
-      std::size_t{picture.output_height} * columns != pixels.size()) {
+      std::size_t{picture.output_height} * row != pixels.size()) {
     jpeg_destroy_decompress(&picture);
     return false;
   }
   while (picture.output_scanline < picture.output_height) {
-    JSAMPROW row = pixels.data() + std::size_t{picture.output_scanline} * columns;
-    jpeg_read_scanlines(&picture, &row, 1);
+    JSAMPROW next = pixels.data() + std::size_t{picture.output_scanline} * row;
+    jpeg_read_scanlines(&picture, &next, 1);
   }
   jpeg_finish_decompress(&picture);
   jpeg_destroy_decompress(&picture);
@@ -62,13 +63,13 @@ bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes,
 
 }  // namespace
 
-bool decode_jpeg_luminance(std::span<const std::byte> bytes, std::span<std::uint8_t> pixels,
-                           std::size_t columns, std::string& complaint) {
+bool decode_jpeg(std::span<const std::byte> bytes, JpegPixels wanted,
+                 std::span<std::uint8_t> pixels, std::size_t columns, std::string& complaint) {
   Decoding decoding{};
   decoding.picture.err = jpeg_std_error(&decoding.errors);
   decoding.errors.error_exit = note_and_leave;
   decoding.errors.emit_message = note_warning;
-  const bool done = decode_picture(decoding, bytes, pixels, columns);
+  const bool done = decode_picture(decoding, bytes, wanted, pixels, columns);
   complaint = decoding.words;
   return done;
 }

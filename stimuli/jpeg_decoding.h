@@ -9,9 +9,12 @@
 
 namespace asperity {
 
-/// Writes the luminance of a grey or colour JPEG to `pixels`, row by row; they are as many as its
-/// header says. False where the library had anything to complain about, in its words.
-bool decode_jpeg_luminance(std::span<const std::byte> bytes, std::span<std::uint8_t> pixels,
-                           std::size_t columns, std::string& complaint);
+/// What is decoded of each pixel: one number, or red, green and blue, in this order.
+enum class JpegPixels { luminance, colour };
+
+/// Writes a grey or colour JPEG to `pixels`, row by row; there are as many pixels as its header
+/// states. False where the library had anything to complain about, in its words.
+bool decode_jpeg(std::span<const std::byte> bytes, JpegPixels wanted,
+                 std::span<std::uint8_t> pixels, std::size_t columns, std::string& complaint);
 
 }  // namespace asperity

@@ -95,6 +95,29 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
   return pixels;
 }
 
+/// Errors: as of `decode_photograph`.
+std::vector<std::uint8_t> decoded_jpeg(Bytes bytes, JpegPixels wanted, const PictureFacts& facts,
+                                       const std::string& name) {
+  std::vector<std::uint8_t> levels(facts.rows * facts.columns *
+                                   (wanted == JpegPixels::colour ? 3 : 1));
+  std::string complaint;
+  if (!decode_jpeg(bytes, wanted, levels, facts.columns, complaint)) {
+    refuse_damaged(name, "\"" + complaint + "\".");
+  }
+  return levels;
+}
+
+/// Brightness of one channel, from 0 to 1.
+GreyImage plane_of(const cv::Mat& pixels, int channel) {
+  cv::Mat levels;
+  cv::extractChannel(pixels, levels, channel);
+  GreyImage plane{static_cast<std::size_t>(pixels.rows), static_cast<std::size_t>(pixels.cols),
+                  std::vector<float>(pixels.total())};
+  cv::Mat brightness(pixels.rows, pixels.cols, CV_32FC1, plane.values.data());
+  levels.convertTo(brightness, CV_32F, 1.0 / (pixels.depth() == CV_16U ? 65535.0 : 255.0));
+  return plane;
+}
+
 template <class Number>
 void to_brightness(const cv::Mat& pixels, float white, GreyImage& grey) {
   const int channels = pixels.channels();
@@ -120,11 +143,8 @@ Photograph decode_photograph(Bytes bytes, const std::string& name) {
   grey = {facts.rows, facts.columns, std::vector<float>(facts.rows * facts.columns)};
 
   if (facts.format == PictureFormat::jpeg) {
-    std::vector<std::uint8_t> luminance(grey.values.size());
-    std::string complaint;
-    if (!decode_jpeg_luminance(bytes, luminance, facts.columns, complaint)) {
-      refuse_damaged(name, "\"" + complaint + "\".");
-    }
+    const std::vector<std::uint8_t> luminance =
+        decoded_jpeg(bytes, JpegPixels::luminance, facts, name);
     std::transform(luminance.begin(), luminance.end(), grey.values.begin(),
                    [](std::uint8_t level) { return static_cast<float>(level) / 255.0F; });
     return photograph;
@@ -137,6 +157,26 @@ Photograph decode_photograph(Bytes bytes, const std::string& name) {
     to_brightness<std::uint8_t>(pixels, 255.0F, grey);
   }
   return photograph;
+}
+
+ColorPlanes decode_color_picture(Bytes bytes, const std::string& name) {
+  const PictureFacts facts = inspect_picture(bytes, name);
+  if (facts.channels < 3) {
+    const GreyImage grey = decode_photograph(bytes, name).grey;
+    return {grey, grey, grey};
+  }
+  if (facts.format == PictureFormat::jpeg) {
+    std::vector<std::uint8_t> levels = decoded_jpeg(bytes, JpegPixels::colour, facts, name);
+    const cv::Mat pixels(static_cast<int>(facts.rows), static_cast<int>(facts.columns), CV_8UC3,
+                         levels.data());
+    return {plane_of(pixels, 0), plane_of(pixels, 1), plane_of(pixels, 2)};
+  }
+  const cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
+  if (pixels.channels() < 3) {
+    const GreyImage grey = plane_of(pixels, 0);
+    return {grey, grey, grey};
+  }
+  return {plane_of(pixels, 2), plane_of(pixels, 1), plane_of(pixels, 0)};  // OpenCV: blue first
 }
 
 }  // namespace asperity

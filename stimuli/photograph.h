@@ -55,4 +55,9 @@ struct Photograph {
 /// deaf while a TIFF, BMP or WebP is decoded, so do not write to it from another thread meanwhile.
 Photograph decode_photograph(std::span<const std::byte> bytes, const std::string& name);
 
+/// Decodes a picture with its colours, as stored; of a grey one the three planes are equal.
+///
+/// Alpha, orientation, pages and errors: as `decode_photograph`.
+ColorPlanes decode_color_picture(std::span<const std::byte> bytes, const std::string& name);
+
 }  // namespace asperity

@@ -122,8 +122,10 @@ void add_run(CLI::App& program, Job& job) {
       inputs.resumed = [](const Phrase& circumstance) {
         say("asperity: warning: " + circumstance.english());
       };
-      inputs.ready = [&inputs](const Protocol& protocol) {
-        if (!inputs.is_virtual) tell_what_a_terminal_lacks(protocol);
+      inputs.ready = [&person](const Protocol& protocol) {
+        if (!person) return;
+        tell_what_a_terminal_lacks(protocol);
+        if (protocol.shows_pictures_in_grey) person->show_in_grey();
       };
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done,

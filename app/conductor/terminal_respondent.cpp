@@ -43,11 +43,22 @@ TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::fil
 
 void TerminalRespondent::show(const std::vector<std::string>& pictures) {
   constexpr std::size_t kRows = 400;
-  std::vector<GreyImage> images{};
-  for (const std::string& picture : pictures) {
-    images.push_back(load_photograph(study_ / picture).photograph.grey);
+  if (in_grey_) {
+    std::vector<GreyImage> images{};
+    for (const std::string& picture : pictures) {
+      images.push_back(load_photograph(study_ / picture).photograph.grey);
+    }
+    return save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
   }
-  save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
+  // Each of red, green and blue is laid out as a picture.
+  std::array<std::vector<GreyImage>, 3> planes{};
+  for (const std::string& picture : pictures) {
+    ColorPlanes colours = load_color_picture(study_ / picture);
+    for (std::size_t i = 0; i < planes.size(); ++i) planes[i].push_back(std::move(colours[i]));
+  }
+  ColorPlanes sheet{};
+  for (std::size_t i = 0; i < planes.size(); ++i) sheet[i] = side_by_side(planes[i], kRows);
+  save_color_picture(sheet_, sheet, Overwrite::allow);
 }
 
 std::optional<std::string> TerminalRespondent::typed_line() {

@@ -15,7 +15,8 @@ namespace asperity {
 ///
 /// What it shows are prompts, codes and option numbers, never names of textures or models.
 /// Pictures, which a terminal cannot show, are put side by side into one file in the order of the
-/// options, made anew for each question; any viewer can keep it open beside the terminal.
+/// options, made anew for each question; any viewer can keep it open beside the terminal. It has
+/// their colours, unless the protocol shows them in shades of grey.
 ///
 /// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
 class TerminalRespondent final : public Respondent {
@@ -24,6 +25,9 @@ class TerminalRespondent final : public Respondent {
   /// Pictures are read from `study` and put into `sheet`, a PNG.
   TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
                      std::filesystem::path sheet);
+
+  /// From now on pictures are shown in shades of grey.
+  void show_in_grey() noexcept { in_grey_ = true; }
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
@@ -58,6 +62,7 @@ class TerminalRespondent final : public Respondent {
   std::ostream& output_;
   std::filesystem::path study_{};
   std::filesystem::path sheet_{};
+  bool in_grey_ = false;
   std::string buffer_{};
 };
 

@@ -1,4 +1,4 @@
-// A person at a terminal, after a fault.
+// A person at a terminal: after a fault, and before pictures.
 
 #include "app/conductor/terminal_respondent.h"
 
@@ -9,6 +9,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "app/height_field_files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -80,6 +83,45 @@ TEST_F(AtTerminal, TakesNoReturnOfABreakForTheNextConfirmation) {
   };
   person_.read("Please rest.", 30.0, wait);
   EXPECT_EQ(waits, 3) << "it waits for a Return after the break";
+}
+
+/// A red and a blue picture, as the sheet shows them.
+ColorPlanes sheet_of_a_question(bool in_grey) {
+  const TemporaryFolder folder;
+  const GreyImage dark{2, 2, std::vector<float>(4, 0.0F)};
+  const GreyImage bright{2, 2, std::vector<float>(4, 1.0F)};
+  save_color_picture(folder.path() / "red.png", {bright, dark, dark}, Overwrite::refuse);
+  save_color_picture(folder.path() / "blue.png", {dark, dark, bright}, Overwrite::refuse);
+  std::array<int, 2> ends{};
+  EXPECT_EQ(pipe(ends.data()), 0);
+  std::ostringstream shown{};
+  TerminalRespondent person(ends[0], shown, folder.path(), folder.path() / "sheet.png");
+  if (in_grey) person.show_in_grey();
+  Trial trial{};
+  trial.question.options = {{.label = "1", .picture = "red.png"},
+                            {.label = "2", .picture = "blue.png"}};
+  const auto type_when_asked = [&](double) { EXPECT_EQ(write(ends[1], "2\n", 2), 2); };
+  EXPECT_EQ(person.ask(trial, {}, {}, type_when_asked).options, std::vector<std::size_t>{1});
+  close(ends[0]);
+  close(ends[1]);
+  return load_color_picture(folder.path() / "sheet.png");
+}
+
+TEST(PictureSheet, HasTheColoursOfThePictures) {
+  const ColorPlanes sheet = sheet_of_a_question(false);
+  const std::size_t left = 200 * sheet[0].columns + 200;
+  const std::size_t right = 201 * sheet[0].columns - 200;
+  EXPECT_NEAR(sheet[0].values.at(left), 1.0, 1e-6);
+  EXPECT_NEAR(sheet[2].values.at(left), 0.0, 1e-6);
+  EXPECT_NEAR(sheet[0].values.at(right), 0.0, 1e-6);
+  EXPECT_NEAR(sheet[2].values.at(right), 1.0, 1e-6);
+}
+
+TEST(PictureSheet, IsGreyWhereTheProtocolShowsPicturesSo) {
+  const ColorPlanes sheet = sheet_of_a_question(true);
+  EXPECT_EQ(sheet[0].values, sheet[1].values);
+  EXPECT_EQ(sheet[1].values, sheet[2].values);
+  EXPECT_NEAR(sheet[0].values.at(200 * sheet[0].columns + 200), 0.299, 0.003);
 }
 
 }  // namespace

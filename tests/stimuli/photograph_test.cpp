@@ -147,6 +147,34 @@ TEST(Photograph, WeighsColoursAsTheEyeDoes) {
   EXPECT_NEAR(grey.values[2], 0.114, 1e-5);
 }
 
+// Red over green over blue, in areas that a JPEG keeps apart.
+TEST(ColorPicture, KeepsItsColoursInEveryFormat) {
+  cv::Mat colours(48, 32, CV_8UC3);
+  for (int band = 0; band < 3; ++band) {
+    cv::Vec3b color{51, 51, 51};
+    color[2 - band] = 204;  // OpenCV: blue first
+    colours.rowRange(16 * band, 16 * (band + 1)).setTo(color);
+  }
+  for (const char* extension : {".png", ".jpg", ".tif", ".bmp", ".webp"}) {
+    SCOPED_TRACE(extension);
+    const ColorPlanes planes = decode_color_picture(encoded(colours, extension), "bands");
+    for (std::size_t plane = 0; plane < 3; ++plane) {
+      ASSERT_EQ(planes[plane].rows, 48u);
+      ASSERT_EQ(planes[plane].columns, 32u);
+      for (std::size_t band = 0; band < 3; ++band) {
+        EXPECT_NEAR(planes[plane].values[(16 * band + 8) * 32 + 16], plane == band ? 0.8 : 0.2, 0.1)
+            << "plane " << plane << ", band " << band;
+      }
+    }
+  }
+  for (const Case& c : kCases) {
+    if (c.channels >= 3) continue;
+    const ColorPlanes grey = decode_color_picture(encoded(ramp(c.type), c.extension), "ramp");
+    EXPECT_EQ(grey[0].values, grey[1].values);
+    EXPECT_EQ(grey[1].values, grey[2].values);
+  }
+}
+
 TEST(Photograph, IgnoresAlpha) {
   cv::Mat pixels(4, 4, CV_8UC4, cv::Scalar(51, 51, 51, 0));
   EXPECT_NEAR(decode_photograph(encoded(pixels, ".png"), "glass").grey.values[5], 0.2, 1e-5);
