@@ -8,6 +8,7 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/data/path_plots.h"
+#include "app/gui/look/controls.h"
 
 namespace asperity {
 
@@ -37,7 +38,7 @@ RecordingView::RecordingView(QWidget* parent) : QWidget(parent) {
   plots->setSpacing(kGrid);
   auto* tools = new QHBoxLayout();
   tools->setSpacing(kGrid);
-  choice_ = new QComboBox(with);
+  choice_ = new ChoiceBox(with);
   choice_->setObjectName("recording_choice");
   choice_->setAccessibleName(tr("What of the recording is seen"));
   choice_->setMinimumWidth(280);

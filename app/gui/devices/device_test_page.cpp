@@ -23,6 +23,7 @@
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
 #include "app/gui/devices/profile_words.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
 #include "app/gui/session/session_keys.h"
@@ -132,7 +133,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
   form->setHorizontalSpacing(kMargin);
   form->setVerticalSpacing(kGrid);
   form->setColumnStretch(0, 1);
-  limits_ = new QComboBox(card);
+  limits_ = new ChoiceBox(card);
   limits_->setObjectName("device_test_limits");
   limits_->setFixedWidth(kTestFieldWidth);
   ignore_wheel(*limits_);

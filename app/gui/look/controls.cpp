@@ -6,11 +6,15 @@
 #include <QtGui/QClipboard>
 #include <QtGui/QFontMetrics>
 #include <QtGui/QKeyEvent>
+#include <QtGui/QScreen>
 #include <QtGui/QShortcut>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QStyle>
+#include <QtWidgets/QStyleOption>
 #include <QtWidgets/QTableView>
 
 namespace asperity {
@@ -82,6 +86,28 @@ QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent) 
   button->setAutoDefault(false);
   button->setCursor(Qt::PointingHandCursor);
   return button;
+}
+
+void set_role(QPushButton& button, ButtonRole role) {
+  button.setProperty("role", role_name(role));
+  button.style()->unpolish(&button);
+  button.style()->polish(&button);
+}
+
+void ChoiceBox::initStyleOption(QStyleOptionComboBox* option) const {
+  QComboBox::initStyleOption(option);
+  constexpr int kTextMargin = 4;  // both sides
+  const QRect room =
+      style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
+  option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideMiddle,
+                                                       room.width() - kTextMargin);
+}
+
+void ChoiceBox::showPopup() {
+  constexpr int kAroundText = 48;  // padding, and a scroll bar
+  const int wanted = view()->sizeHintForColumn(modelColumn()) + kAroundText;
+  view()->setMinimumWidth(std::min(wanted, screen()->availableGeometry().width()));
+  QComboBox::showPopup();
 }
 
 QLabel* make_title(const QString& text, QWidget* parent) {

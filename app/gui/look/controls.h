@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <QtCore/QString>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QFrame>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
@@ -27,6 +28,20 @@ enum class ButtonRole {
   selector,  ///< one of several, checkable
 };
 QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent);
+/// For a button that now does something else; not to or from `selector`.
+void set_role(QPushButton& button, ButtonRole role);
+
+/// A list to choose from. Where the box has no room for what is chosen, its middle is left out: both
+/// ends stay. The list is as wide as its longest text.
+class ChoiceBox final : public QComboBox {
+  Q_OBJECT
+ public:
+  using QComboBox::QComboBox;
+  void showPopup() override;
+
+ protected:
+  void initStyleOption(QStyleOptionComboBox* option) const override;
+};
 
 QLabel* make_title(const QString& text, QWidget* parent);    ///< of a page
 QLabel* make_heading(const QString& text, QWidget* parent);  ///< of a group

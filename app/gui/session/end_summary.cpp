@@ -6,7 +6,6 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
-#include <QtWidgets/QStyle>
 
 #include "app/gui/look/controls.h"
 #include "app/gui/session/session_text.h"
@@ -17,9 +16,7 @@ namespace {
 
 /// The one filled button of the page, or not.
 void fill(QPushButton& button, bool is_filled) {
-  button.setProperty("role", is_filled ? "primary" : "plain");
-  button.style()->unpolish(&button);
-  button.style()->polish(&button);
+  set_role(button, is_filled ? ButtonRole::primary : ButtonRole::plain);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   layout->setSpacing(kGrid);
   auto* row = new QHBoxLayout();
   row->setSpacing(kMargin);
-  devices_ = new QComboBox(this);
+  devices_ = new ChoiceBox(this);
   devices_->setObjectName("device");
   devices_->setFixedWidth(kDeviceWidth);
   ignore_wheel(*devices_);

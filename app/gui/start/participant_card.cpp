@@ -85,7 +85,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
 
   QVBoxLayout* known_layout = nullptr;
   known_fields_ = make_group(this, known_layout);
-  list_ = new QComboBox(this);
+  list_ = new ChoiceBox(this);
   list_->setObjectName("participants");
   list_->setPlaceholderText(tr("Choose"));
   ignore_wheel(*list_);

@@ -81,7 +81,7 @@ void QuestionForm::add_row(const Question& question, int row) {
   QLabel* prompt = make_text(question.optional ? text : starred, this);
   QWidget* field = nullptr;
   if (question.form == Question::Form::choice) {
-    auto* box = new QComboBox(this);
+    auto* box = new ChoiceBox(this);
     for (std::size_t i = 0; i < question.options.size(); ++i) {
       box->addItem(QString::fromStdString(question.text_of_option(i)),
                    QString::fromStdString(question.options[i]));

@@ -58,7 +58,7 @@ SetupCard::SetupCard(OpenStudy& study, QWidget* parent) : QWidget(parent) {
   auto* screen_row = new QHBoxLayout(screen_row_);
   screen_row->setContentsMargins(0, 0, 0, 0);
   screen_row->setSpacing(kMargin);
-  screens_ = new QComboBox(this);
+  screens_ = new ChoiceBox(this);
   screens_->setObjectName("participant_screen");
   screens_->setFixedWidth(kSetupFieldWidth);
   ignore_wheel(*screens_);

@@ -124,7 +124,7 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   auto* row = new QHBoxLayout();
   row->setSpacing(kMargin);
   row->addWidget(make_heading(tr("Protocol"), this));
-  protocols_ = new QComboBox(this);
+  protocols_ = new ChoiceBox(this);
   protocols_->setObjectName("protocols");
   protocols_->setAccessibleName(tr("Protocol"));
   protocols_->setPlaceholderText(tr("Choose"));

@@ -45,7 +45,7 @@ ShareStudyDialog::ShareStudyDialog(const std::filesystem::path& study, QWidget* 
           .arg(text_of_path(study)),
       this, true));
 
-  group_ = new QComboBox(this);
+  group_ = new ChoiceBox(this);
   group_->setObjectName("share_study_group");
   for (const std::string& name : own_groups()) group_->addItem(QString::fromStdString(name));
   const QString now = QString::fromStdString(group_of(study));

@@ -89,7 +89,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   form->setHorizontalSpacing(kMargin);
   form->setContentsMargins(0, kGrid, 0, 0);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  reason_ = new QComboBox(question_);
+  reason_ = new ChoiceBox(question_);
   reason_->setObjectName("withdraw_reason");
   const auto add_reason = [this](const QString& words, WithdrawalReason reason) {
     reason_->addItem(words, static_cast<int>(reason));

@@ -96,11 +96,11 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   across->setToolTip(tr("From left to right at 60 mm/s, always the same"));
   connect(across, &QPushButton::clicked, this, &ForceComparison::across_wanted);
   layout->addWidget(across);
-  component_ = new QComboBox(this);
+  component_ = new ChoiceBox(this);
   component_->setObjectName("force_component");
   component_->addItems({tr("Pressing back (normal)"), tr("Against the motion")});
   connect(component_, &QComboBox::currentIndexChanged, this, &ForceComparison::advanced);
-  heard_ = new QComboBox(this);
+  heard_ = new ChoiceBox(this);
   heard_->setObjectName("heard");
   heard_->addItem(tr("Nothing"));
   for (const ForceModel& model : models.models()) heard_->addItem(model_name(model));

@@ -76,7 +76,7 @@ QWidget* RecipePanel::make_kind_card() {
   QVBoxLayout* inside = nullptr;
   QFrame* card = make_card(controls_, inside);
   inside->addWidget(make_text(tr("<b>What does the photograph show?</b>"), card));
-  kind_ = new QComboBox(card);
+  kind_ = new ChoiceBox(card);
   kind_->setObjectName("kind");
   kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
                    tr("A surface lit from one side"), tr("Paint, print or stains")});

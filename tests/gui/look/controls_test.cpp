@@ -9,6 +9,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QStyleOption>
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
 
@@ -47,6 +48,29 @@ TEST_F(Controls, FollowTheThemeWhileTheyAreShown) {
   EXPECT_TRUE(label->text().contains("Two problems"));
   EXPECT_EQ(ground_of(*banner).name(), theme().panel.name());
   EXPECT_TRUE(banner->styleSheet().contains(color_of(State::stop).name()));
+}
+
+/// What the style draws.
+class ComboBoxOption final : public QComboBox {
+ public:
+  static QString text_of(const QComboBox& box) {
+    QStyleOptionComboBox option{};
+    (box.*&ComboBoxOption::initStyleOption)(&option);
+    return option.currentText;
+  }
+};
+
+TEST_F(Controls, ShowBothEndsOfAChoiceThatIsTooLong) {
+  ChoiceBox box{};
+  const auto shown = [&box] { return ComboBoxOption::text_of(box); };
+  box.addItem("Which of six pictures shows the felt texture? (chapter_recognition)");
+  box.resize(400, 32);
+  EXPECT_TRUE(shown().startsWith("Which of six")) << shown().toStdString();
+  EXPECT_TRUE(shown().endsWith("recognition)")) << shown().toStdString();
+  EXPECT_TRUE(shown().contains(QChar(0x2026))) << shown().toStdString();
+  EXPECT_LT(box.fontMetrics().horizontalAdvance(shown()), 400);
+  box.resize(2000, 32);
+  EXPECT_EQ(shown(), box.currentText());
 }
 
 TEST_F(Controls, ShowThatADangerousButtonCannotBePressed) {
