@@ -132,7 +132,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
   cancel_ = make_button(tr("Cancel"), ButtonRole::plain, this);
-  do_ = make_button({}, ButtonRole::danger, this);
+  do_ = make_button({}, ButtonRole::primary, this);
   do_->setObjectName("withdraw_do");
   buttons->addStretch(1);
   buttons->addWidget(cancel_);
@@ -161,6 +161,7 @@ void WithdrawDialog::show_what_is_missing() {
   label_caption_->setEnabled(deletes);
   typed_->setEnabled(deletes);
   do_->setText(deletes ? tr("Delete the data") : tr("Withdraw"));
+  set_role(*do_, deletes ? ButtonRole::danger : ButtonRole::primary);
   QString missing{};
   if (!study_.can_be_written()) {
     missing = tr("This study can only be read here.");

@@ -65,6 +65,7 @@ TEST_F(Withdrawing, KeepsTheDataAndCountsTheParticipantNoMore) {
   WithdrawDialog& dialog = ask();
   EXPECT_FALSE(child<QPushButton>(dialog, "withdraw_do").isEnabled());
   QTest::keyClicks(&child<QLineEdit>(dialog, "withdraw_by"), "R. Keeper");
+  EXPECT_EQ(child<QPushButton>(dialog, "withdraw_do").property("role"), "primary");
   take_screenshot(dialog, "withdraw-keep", dialog.size());
   do_it(dialog);
   EXPECT_TRUE(child<StateLabel>(dialog, "withdraw_state").text().contains("excluded"));
@@ -88,6 +89,8 @@ TEST_F(Withdrawing, DeletesOnceTheLabelIsTyped) {
   QTest::keyClicks(&child<QLineEdit>(dialog, "withdraw_label"), "P00");
   EXPECT_FALSE(child<QPushButton>(dialog, "withdraw_do").isEnabled());
   QTest::keyClicks(&child<QLineEdit>(dialog, "withdraw_label"), "1");
+  EXPECT_EQ(child<QPushButton>(dialog, "withdraw_do").property("role"), "danger")
+      << "what cannot be brought back";
   take_screenshot(dialog, "withdraw-delete", dialog.size());
   EXPECT_TRUE(child<QPlainTextEdit>(dialog, "withdraw_outputs")
                   .toPlainText()
