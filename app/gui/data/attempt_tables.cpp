@@ -148,14 +148,6 @@ QString limit_words(const std::string& kind) {
   return text(kind).replace('_', ' ');
 }
 
-/// The page scrolls, not the table; an empty one has room for one row.
-void fill_whole(StudyTable& table, const std::vector<StudyTable::Row>& rows) {
-  table.fill(rows);
-  table.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  const int shown = std::max(1, static_cast<int>(rows.size()));
-  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * kControlHeight + 4);
-}
-
 }  // namespace
 
 MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
@@ -172,6 +164,8 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
     rows->addWidget(words);
     auto* table = new StudyTable(columns, page);
     table->setObjectName(name);
+    table->wrap_texts();
+    table->grow_with_rows();
     rows->addWidget(table);
     rows->addSpacing(kMargin);
     return table;
@@ -181,10 +175,12 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                   {tr("Question"), 0, CellAlign::text},
                   {tr("Answer"), 0, CellAlign::text},
                   {tr("Right"), 88, CellAlign::text},
-                  {tr("Choices, as shown"), 0, CellAlign::text},
+                  {tr("Choices"), 0, CellAlign::text},
                   {AttemptWords::after_contact(), 152, CellAlign::number},
                   {AttemptWords::after_cue(), 120, CellAlign::number},
                   {tr("Given by"), 136, CellAlign::text}});
+  answers_->model()->setHeaderData(4, Qt::Horizontal, tr("In the order in which they were shown."),
+                                   Qt::ToolTipRole);
   AttemptWords::explain_times(*answers_->model(), 5, 6);
   surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
                   {{tr("No."), 64, CellAlign::number},
@@ -231,7 +227,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
          text_cell(words_of_list(response.options_json)), decimal_cell(response.from_contact_s, 2),
          decimal_cell(response.from_cue_s, 2), text_cell(text(response.source).replace('_', ' '))});
   }
-  fill_whole(*answers_, rows);
+  answers_->fill(rows);
   rows.clear();
   surfaces_heading_->setText(detail.session.state == SessionState::completed
                                  ? tr("Surfaces felt, by name: the session is over")
@@ -243,7 +239,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
          text_cell(words_of_object(surface.parameters_json)), decimal_cell(surface.contact_s, 2),
          decimal_cell(surface.achieved_texture_force_N, 4)});
   }
-  fill_whole(*surfaces_, rows);
+  surfaces_->fill(rows);
   rows.clear();
   for (const ComplianceRow& row : attempt.compliance) {
     const Quantity quantity = quantity_of(row.quantity);
@@ -257,7 +253,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
              : empty_number_cell(),
          passed_cell(row.passed)});
   }
-  fill_whole(*compliance_, rows);
+  compliance_->fill(rows);
   rows.clear();
   if (attempt.servo) {
     for (const LoopRow& row : loop_rows(*attempt.servo)) {
@@ -268,7 +264,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
                : state_cell(row.state, row.state == State::fine ? tr("fine") : tr("look at it"))});
     }
   }
-  fill_whole(*loop_, rows);
+  loop_->fill(rows);
   rows.clear();
   for (const PresentationRow& surface : attempt.presentations) {
     for (const ModelLimitRow& limit : surface.limits) {
@@ -282,7 +278,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
                               : state_cell(State::look, tr("look at it"))});
     }
   }
-  fill_whole(*limits_, rows);
+  limits_->fill(rows);
   // Most models count nothing.
   limits_->setVisible(!rows.empty());
   limits_heading_->setVisible(!rows.empty());

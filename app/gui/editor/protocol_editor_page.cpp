@@ -168,10 +168,8 @@ QWidget* ProtocolEditorPage::make_text_side() {
   problems_->setObjectName("editor_problems");
   problems_->setFont(text_font(TextSize::small));
   problems_->horizontalHeader()->setFont(text_font(TextSize::small));
-  problems_->setWordWrap(true);
-  problems_->setTextElideMode(Qt::ElideNone);
+  problems_->wrap_texts();
   problems_->horizontalHeader()->setSortIndicatorShown(false);
-  problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   layout->addWidget(state_);
   layout->addWidget(problems_, 1);
   side->addWidget(below);

@@ -113,10 +113,10 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   broken_off_ = new Banner(this);
   broken_off_->setObjectName("protocols_broken_off");
   body().addWidget(broken_off_);
-  auto* splitter = new QSplitter(Qt::Vertical, this);
-  splitter->setChildrenCollapsible(false);
-  splitter->setHandleWidth(kMargin);
-  splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+  splitter_ = new QSplitter(Qt::Vertical, this);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->setHandleWidth(kMargin);
+  splitter_->setStyleSheet("QSplitter::handle { background: transparent; }");
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Protocol"), 0, Align::text},
                            {tr("Name"), 192, Align::text},
@@ -124,17 +124,20 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
                            {tr("Version"), 80, Align::text},
                            {tr("Participants"), 168, Align::text},
                            {tr("State"), 120, Align::text}},
-                          splitter);
+                          splitter_);
   table_->setObjectName("protocols_table");
   table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));
   table_->wrap_texts();
   table_->leave_out_when_tight({3, 2});  // which the card below states as well
-  splitter->addWidget(table_);
-  splitter->addWidget(make_detail());
-  splitter->setStretchFactor(0, 2);
-  splitter->setStretchFactor(1, 3);
-  splitter->setSizes({240, 400});
-  body().addWidget(splitter, 1);
+  splitter_->addWidget(table_);
+  splitter_->addWidget(make_detail());
+  splitter_->setStretchFactor(0, 0);
+  splitter_->setStretchFactor(1, 1);
+  body().addWidget(splitter_, 1);
+  // Until the experimenter moves the border.
+  splitter_->installEventFilter(this);
+  connect(table_, &StudyTable::rows_fitted, this, &ProtocolsPage::share_height);
+  connect(splitter_, &QSplitter::splitterMoved, this, [this] { is_shared_by_hand_ = true; });
 
   connect(table_, &StudyTable::row_selected, this, &ProtocolsPage::show_selected);
   connect(table_, &StudyTable::row_opened, this, [this] { start_->animateClick(); });
@@ -152,6 +155,19 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       Need::when_shown,
       [](const Study& own, const std::stop_token& stop) { return broken_off_sessions(own, stop); },
       [this](const std::vector<BrokenOffSession>& sessions) { show_broken_off(sessions); });
+}
+
+/// The table has the rows that fit into half of the height, and ends below the last of them.
+void ProtocolsPage::share_height() {
+  if (is_shared_by_hand_) return;
+  const int both = splitter_->height() - splitter_->handleWidth();
+  const int table = table_->height_of_rows_within(both / 2);
+  splitter_->setSizes({table, both - table});
+}
+
+bool ProtocolsPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == splitter_ && event->type() == QEvent::Resize) share_height();
+  return StudyPage::eventFilter(watched, event);
 }
 
 QWidget* ProtocolsPage::make_detail() {
@@ -209,9 +225,7 @@ QWidget* ProtocolsPage::make_detail() {
       {{tr("Line"), 80, StudyTable::Align::number}, {tr("Problem"), 0, StudyTable::Align::text}},
       below_);
   problems_->setObjectName("protocol_problems");
-  problems_->setWordWrap(true);
-  problems_->setTextElideMode(Qt::ElideNone);
-  problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  problems_->wrap_texts();
   plan_ = new PlanPreview(PlanPreview::Shape::wide, below_);
   for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_}) {
     below_->addWidget(widget);

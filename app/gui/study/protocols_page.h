@@ -13,6 +13,7 @@
 #include "app/tasks/study_overview.h"
 
 class QFileSystemWatcher;
+class QSplitter;
 class QStackedWidget;
 
 namespace asperity {
@@ -31,10 +32,14 @@ class ProtocolsPage final : public StudyPage {
   void edit_wanted(const QString& file);
   void sessions_wanted();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   enum Below { what_it_asks, problems, plan };
 
   QWidget* make_detail();
+  void share_height();
   void add_templates(QPushButton* button);
   void add_from_template(const std::string& name, const std::string& language);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
@@ -52,6 +57,8 @@ class ProtocolsPage final : public StudyPage {
   std::tuple<std::int64_t, bool, int> told_of_{};
   Banner* broken_off_ = nullptr;
   StudyTable* table_ = nullptr;
+  QSplitter* splitter_ = nullptr;  ///< the table above, one of its protocols below
+  bool is_shared_by_hand_ = false;
   QWidget* detail_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* facts_ = nullptr;

@@ -137,6 +137,7 @@ void StudyTable::fill(const std::vector<Row>& rows) {
   }
   if (!selected.isEmpty()) select(selected);
   widen_columns();
+  if (grows_) grow();
   filling_ = false;
   emit row_selected(selected_key());
 }
@@ -187,9 +188,38 @@ void StudyTable::wrap_texts() {
   // Rows are as high as their texts at the width that the columns had when they were filled in.
   rewrap_.setSingleShot(true);
   rewrap_.setInterval(0);
-  connect(&rewrap_, &QTimer::timeout, this, &QTableView::resizeRowsToContents);
+  connect(&rewrap_, &QTimer::timeout, this, [this] {
+    resizeRowsToContents();
+    emit rows_fitted();
+  });
   connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this] { rewrap_.start(); });
+  connect(shown_, &QAbstractItemModel::rowsInserted, this, [this] { rewrap_.start(); });
   choose_columns();
+}
+
+void StudyTable::grow_with_rows() {
+  grows_ = true;
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(this, &StudyTable::rows_fitted, this, &StudyTable::grow);
+  grow();
+}
+
+void StudyTable::grow() {
+  setFixedHeight(height_without_rows() + std::max(kControlHeight, verticalHeader()->length()));
+}
+
+int StudyTable::height_without_rows() const {
+  return horizontalHeader()->sizeHint().height() + 2 * frameWidth() + 2;
+}
+
+int StudyTable::height_of_rows_within(int most) const {
+  int height = height_without_rows();
+  for (int row = 0; row < shown_->rowCount(); ++row) {
+    const int with_it = height + rowHeight(row);
+    if (row > 0 && with_it > most) break;
+    height = with_it;
+  }
+  return height;
 }
 
 void StudyTable::hide_when_narrower(int column, int width) {

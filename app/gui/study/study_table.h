@@ -49,6 +49,11 @@ class StudyTable final : public QTableView {
   QString selected_key() const;  ///< empty when nothing is selected
   /// Texts longer than their column are continued in the next line.
   void wrap_texts();
+  /// As high as its rows, without a scroll bar: for a page that scrolls. An empty one has room for one row.
+  void grow_with_rows();
+  /// The height that shows as many of its first rows as `most` has room for, and no part of one; one
+  /// row at least.
+  int height_of_rows_within(int most) const;
   /// The column is left out while the table is narrower than this.
   void hide_when_narrower(int column, int width);
   /// These are left out, the first one first, while the column that takes what is left over has no
@@ -60,6 +65,7 @@ class StudyTable final : public QTableView {
  signals:
   void row_selected(const QString& key);  ///< empty when nothing is any more
   void row_opened(const QString& key);
+  void rows_fitted();  ///< wrapped texts have the height that they need
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -70,6 +76,8 @@ class StudyTable final : public QTableView {
   void widen_columns();
   void choose_columns();
   int wanted_width(int column) const;
+  void grow();
+  int height_without_rows() const;
 
   QStandardItemModel* rows_ = nullptr;
   QSortFilterProxyModel* shown_ = nullptr;
@@ -78,6 +86,7 @@ class StudyTable final : public QTableView {
   std::map<int, int> narrowest_{};  ///< by column, the table's width from which on it is shown
   std::vector<int> first_to_go_{};
   QTimer rewrap_{};
+  bool grows_ = false;
 };
 
 }  // namespace asperity

@@ -6591,10 +6591,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Richtig</translation>
     </message>
     <message>
-        <source>Choices, as shown</source>
-        <translation>Auswahl, wie gezeigt</translation>
-    </message>
-    <message>
         <source>Given by</source>
         <translation>Gegeben von</translation>
     </message>
@@ -6782,6 +6778,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
 <context>
     <name>asperity::MetadataDialog</name>
     <message>
+    <message>
+        <source>Choices</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>In the order in which they were shown.</source>
+        <translation>In der Reihenfolge, in der sie gezeigt wurden.</translation>
+    </message>
         <source>Metadata of the study</source>
         <translation>Angaben zur Studie</translation>
     </message>

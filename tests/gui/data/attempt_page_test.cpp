@@ -9,6 +9,7 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -119,6 +120,26 @@ TEST_F(DataView, ShowsTheNumbersOfTheStore) {
   EXPECT_EQ(loop.text_at(0, 1), QString::number(stored.servo->ticks));
   ASSERT_GT(loop.shown_rows(), 10) << "more than one digit: sorted by number, not as text";
   EXPECT_EQ(loop.text_at(loop.shown_rows() - 1, 0), "fault");
+}
+
+// In a small window, with the parameters of a model that has many.
+TEST_F(DataView, CutsNothingOfTheMeasures) {
+  StudyWindow window;
+  window.resize(1280, 720);
+  window.show();
+  ASSERT_TRUE(window.open_study(folder()));
+  auto& page = *qobject_cast<AttemptPage*>(window.page("attempt"));
+  page.show_attempt(attempt(1).id);
+  window.show_page("attempt");
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  child<QTabWidget>(page, "attempt_tabs").setCurrentIndex(1);
+  for (const char* name :
+       {"attempt_answers", "attempt_surfaces", "attempt_compliance", "attempt_loop"}) {
+    const auto& table = child<StudyTable>(page, name);
+    EXPECT_TRUE(eventually([&] { return cut_cells(table).isEmpty(); }))
+        << name << ": " << cut_cells(table).join(" | ").toStdString();
+    EXPECT_GE(table.viewport()->height(), table.verticalHeader()->length()) << name;
+  }
 }
 
 TEST_F(DataView, DrawsTheRecordingOfEverySurfaceOverOneTime) {

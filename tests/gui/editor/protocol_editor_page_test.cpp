@@ -204,6 +204,19 @@ TEST_F(ProtocolEditor, FindsWhatCheckFindsInADozenBrokenProtocols) {
   }
 }
 
+TEST_F(ProtocolEditor, ShowsEachProblemAsAWhole) {
+  open();
+  page_->resize(1280, 720);
+  go_behind("hand_oc");
+  type("x");
+  ASSERT_TRUE(checked());
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.text_at(0, 1).contains("did you mean"));
+  EXPECT_TRUE(eventually([&] { return cut_cells(problems).isEmpty(); }))
+      << cut_cells(problems).join(" | ").toStdString();
+}
+
 TEST_F(ProtocolEditor, JumpsToTheProblemThatIsClicked) {
   open();
   go_behind("\"rate_Hz\": ");

@@ -14,6 +14,7 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QSplitter>
 #include <QtWidgets/QTabWidget>
 
 #include "app/gui/data/attempt_page.h"
@@ -109,6 +110,31 @@ TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
   EXPECT_EQ(table.text_at(recognition, 3), "1.0.0");
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
+}
+
+TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
+  window_.resize(1280, 720);
+  window_.show();
+  open_lively();
+  const StudyTable& table = table_of("protocols", "protocols_table", 4);
+  const auto part = [&] {
+    const int bottom = table.viewport()->height();
+    const int row = table.rowAt(bottom - 1);
+    if (row < 0) return 0;  // ground below the last row
+    const QRect cell = table.visualRect(table.model()->index(row, 0));
+    return cell.bottom() - bottom + 1;
+  };
+  EXPECT_TRUE(eventually([&] { return part() <= 0; })) << part() << " pixels of a row are cut off";
+  const int rows = table.rowAt(table.viewport()->height() - 1);
+  EXPECT_TRUE(rows < 0 || rows >= 2) << rows;
+  // A border that was moved by hand stays where it is.
+  auto* both = child<QWidget>(window_, "protocols_page").findChild<QSplitter*>();
+  ASSERT_NE(both, nullptr);
+  both->setSizes({170, both->height() - 170 - both->handleWidth()});
+  emit both->splitterMoved(170, 1);
+  window_.resize(1280, 740);
+  QTest::qWait(50);
+  EXPECT_NEAR(table.height(), 170, 8);
 }
 
 TEST_F(StudyPages, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {

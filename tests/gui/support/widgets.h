@@ -6,9 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QWidget>
 
 #include "tests/support/patience.h"
+
+class QTableView;
 
 namespace asperity {
 
@@ -25,5 +28,9 @@ bool eventually(const std::function<bool()>& condition);
 
 /// The same; fails the test with "no `what`" where it never holds.
 void require(const std::function<bool()>& condition, const std::string& what);
+
+/// Names of columns and texts of cells that have less room than they need, of a table whose texts are
+/// wrapped.
+QStringList cut_cells(const QTableView& table);
 
 }  // namespace asperity
