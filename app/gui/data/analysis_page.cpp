@@ -99,6 +99,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   list_->setObjectName("outcomes");
   list_->setFixedWidth(280);
   list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area_ = new QScrollArea(both);
   area_->setWidgetResizable(true);
   columns->addWidget(list_);

@@ -67,7 +67,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   body().addLayout(tools);
 
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("Label"), 176, Align::text},
+  table_ = new StudyTable({{tr("Label"), 128, Align::text},
                            {tr("Age, years"), 120, Align::number},
                            {tr("Sex"), 88, Align::text},
                            {tr("Handedness"), 136, Align::text},

@@ -184,6 +184,9 @@ QWidget* WelcomePage::make_recent_card() {
   recent_->setSelectionMode(QAbstractItemView::SingleSelection);
   recent_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   recent_->horizontalHeader()->setStretchLastSection(false);
+  // What is above keeps its height: in a low window the list scrolls.
+  recent_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  recent_->setMinimumHeight(2 * kControlHeight + kGrid);
   recent_->setColumnWidth(0, 240);
   recent_->setColumnWidth(2, 240);
   layout->addWidget(recent_, 1);

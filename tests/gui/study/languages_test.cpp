@@ -123,6 +123,13 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
     take_screenshot(window, QString("german-study-") + page);
   };
   picture_of("participants", "participants_table", 12);
+  // Dates are read whole in a small window, next to names of columns that are longer in German.
+  window.resize(1264, 672);
+  const QAbstractItemView& people = child<StudyTable>(window, "participants_table");
+  EXPECT_TRUE(eventually([&] {
+    return child<StudyTable>(window, "participants_table").columnWidth(6) >=
+           people.sizeHintForColumn(6);
+  }));
   picture_of("stimuli", "stimuli_table", 16);
   picture_of("sessions", "sessions_table", 15);
   EXPECT_EQ(

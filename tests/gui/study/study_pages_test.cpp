@@ -279,6 +279,16 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was broken off:"))
       << banner.text().toStdString();
+  window_.resize(1280, 720);
+  const auto cut = [&]() -> std::string {
+    for (const auto* label : child<QWidget>(window_, "welcome_page").findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->text().isEmpty()) continue;
+      if (label->height() < label->heightForWidth(label->width()))
+        return label->text().toStdString();
+    }
+    return {};
+  };
+  EXPECT_TRUE(eventually([&] { return cut().empty(); })) << cut();
   take_screenshot(window_, "study-welcome-broken-off");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   press(banner, "Go on with session 1 of P012");
