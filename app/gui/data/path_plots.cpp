@@ -8,6 +8,7 @@
 #include "analysis/number_text.h"
 #include "app/gui/data/curve_color.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/plot_ticks.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {
@@ -69,13 +70,14 @@ PathPlots::PathPlots(QWidget* parent) : QFrame(parent) {
   spectrum_->axisRect()->setMargins(QMargins(56, 4, 8, 44));
   for (QCPAxis* axis : {spectrum_->xAxis, spectrum_->yAxis}) {
     axis->setScaleType(QCPAxis::stLogarithmic);
-    axis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    axis->setTicker(decade_ticker());
   }
   spectrum_->xAxis->setNumberFormat("g");
   spectrum_->xAxis->setNumberPrecision(4);
   spectrum_->yAxis->setNumberFormat("eb");
   spectrum_->yAxis->setNumberPrecision(0);
   connect(path_, &QCustomPlot::afterLayout, this, &PathPlots::fit_path);
+  keep_labels_apart(*path_->yAxis, 5);
 }
 
 void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> position) {
@@ -179,6 +181,7 @@ void PathPlots::fit_path() {
   if (!extent_) return;
   constexpr double kAround = 1.1;
   constexpr double kLeast_mm = 1.0;  // a hand that rested
+  const QCPRange before = path_->yAxis->range();
   const QRect pixels = path_->axisRect()->rect();
   const double width = std::max(1, pixels.width());
   const double height = std::max(1, pixels.height());
@@ -189,6 +192,8 @@ void PathPlots::fit_path() {
                          Qt::AlignCenter);
   path_->yAxis->setRange(0.5 * (extent_->low_y + extent_->high_y), mm_per_pixel * height,
                          Qt::AlignCenter);
+  // This layout has its ticks already.
+  if (path_->yAxis->range() != before) path_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 
 #include "app/gui/data/curve_color.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/plot_ticks.h"
 
 namespace asperity {
 
@@ -116,6 +117,7 @@ void TimePlots::add_strip(const char* name, const QString& heading, std::vector<
   plot.setNotAntialiasedElements(QCP::aeAll);
   plot.addLayer("areas", plot.layer("grid"), QCustomPlot::limBelow);
   style_plot(plot);
+  keep_labels_apart(*plot.yAxis, 3);
   plot.yAxis2->setRange(0.0, 1.0);
   plot.axisRect()->setAutoMargins(QCP::msNone);
   plot.axisRect()->setRangeDrag(Qt::Horizontal);
@@ -243,9 +245,6 @@ void TimePlots::draw() {
   following_ = true;
   for (Strip& strip : strips_) {
     strip.plot->xAxis->setRange(seen_.begin_s, seen_.end_s);
-    // Labels of a low plot would touch.
-    constexpr int kLow = 56;
-    strip.plot->yAxis->ticker()->setTickCount(strip.plot->axisRect()->height() < kLow ? 2 : 3);
     const int columns = std::max(1, strip.plot->axisRect()->width());
     for (Curve& curve : strip.curves) {
       QVector<QCPGraphData> points{};

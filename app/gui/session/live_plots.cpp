@@ -11,6 +11,7 @@
 
 #include "analysis/compliance.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/plot_ticks.h"
 #include "app/gui/look/words.h"
 #include "app/gui/session/fitted_label.h"
 
@@ -186,6 +187,8 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
   d.force.plot->xAxis->setTickLabels(false);
   d.speed.plot->xAxis->setLabel(tr("time, s"));
 
+  for (const Strip* strip : {&d.force, &d.speed}) keep_labels_apart(*strip->plot->yAxis, 3);
+
   d.path_heading = add_heading(*rows, tr("PATH mm"), this, "path_compliance");
   d.path = make_plot(this, "path_plot");
   rows->addWidget(d.path, 7);
@@ -205,6 +208,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
   // A millimetre is as long across as along; the width shows more of the ground beside the patch.
   connect(d.path, &QCustomPlot::afterLayout, this,
           [this] { drawing_->path->xAxis->setScaleRatio(drawing_->path->yAxis, 1.0); });
+  keep_labels_apart(*d.path->yAxis, 3);
 
   restyle();
   set_exploration({});
@@ -433,7 +437,6 @@ void LivePlots::restyle() {
     strip->plot->xAxis2->setVisible(false);
     strip->plot->yAxis2->setVisible(false);
     strip->band->setBrush(band);
-    strip->plot->yAxis->ticker()->setTickCount(3);
   }
   d.force.lower->setPen(Qt::NoPen);
   d.force.upper->setPen(Qt::NoPen);
@@ -448,7 +451,6 @@ void LivePlots::restyle() {
 
   style_plot(*d.path);
   d.path->xAxis->ticker()->setTickCount(3);
-  d.path->yAxis->ticker()->setTickCount(3);
   d.patch_area->setPen(QPen(theme().muted, 0));
   d.patch_area->setBrush(Qt::NoBrush);
   for (QCPCurve* zone : d.turning) zone->setBrush(band);

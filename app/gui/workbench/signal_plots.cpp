@@ -12,6 +12,7 @@
 #include <qcustomplot.h>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/plot_ticks.h"
 
 namespace asperity {
 
@@ -28,25 +29,6 @@ struct Extent {
     high = std::max(high, value);
   }
   bool is_empty() const { return !(low <= high); }
-};
-
-/// Decades, and 1, 2 and 5 of each where fewer than two of them are shown: one number is no scale.
-class DecadeTicker final : public QCPAxisTickerLog {
- protected:
-  QVector<double> createTickVector(double step, const QCPRange& range) override {
-    const auto shown = [&range](const QVector<double>& ticks) {
-      return std::count_if(ticks.begin(), ticks.end(),
-                           [&](double at) { return range.contains(at); });
-    };
-    QVector<double> decades = QCPAxisTickerLog::createTickVector(step, range);
-    if (shown(decades) >= 2 || !(range.lower > 0.0)) return decades;
-    QVector<double> ticks{};
-    for (double decade = std::pow(10.0, std::floor(std::log10(range.lower))); decade <= range.upper;
-         decade *= 10.0) {
-      for (const double factor : {1.0, 2.0, 5.0}) ticks.append(factor * decade);
-    }
-    return ticks;
-  }
 };
 
 /// In lines that are no wider, where words allow it.
@@ -66,7 +48,7 @@ QString in_lines(const QString& text, const QFontMetrics& metrics, int width) {
 void set_scale(QCPAxis& axis, PlotScale scale) {
   if (scale == PlotScale::linear) return;
   axis.setScaleType(QCPAxis::stLogarithmic);
-  axis.setTicker(QSharedPointer<DecadeTicker>::create());
+  axis.setTicker(decade_ticker());
   axis.setNumberFormat("eb");
   axis.setNumberPrecision(0);
 }
@@ -106,6 +88,7 @@ SignalPlot::SignalPlot(const PlotAxes& axes, QWidget* parent) : QFrame(parent), 
   };
   heading_ = add_line(axes.heading, TextSize::small, false);
   heading_->setTextFormat(Qt::RichText);
+  heading_->setWordWrap(true);  // names of many models
   // Lying above its axis it is read whole however low the plot is; beside it, it would be cut off.
   add_line(axes.y, TextSize::small, true)->setWordWrap(true);
   if (axes.names_are_large) {
@@ -134,8 +117,8 @@ void SignalPlot::write_names() {
   QStringList names{};
   for (const PlotSeries& series : series_) {
     if (series.name.isEmpty()) continue;
-    names << QString("<span style='color:%1'>━</span> %2")
-                 .arg(series.color.name(), series.name.toHtmlEscaped());
+    names << QString("<span style='color:%1'>━</span>&nbsp;%2")
+                 .arg(series.color.name(), series.name.toHtmlEscaped().replace(' ', "&nbsp;"));
   }
   const QString written = names.join(large_names_ == nullptr ? "&nbsp;&nbsp; " : "&nbsp; ");
   const QString heading = "<b>" + axes_.heading.toHtmlEscaped() + "</b>";
