@@ -102,21 +102,23 @@ void SessionHeader::set_form(SessionForm form) {
   }
   unblind_->setFont(text_font(narrow ? TextSize::small : TextSize::body));
   counts_->setSpacing(narrow ? kMargin : kGroupGap);
+  blindness_->setAlignment((wide ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   pending_->setFont(text_font(narrow ? TextSize::body : TextSize::heading, true));
   pending_->setAlignment(wide ? Qt::AlignRight | Qt::AlignVCenter
                               : Qt::AlignLeft | Qt::AlignVCenter);
   grid_->addWidget(emergency_, 0, 0, 3, 1);
   if (wide) {
     grid_->setRowMinimumHeight(3, 0);
+    // The title has the room of its row.
     grid_->addWidget(title_, 0, 1);
-    grid_->addWidget(blindness_, 0, 2);
-    grid_->addWidget(unblind_, 0, 3);
-    grid_->addLayout(counts_, 1, 1, 1, 3);
+    grid_->addWidget(unblind_, 0, 2);
+    grid_->addLayout(counts_, 1, 1, 1, 2);
     auto* states = new QHBoxLayout();
     states->setSpacing(kMargin);
     states->addWidget(now_, 1);
     states->addWidget(pending_);
-    grid_->addLayout(states, 2, 1, 1, 3);
+    states->addWidget(blindness_);
+    grid_->addLayout(states, 2, 1, 1, 2);
   } else {
     grid_->addWidget(title_, 0, 1, 1, 2);
     grid_->addWidget(now_, 1, 1, 1, 2);

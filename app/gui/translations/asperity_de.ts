@@ -8464,7 +8464,7 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
     <message>
         <source>Blind: codes stand for conditions</source>
-        <translation>Verblindet: Codes stehen für Bedingungen</translation>
+        <translation>Verblindet: Codes statt Namen</translation>
     </message>
     <message>
         <source>Names are shown</source>

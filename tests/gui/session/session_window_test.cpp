@@ -102,6 +102,12 @@ TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
   session.set_phase(SessionPhase::contact);
   const auto window = session.window();
   EXPECT_TRUE(child<QLabel>(*window, "session_title").text().startsWith("Session 13 · P013 · "));
+  window->resize(1280, 720);
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(child<QLabel>(*window, "session_title")
+                  .text()
+                  .contains("Which of six pictures shows the felt texture?"))
+      << child<QLabel>(*window, "session_title").text().toStdString();
   EXPECT_TRUE(child<QLabel>(*window, "session_title").text().endsWith(" · RUN"));
   EXPECT_EQ(child<QLabel>(*window, "block").text(), "Block 2 of 3");
   EXPECT_EQ(child<QLabel>(*window, "trial").text(), "trial 17 of 60");
