@@ -97,8 +97,7 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
       std::count_if(attempts.begin(), attempts.end(), [](const AttemptSummary& each) {
         return !each.valid && each.outcome != AttemptOutcome::skipped;
       });
-  QString text = tr("%1 of %2 trials are done. Of %3 attempts, %4 are flagged, %5 do not count and "
-                    "%6 were skipped.")
+  QString text = tr("%1 of %2 trials are done. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).")
                      .arg(snapshot.trials_done)
                      .arg(snapshot.trials)
                      .arg(attempts.size())
@@ -108,11 +107,13 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {
-    text = tr("%1\n\nThe session can be gone on with: now, or later from the page Sessions.")
-               .arg(text);
+    text = tr("%1\n\nResume the session now, or later from the page Sessions.").arg(text);
   }
   text_->setText(text);
-  place_->setText(tr("Everything is stored in %1, session %2 of %3.")
+  // Of one that was stopped a trial may have been under way.
+  place_->setText((outcome.is_complete
+                       ? tr("Everything is stored in %1, session %2 of %3.")
+                       : tr("Every finished trial is stored in %1, session %2 of %3."))
                       .arg(QString::fromStdString((study_ / "study.sqlite").string()))
                       .arg(row.session)
                       .arg(QString::fromStdString(row.participant)));

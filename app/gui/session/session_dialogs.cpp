@@ -38,7 +38,7 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort)
   QVBoxLayout* rows = prepare_dialog(
       *this, tr("Abort the session?"),
       tr("Nothing is lost: every finished trial is stored. The trial under way is kept as aborted "
-         "and will be asked again when the session is gone on with."));
+         "and will be asked again when the session is resumed."));
   form_ = new ReasonForm(this);
   form_->setProperty("role", "plain");
   form_->layout()->setContentsMargins(0, 0, 0, 0);
@@ -64,8 +64,8 @@ CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave)
   setObjectName("close_dialog");
   QVBoxLayout* rows = prepare_dialog(
       *this, tr("A session is under way"),
-      tr("What is done is safe: every finished trial is stored, and the session can be gone "
-         "on with. The window closes once the session has ended."));
+      tr("What is done is safe: every finished trial is stored, and the session can be "
+         "resumed. The window closes once the session has ended."));
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
   auto* abort = make_button(tr("Abort now"), ButtonRole::plain, this);

@@ -128,14 +128,13 @@ void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
   QString text = words_of(what.as_sentence()) + ' ';
   if (had_begun) {
     text +=
-        tr("The force is at zero and the session has stopped. Every finished trial is stored "
-           "(%n of them in this stretch). When the cause is mended, go on with this session "
-           "from the page Sessions.",
+        tr("The force is zero and the session has stopped. Every finished trial is stored (%n "
+           "attempt(s) since the session was started or resumed). Fix the cause, then resume "
+           "this session from the page Sessions.",
            nullptr, attempts_);
   } else {
     text +=
-        tr("The session did not begin and no trial was run. When the cause is mended, start it "
-           "again.");
+        tr("The session did not begin and no trial was run. Fix the cause, then start it again.");
   }
   const std::string language = monitor_.snapshot().scene->language;
   monitor_.show({.kind = ParticipantScene::Kind::ended,

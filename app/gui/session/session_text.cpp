@@ -171,7 +171,7 @@ QString SessionText::of_way_on(AfterFailure way) {
     case AfterFailure::go_on:
       break;
   }
-  return tr("Go on with this session…");
+  return tr("Resume this session…");
 }
 
 QString SessionText::of_left(std::optional<double> left_s, const QString& until) {

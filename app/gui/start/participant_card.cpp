@@ -189,12 +189,13 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   const QString begun = text_of_time(row.started_utc);
   QString text{};
   if (goes_on) {
-    text = made_up ? tr("Session %1, on a simulated clock, goes on: %2 of its %3 trials are done "
-                        "and stored.")
-                         .arg(row.session)
-                   : tr("Session %1, begun %2, goes on: %3 of its %4 trials are done and stored.")
-                         .arg(row.session)
-                         .arg(begun);
+    text = made_up
+               ? tr("Session %1, on a simulated clock, is resumed: %2 of its %3 trials are done "
+                    "and stored.")
+                     .arg(row.session)
+               : tr("Session %1, begun %2, is resumed: %3 of its %4 trials are done and stored.")
+                     .arg(row.session)
+                     .arg(begun);
     text = text.arg(session->trials_done).arg(session->trials);
   } else {
     text = made_up ? tr("Session %1 of this protocol, on a simulated clock, is unfinished.")
@@ -205,7 +206,7 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   }
   unfinished_text_->set_state(goes_on ? State::fine : State::look, text);
   go_on_->setVisible(!goes_on);
-  go_on_->setText(tr("Go on with session %1 (%2 of %3 trials done)")
+  go_on_->setText(tr("Resume session %1 (%2 of %3 trials done)")
                       .arg(row.session)
                       .arg(session->trials_done)
                       .arg(session->trials));

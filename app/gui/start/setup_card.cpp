@@ -119,7 +119,7 @@ void SetupCard::fix_hand(bool left) {
   set_left(left);
   right_->setEnabled(false);
   left_->setEnabled(false);
-  hand_text_->setText(tr("As the session began: it goes on with the same hand."));
+  hand_text_->setText(tr("The same hand as when the session began."));
 }
 
 void SetupCard::forget_hand() { hand_chosen_ = false; }

@@ -101,11 +101,11 @@ void StartPage::grant(const Wish& wish) {
   show_person();
   go_on(true);
   if (!resume_) {
-    banner_->show_news(
-        State::look, tr("The session of %1 cannot go on with this protocol: its text is another "
-                        "one than when the session began. Put the earlier text back to go on; what "
-                        "follows here is a new session.")
-                         .arg(QString::fromStdString(wish.participant.value_or(""))));
+    banner_->show_news(State::look,
+                       tr("The session of %1 cannot be resumed with this protocol: its text has "
+                          "changed since the session began. Restore the earlier text to resume it; "
+                          "what follows here is a new session.")
+                           .arg(QString::fromStdString(wish.participant.value_or(""))));
   }
 }
 

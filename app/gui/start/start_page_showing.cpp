@@ -122,7 +122,7 @@ void StartPage::show_mode() {
   band_->set_mode(mode_);
   for (QPushButton* button : {run_, pilot_, simulate_}) button->setEnabled(!resume_);
   if (resume_) {
-    mode_text_->setText(tr("A session goes on in the mode in which it began."));
+    mode_text_->setText(tr("A session is resumed in the mode in which it began."));
   } else if (mode_ == SessionMode::run) {
     mode_text_->setText(tr("Study data. Plan and plots show codes in place of names."));
   } else if (mode_ == SessionMode::pilot) {
@@ -141,7 +141,7 @@ void StartPage::show_mode() {
   virtual_people_->setEnabled(!real_time && !resume_);
   for (QPushButton* button : {fast_, real_time_}) button->setEnabled(!resume_);
   if (resume_) {
-    simulation_text_->setText(tr("A simulated session goes on at the speed at which it began."));
+    simulation_text_->setText(tr("A simulated session is resumed at the speed at which it began."));
   } else if (real_time) {
     simulation_text_->setText(tr("Real time takes one virtual participant at a time."));
   } else if (virtual_people_->value() == 1) {
@@ -187,7 +187,7 @@ void StartPage::show_person() {
     if (known) setup_->suggest_left_hand(uses_left_hand(*known));
   }
   consent_->setVisible(needs_consent());
-  title_->setText(resume_ ? tr("Go on with a session") : tr("Start a session"));
+  title_->setText(resume_ ? tr("Resume a session") : tr("Start a session"));
   show_start();
 }
 
@@ -226,7 +226,7 @@ void StartPage::show_start() {
   cancel_->setVisible(simulating);
   start_->setVisible(!simulating);
   if (resume_) {
-    start_->setText(tr("Go on with session %1").arg(unfinished_->row.session));
+    start_->setText(tr("Resume session %1").arg(unfinished_->row.session));
   } else {
     start_->setText(is_batch() ? tr("Simulate %n participants", nullptr, virtual_people_->value())
                                : tr("Start session"));

@@ -15,10 +15,10 @@ QString news_text(const BrokenOffSession& session, const QString& study) {
   const QString text =
       study.isEmpty()
           ? QCoreApplication::translate("asperity::BrokenOffNews",
-                                        "Session %1 of %2 was broken off: %3 of its %4 trials are "
+                                        "Session %1 of %2 was interrupted: %3 of its %4 trials are "
                                         "done and stored.")
           : QCoreApplication::translate("asperity::BrokenOffNews",
-                                        "Session %1 of %2 in the study “%5” was broken off: %3 of "
+                                        "Session %1 of %2 in the study “%5” was interrupted: %3 of "
                                         "its %4 trials are done and stored.");
   const QString filled =
       text.arg(session.row.session).arg(participant).arg(session.trials_done).arg(session.trials);
@@ -46,7 +46,8 @@ void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessio
   }
   if (sessions.size() > 1) {
     said << QCoreApplication::translate(
-        "asperity::BrokenOffNews", "Others were broken off as well: the page Sessions lists them.");
+        "asperity::BrokenOffNews",
+        "Others were interrupted as well: the page Sessions lists them.");
   }
   if (!session.protocol_file) {
     banner.show_news(State::look, said.join(' '),
@@ -57,12 +58,11 @@ void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessio
   const SessionWish wish{.protocol = *session.protocol_file,
                          .participant = session.row.participant,
                          .session = session.row.id};
-  banner.show_news(
-      State::look, said.join(' '),
-      QCoreApplication::translate("asperity::BrokenOffNews", "Go on with session %1 of %2")
-          .arg(session.row.session)
-          .arg(QString::fromStdString(session.row.participant)),
-      [go_on = std::move(go_on), wish] { go_on(wish); });
+  banner.show_news(State::look, said.join(' '),
+                   QCoreApplication::translate("asperity::BrokenOffNews", "Resume session %1 of %2")
+                       .arg(session.row.session)
+                       .arg(QString::fromStdString(session.row.participant)),
+                   [go_on = std::move(go_on), wish] { go_on(wish); });
 }
 
 }  // namespace asperity

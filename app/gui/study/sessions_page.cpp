@@ -80,7 +80,7 @@ QString text_of_session_state(const SessionOverview& session) {
     case SessionState::crashed:
       break;
   }
-  return SessionsPage::tr("broken off");
+  return SessionsPage::tr("interrupted");
 }
 
 State state_of_session(const SessionOverview& session) {
@@ -124,7 +124,7 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
   below->setSpacing(kGrid);
   open_ = make_button(tr("Show trials"), ButtonRole::primary, this);
   open_->setObjectName("sessions_open");
-  resume_ = make_button(tr("Go on with this session…"), ButtonRole::plain, this);
+  resume_ = make_button(tr("Resume this session…"), ButtonRole::plain, this);
   resume_->setObjectName("sessions_resume");
   reason_ = make_text({}, this, true);
   reason_->setObjectName("sessions_reason");
@@ -202,9 +202,9 @@ void SessionsPage::show_selected() {
   } else if (session->is_running) {
     reason_->setText(tr("It is running, here or in another program."));
   } else if (session->row.state == SessionState::completed) {
-    reason_->setText(tr("It is complete: there is nothing to go on with."));
+    reason_->setText(tr("It is complete: there is nothing to resume."));
   } else if (session->ended_by_rule) {
-    reason_->setText(tr("It has ended as its protocol says: there is nothing to go on with."));
+    reason_->setText(tr("It has ended as its protocol specifies: there is nothing to resume."));
   } else if (!session->protocol_file) {
     reason_->setText(tr("None of the study's protocols is still the text that it began with. Put "
                         "%1 version %2 back as it was to go on.")

@@ -4541,10 +4541,6 @@
         <translation>Erneut prüfen</translation>
     </message>
     <message>
-        <source>Go on with this session…</source>
-        <translation>Diese Sitzung fortsetzen…</translation>
-    </message>
-    <message>
         <source>less than a minute, until %1</source>
         <translation>weniger als eine Minute, bis %1</translation>
     </message>
@@ -4559,6 +4555,10 @@
     <message>
         <source>After the last trial: the participant reads</source>
         <translation>Nach dem letzten Durchgang: Die Versuchsperson liest</translation>
+    </message>
+    <message>
+        <source>Resume this session…</source>
+        <translation>Diese Sitzung fortsetzen…</translation>
     </message>
 </context>
 <context>
@@ -4881,10 +4881,6 @@
         <translation>Sitzung abbrechen?</translation>
     </message>
     <message>
-        <source>Nothing is lost: every finished trial is stored. The trial under way is kept as aborted and will be asked again when the session is gone on with.</source>
-        <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang bleibt als abgebrochen erhalten und wird erneut gefragt, wenn die Sitzung fortgesetzt wird.</translation>
-    </message>
-    <message>
         <source>Why is it aborted?</source>
         <translation>Warum wird abgebrochen?</translation>
     </message>
@@ -4903,6 +4899,10 @@
     <message>
         <source>Abort session</source>
         <translation>Sitzung abbrechen</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: every finished trial is stored. The trial under way is kept as aborted and will be asked again when the session is resumed.</source>
+        <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang bleibt als abgebrochen erhalten und wird erneut gefragt, wenn die Sitzung fortgesetzt wird.</translation>
     </message>
 </context>
 <context>
@@ -5296,28 +5296,28 @@
 <context>
     <name>asperity::BrokenOffNews</name>
     <message>
-        <source>Session %1 of %2 was broken off: %3 of its %4 trials are done and stored.</source>
-        <translation>Sitzung %1 von %2 ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
-    </message>
-    <message>
         <source>None of the study&apos;s protocols is the text that it began with any more: put %1 version %2 back as it was to go on.</source>
         <translation>Kein Protokoll der Studie ist mehr der Text, mit dem sie begann: Zum Fortsetzen %1 Version %2 unverändert zurücklegen.</translation>
-    </message>
-    <message>
-        <source>Others were broken off as well: the page Sessions lists them.</source>
-        <translation>Weitere sind abgebrochen: Die Seite Sitzungen führt sie auf.</translation>
     </message>
     <message>
         <source>Show the sessions</source>
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>Go on with session %1 of %2</source>
-        <translation>Sitzung %1 von %2 fortsetzen</translation>
+        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1 von %2 wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
-        <source>Session %1 of %2 in the study “%5” was broken off: %3 of its %4 trials are done and stored.</source>
-        <translation>Sitzung %1 von %2 in der Studie „%5“ ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
+        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Others were interrupted as well: the page Sessions lists them.</source>
+        <translation>Weitere wurden unterbrochen: Die Seite „Sitzungen“ führt sie auf.</translation>
+    </message>
+    <message>
+        <source>Resume session %1 of %2</source>
+        <translation>Sitzung %1 von %2 fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -5380,10 +5380,6 @@
         <translation>Eine Sitzung läuft</translation>
     </message>
     <message>
-        <source>What is done is safe: every finished trial is stored, and the session can be gone on with. The window closes once the session has ended.</source>
-        <translation>Was getan ist, ist sicher: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster schließt, sobald die Sitzung beendet ist.</translation>
-    </message>
-    <message>
         <source>Abort now</source>
         <translation>Jetzt abbrechen</translation>
     </message>
@@ -5394,6 +5390,10 @@
     <message>
         <source>Keep running</source>
         <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>What is done is safe: every finished trial is stored, and the session can be resumed. The window closes once the session has ended.</source>
+        <translation>Was getan ist, ist sicher: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster schließt, sobald die Sitzung beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -6112,10 +6112,6 @@
         <translation>▲ Die Sitzung wurde gestoppt</translation>
     </message>
     <message>
-        <source>%1 of %2 trials are done. Of %3 attempts, %4 are flagged, %5 do not count and %6 were skipped.</source>
-        <translation>%1 von %2 Durchgängen sind abgeschlossen. Von %3 Versuchen sind %4 markiert, %5 zählen nicht und %6 wurden übersprungen.</translation>
-    </message>
-    <message>
         <source>No trial was begun.</source>
         <translation>Kein Durchgang wurde begonnen.</translation>
     </message>
@@ -6136,12 +6132,20 @@
         <translation>Alles ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
     <message>
+        <source>%1 of %2 trials are done. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).</source>
+        <translation>%1 von %2 Durchgängen sind abgeschlossen. Versuche: %3 (%4 markiert, %5 ungültig, %6 übersprungen).</translation>
+    </message>
+    <message>
         <source>%1
 
-The session can be gone on with: now, or later from the page Sessions.</source>
+Resume the session now, or later from the page Sessions.</source>
         <translation>%1
 
-Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzungen“ aus.</translation>
+Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</translation>
+    </message>
+    <message>
+        <source>Every finished trial is stored in %1, session %2 of %3.</source>
+        <translation>Jeder abgeschlossene Durchgang ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
 </context>
 <context>
@@ -6774,10 +6778,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>not counted</source>
         <translation>nicht gezählt</translation>
     </message>
-</context>
-<context>
-    <name>asperity::MetadataDialog</name>
-    <message>
     <message>
         <source>Choices</source>
         <translation>Auswahl</translation>
@@ -6786,6 +6786,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>In the order in which they were shown.</source>
         <translation>In der Reihenfolge, in der sie gezeigt wurden.</translation>
     </message>
+</context>
+<context>
+    <name>asperity::MetadataDialog</name>
+    <message>
         <source>Metadata of the study</source>
         <translation>Angaben zur Studie</translation>
     </message>
@@ -7141,16 +7145,8 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Virtuell</translation>
     </message>
     <message>
-        <source>Session %1, begun %2, goes on: %3 of its %4 trials are done and stored.</source>
-        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 ihrer %4 Durchgänge sind abgeschlossen und gespeichert.</translation>
-    </message>
-    <message>
         <source>Session %1 of this protocol, begun %2, is unfinished.</source>
         <translation>Sitzung %1 dieses Protokolls, begonnen %2, ist unvollendet.</translation>
-    </message>
-    <message>
-        <source>Go on with session %1 (%2 of %3 trials done)</source>
-        <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
     </message>
     <message>
         <source>No participant is chosen.</source>
@@ -7181,10 +7177,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>rechtshändig</translation>
     </message>
     <message>
-        <source>Session %1, on a simulated clock, goes on: %2 of its %3 trials are done and stored.</source>
-        <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt: %2 von %3 Durchgängen sind fertig und gespeichert.</translation>
-    </message>
-    <message>
         <source>Session %1 of this protocol, on a simulated clock, is unfinished.</source>
         <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollständig.</translation>
     </message>
@@ -7199,6 +7191,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 is in the study already: choose them under “Already in the study”, or enter another label.</source>
         <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
+    </message>
+    <message>
+        <source>Session %1, on a simulated clock, is resumed: %2 of its %3 trials are done and stored.</source>
+        <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt: %2 von %3 Durchgängen sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Session %1, begun %2, is resumed: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 ihrer %4 Durchgänge sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Resume session %1 (%2 of %3 trials done)</source>
+        <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
     </message>
 </context>
 <context>
@@ -8603,16 +8607,16 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
 </context>
 <context>
     <name>asperity::SessionRunner</name>
-    <message>
-        <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
-        <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
-    </message>
     <message numerus="yes">
-        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
+        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</source>
         <translation>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuch seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuche seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The session did not begin and no trial was run. Fix the cause, then start it again.</source>
+        <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Die Ursache beheben, dann erneut starten.</translation>
     </message>
 </context>
 <context>
@@ -8772,10 +8776,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>gestoppt</translation>
     </message>
     <message>
-        <source>broken off</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
         <source>Sessions</source>
         <translation>Sitzungen</translation>
     </message>
@@ -8828,10 +8828,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Durchgänge zeigen</translation>
     </message>
     <message>
-        <source>Go on with this session…</source>
-        <translation>Diese Sitzung fortsetzen…</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -8842,10 +8838,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>It is running, here or in another program.</source>
         <translation>Sie läuft, hier oder in einem anderen Programm.</translation>
-    </message>
-    <message>
-        <source>It is complete: there is nothing to go on with.</source>
-        <translation>Sie ist vollständig: Es gibt nichts fortzusetzen.</translation>
     </message>
     <message>
         <source>%1 of %2 trials are done and safe.</source>
@@ -8864,10 +8856,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Sie läuft: Bis sie endet, zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
     </message>
     <message>
-        <source>It has ended as its protocol says: there is nothing to go on with.</source>
-        <translation>Sie ist so zu Ende gegangen, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
-    </message>
-    <message>
         <source>None of the study&apos;s protocols is still the text that it began with. Put %1 version %2 back as it was to go on.</source>
         <translation>Keines der Protokolle der Studie hat noch den Text, mit dem sie begann. Um sie fortzusetzen, %1 Version %2 so zurücklegen, wie es war.</translation>
     </message>
@@ -8882,6 +8870,22 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Choose a protocol on the page Protocols and press “Start session…”. To see first what comes out, press “Simulate…” there: virtual participants take minutes off an hour.</source>
         <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>Resume this session…</source>
+        <translation>Diese Sitzung fortsetzen…</translation>
+    </message>
+    <message>
+        <source>It is complete: there is nothing to resume.</source>
+        <translation>Sie ist vollständig: Es gibt nichts fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>It has ended as its protocol specifies: there is nothing to resume.</source>
+        <translation>Sie ist so zu Ende gegangen, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
     </message>
 </context>
 <context>
@@ -8915,10 +8919,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Bei einer gemeinsamen Tastatur sind die eigenen Textfelder grau, während eine Antwort offen ist.</translation>
     </message>
     <message>
-        <source>As the session began: it goes on with the same hand.</source>
-        <translation>Wie die Sitzung begann: Sie geht mit derselben Hand weiter.</translation>
-    </message>
-    <message>
         <source>The workspace and the strokes are mirrored left to right.</source>
         <translation>Arbeitsraum und Striche sind links-rechts gespiegelt.</translation>
     </message>
@@ -8933,6 +8933,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Full screen on %1 (%2 × %3)</source>
         <translation>Vollbild auf %1 (%2 × %3)</translation>
+    </message>
+    <message>
+        <source>The same hand as when the session began.</source>
+        <translation>Dieselbe Hand wie zu Beginn der Sitzung.</translation>
     </message>
 </context>
 <context>
@@ -9146,10 +9150,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>%1, etwa %2 · %3 · %4</translation>
     </message>
     <message>
-        <source>A session goes on in the mode in which it began.</source>
-        <translation>Eine Sitzung geht in dem Modus weiter, in dem sie begann.</translation>
-    </message>
-    <message>
         <source>Study data. Plan and plots show codes in place of names.</source>
         <translation>Studiendaten. Plan und Kurven zeigen Codes statt Namen.</translation>
     </message>
@@ -9160,10 +9160,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Virtual participants exercise the study. Their answers say nothing about people.</source>
         <translation>Virtuelle Versuchspersonen proben die Studie. Ihre Antworten sagen nichts über Menschen.</translation>
-    </message>
-    <message>
-        <source>A simulated session goes on at the speed at which it began.</source>
-        <translation>Eine simulierte Sitzung geht in dem Tempo weiter, in dem sie begann.</translation>
     </message>
     <message>
         <source>Real time takes one virtual participant at a time.</source>
@@ -9189,10 +9185,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         </translation>
     </message>
     <message>
-        <source>Go on with a session</source>
-        <translation>Sitzung fortsetzen</translation>
-    </message>
-    <message>
         <source>This is session %1 of this participant; %2 of %3 planned ones of this protocol are done.</source>
         <translation>Das ist Sitzung %1 dieser Versuchsperson; %2 von %3 geplanten dieses Protokolls sind abgeschlossen.</translation>
     </message>
@@ -9203,10 +9195,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 Counterbalancing row %2 of %3, the least used one.</source>
         <translation>%1 Zeile %2 von %3 der Ausbalancierung, die bisher seltenste.</translation>
-    </message>
-    <message>
-        <source>Go on with session %1</source>
-        <translation>Sitzung %1 fortsetzen</translation>
     </message>
     <message numerus="yes">
         <source>Simulate %n participants</source>
@@ -9248,10 +9236,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
     </message>
     <message>
-        <source>The session of %1 cannot go on with this protocol: its text is another one than when the session began. Put the earlier text back to go on; what follows here is a new session.</source>
-        <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text ist ein anderer als zu Beginn der Sitzung. Zum Fortsetzen den früheren Text wiederherstellen; was hier folgt, ist eine neue Sitzung.</translation>
-    </message>
-    <message>
         <source>The study could not be read: %1</source>
         <translation>Die Studie konnte nicht gelesen werden: %1</translation>
     </message>
@@ -9282,6 +9266,26 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Running the checks…</source>
         <translation>Die Prüfungen laufen…</translation>
+    </message>
+    <message>
+        <source>The session of %1 cannot be resumed with this protocol: its text has changed since the session began. Restore the earlier text to resume it; what follows here is a new session.</source>
+        <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text hat sich seit Beginn der Sitzung geändert. Zum Fortsetzen den früheren Text wiederherstellen; was hier folgt, ist eine neue Sitzung.</translation>
+    </message>
+    <message>
+        <source>A session is resumed in the mode in which it began.</source>
+        <translation>Eine Sitzung wird in dem Modus fortgesetzt, in dem sie begann.</translation>
+    </message>
+    <message>
+        <source>A simulated session is resumed at the speed at which it began.</source>
+        <translation>Eine simulierte Sitzung wird in dem Tempo fortgesetzt, in dem sie begann.</translation>
+    </message>
+    <message>
+        <source>Resume a session</source>
+        <translation>Sitzung fortsetzen</translation>
+    </message>
+    <message>
+        <source>Resume session %1</source>
+        <translation>Sitzung %1 fortsetzen</translation>
     </message>
 </context>
 <context>

@@ -72,10 +72,10 @@
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
+        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</source>
         <translation>
-            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</numerusform>
-            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempt since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempts since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</numerusform>
         </translation>
     </message>
 </context>

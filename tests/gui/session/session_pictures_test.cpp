@@ -136,9 +136,9 @@ TEST(SessionPictures, TheDiskIsFull) {
   session.set_phase(SessionPhase::ended);
   const auto window = session.window();
   window->show_failure(
-      "The study could not be written: database or disk is full. The force is at zero and the "
-      "session has stopped. Every finished trial is stored (16 of them in this stretch). When the "
-      "cause is mended, go on with this session from the page Sessions.",
+      "The study could not be written: database or disk is full. The force is zero and the "
+      "session has stopped. Every finished trial is stored (18 attempts since the session was "
+      "started or resumed). Fix the cause, then resume this session from the page Sessions.",
       AfterFailure::go_on);
   look_at(*window, "session-disk-full");
 }
@@ -152,8 +152,7 @@ TEST(SessionPictures, ASessionDoesNotBegin) {
   window.refresh();
   window.show_failure(
       "The lock session-P013 is in use by process 4711 on host lab1, started 09:12. The session "
-      "did "
-      "not begin and no trial was run. When the cause is mended, start it again.",
+      "did not begin and no trial was run. Fix the cause, then start it again.",
       AfterFailure::start_again);
   look_at(window, "session-not-begun");
 }

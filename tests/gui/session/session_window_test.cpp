@@ -766,7 +766,7 @@ TEST(SessionWindow, SumsUpASessionThatHasEnded) {
   EXPECT_TRUE(child<QLabel>(*window, "end_title").isVisible());
   EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("complete"));
   EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("60 of 60 trials are done"));
-  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 are flagged"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 flagged"));
   EXPECT_TRUE(
       child<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));
   QSignalSpy trials(window.get(), &SessionWindow::trials_wanted);
@@ -790,7 +790,10 @@ TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
   EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("stopped"));
   const QString text = child<QLabel>(*window, "end_text").text();
   EXPECT_TRUE(text.contains("as asked, after the block"));
-  EXPECT_TRUE(text.contains("can be gone on with"));
+  EXPECT_TRUE(text.contains("Resume the session now"));
+  // The trial under way may be lost: what is stored is what was finished.
+  const QString place = child<QLabel>(*window, "end_place").text();
+  EXPECT_TRUE(place.startsWith("Every finished trial is stored in ")) << place.toStdString();
 }
 
 TEST(SessionWindow, AsksBeforeItClosesInASession) {
@@ -858,7 +861,7 @@ TEST(SessionWindow, OffersWhatHelpsAfterAFailure) {
   };
   for (const Case& each : {Case{AfterFailure::start_again, "Try again"},
                            Case{AfterFailure::check_again, "Check again"},
-                           Case{AfterFailure::go_on, "Go on with this session…"}}) {
+                           Case{AfterFailure::go_on, "Resume this session…"}}) {
     FilledMonitor session{};
     session.answer_up_to(2);
     session.set_phase(SessionPhase::ended);
@@ -915,7 +918,7 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     window->show_end(each.end);
     auto& go_on = child<QPushButton>(*window, "go_on");
     EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason;
-    EXPECT_EQ(child<QLabel>(*window, "end_text").text().contains("can be gone on with"),
+    EXPECT_EQ(child<QLabel>(*window, "end_text").text().contains("Resume the session now"),
               each.goes_on);
     // One filled button on the page.
     EXPECT_EQ(go_on.property("role").toString(), each.goes_on ? "primary" : "plain");

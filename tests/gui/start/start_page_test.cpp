@@ -479,6 +479,7 @@ TEST_F(TheStartPage, AsksForAReasonToResumeWhatIsOlderThanTheProtocolHasIt) {
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(has_reason("The session last ran")) << shown_reason();
   EXPECT_FALSE(can_start());
+  take_screenshot(*page, "start-page-late");
   type("late_reason", "was ill");
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
@@ -503,7 +504,7 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
   choose(protocol, "virtual0001");
-  EXPECT_EQ(find<QPushButton>("go_on").text(), "Go on with session 1 (1 of 3 trials done)");
+  EXPECT_EQ(find<QPushButton>("go_on").text(), "Resume session 1 (1 of 3 trials done)");
   EXPECT_FALSE(page->order().inputs.resume);
   click("go_on");
   EXPECT_TRUE(page->order().inputs.resume);
@@ -512,7 +513,7 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   EXPECT_TRUE(find<QLabel>("unfinished").text().contains("1 of its 3 trials are done"));
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
-  EXPECT_EQ(find<QPushButton>("start").text(), "Go on with session 1");
+  EXPECT_EQ(find<QPushButton>("start").text(), "Resume session 1");
 
   SessionRunner runner;
   QSignalSpy ended(&runner, &SessionRunner::ended);
@@ -621,7 +622,7 @@ TEST_F(TheStartPage, GoesOnWithTheSameSessionWhenItIsMadeAnew) {
   ASSERT_TRUE(wait_for_study());
   EXPECT_EQ(page->order().inputs.resumed_session, 1);
   EXPECT_EQ(page->order().inputs.participant, "virtual0001");
-  EXPECT_EQ(find<QPushButton>("start").text(), "Go on with session 1");
+  EXPECT_EQ(find<QPushButton>("start").text(), "Resume session 1");
 }
 
 TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {

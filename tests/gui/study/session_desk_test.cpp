@@ -194,9 +194,9 @@ TEST_F(TroubledDesk, GoesOnWithTheSessionThatFilledTheDisk) {
     const FullDisk full(4096);
     ASSERT_TRUE(fails());
   }
-  EXPECT_TRUE(news().text().contains("The force is at zero")) << news().text().toStdString();
+  EXPECT_TRUE(news().text().contains("The force is zero")) << news().text().toStdString();
   const std::int64_t session = desk_.runner()->monitor().facts()->row.id;
-  help("Go on with this session…");
+  help("Resume this session…");
   EXPECT_EQ(desk_.runner(), nullptr);
   EXPECT_EQ(window_.shown_page(), "start");
   EXPECT_TRUE(eventually([this] { return start_page().order().inputs.resume; }));

@@ -255,9 +255,9 @@ TEST_F(StudyPages, TellOfASessionThatWasBrokenOffAndOfferToGoOnWithIt) {
   auto& banner = child<Banner>(window_, "protocols_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_EQ(banner.text(),
-            "Session 1 of P012 was broken off: 3 of its 12 trials are done and stored.");
+            "Session 1 of P012 was interrupted: 3 of its 12 trials are done and stored.");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
-  press(banner, "Go on with session 1 of P012");
+  press(banner, "Resume session 1 of P012");
   ASSERT_EQ(wanted.count(), 1);
   const auto wish = wanted[0][0].value<SessionWish>();
   EXPECT_EQ(wish.participant, "P012");
@@ -277,7 +277,7 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
   window_.close_study();
   auto& banner = child<Banner>(window_, "welcome_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
-  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was broken off:"))
+  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was interrupted:"))
       << banner.text().toStdString();
   window_.resize(1280, 720);
   const auto cut = [&]() -> std::string {
@@ -291,7 +291,7 @@ TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
   EXPECT_TRUE(eventually([&] { return cut().empty(); })) << cut();
   take_screenshot(window_, "study-welcome-broken-off");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
-  press(banner, "Go on with session 1 of P012");
+  press(banner, "Resume session 1 of P012");
   ASSERT_NE(window_.study(), nullptr);
   EXPECT_EQ(window_.study()->folder(), folder);
   ASSERT_EQ(wanted.count(), 1);
