@@ -105,6 +105,7 @@ TEST_F(StudyWindowTest, MakesAStudyOfTheNameThatIsTyped) {
   child<QLineEdit>(dialog, "metadata_authors").setText("Doe, Jane");
   QTest::keyClicks(&child<QLineEdit>(dialog, "new_study_name"), "Rough surfaces");
   ASSERT_TRUE(create.isEnabled());
+  take_screenshot(dialog, "new-study", dialog.size());
   QTest::keyClick(&child<QLineEdit>(dialog, "new_study_name"), Qt::Key_Return);
   ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
   EXPECT_EQ(window.study()->folder(), home() / "studies" / "Rough surfaces");
@@ -257,6 +258,7 @@ TEST_F(StudyWindowTest, SharesTheStudyWithAGroup) {
   EXPECT_EQ(child<QComboBox>(dialog, "share_study_group").currentText().toStdString(),
             group_of(folder));
   EXPECT_EQ(child<QLabel>(dialog, "share_study_now").text(), "At present the study is not shared.");
+  take_screenshot(dialog, "share-study", dialog.size());
   click(window, "share_study_share");
   EXPECT_EQ(
       child<QLabel>(ShareStudyDialog(folder, nullptr), "share_study_now").text().toStdString(),
@@ -277,6 +279,8 @@ TEST_F(StudyWindowTest, StoresTheMetadataOfTheStudy) {
   metadata.trigger();
   child<QLineEdit>(window, "metadata_authors").setText("Doe, Jane; Roe, Richard ;");
   child<QComboBox>(window, "metadata_license").setCurrentText("CC-BY-4.0");
+  auto& dialog = child<QDialog>(window, "metadata_dialog");
+  take_screenshot(dialog, "study-metadata", dialog.size());
   click(window, "metadata_save");
   const StudyMetadata expected{.authors = {"Doe, Jane", "Roe, Richard"}, .license = "CC-BY-4.0"};
   EXPECT_EQ(window.study()->study().metadata(), expected);
