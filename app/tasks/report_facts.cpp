@@ -149,10 +149,9 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   }
 }
 
-/// Whether the experimenter wrote the text of such an event.
+/// Whether the experimenter wrote the text of such an event. That of a late resume stands with the sessions.
 bool is_in_own_words(const std::string& kind) {
-  return kind == "note" || kind == "unblinded" || kind == "trial_repeated" ||
-         kind == "resumed_late";
+  return kind == "note" || kind == "unblinded" || kind == "trial_repeated";
 }
 
 /// The trial that an event is about: the one that was repeated, or the one under way.

@@ -162,18 +162,13 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
   return row;
 }
 
-/// The reason that is stored; empty: none is needed.
-std::string reason_to_resume(const Study& study, const RunInputs& inputs, const Protocol& protocol,
-                             const SessionRow& unfinished) {
-  const Phrase complaint = complaint_about_age(protocol, hours_since_it_ran(study, unfinished));
-  if (complaint.empty()) return {};
-  if (inputs.late_reason.empty()) {
-    throw PhrasedError(phrase("RunSession",
-                              "%1; to resume it all the same, give the reason with "
-                              "--late-reason, which is stored and stated in the report")
-                           .with(complaint));
-  }
-  return inputs.late_reason;
+/// A session that is older than the protocol has it is resumed with a reason.
+void require_late_reason(const Sitting& sitting) {
+  if (!sitting.late || !sitting.late_reason.empty()) return;
+  throw PhrasedError(phrase("RunSession",
+                            "%1; to resume it all the same, give the reason with "
+                            "--late-reason, which is stored and stated in the report")
+                         .with(complaint_about(*sitting.late)));
 }
 
 /// A person begins a session only when the last one is finished and the protocol plans another.
@@ -243,7 +238,9 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (inputs.resume) {
     sitting.unfinished = unfinished_session(study, inputs, protocol);
-    sitting.late_reason = reason_to_resume(study, inputs, protocol, *sitting.unfinished);
+    sitting.late = late_resume(study, protocol, *sitting.unfinished);
+    sitting.late_reason = inputs.late_reason;
+    require_late_reason(sitting);
   }
   const std::unique_ptr<Rig> rig =
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);

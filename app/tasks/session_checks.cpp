@@ -127,9 +127,8 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
       check.remedy = phrase("SessionChecks", "Start a new session instead.");
       return check;
     }
-    const Phrase complaint = complaint_about_age(protocol, hours_since_it_ran(study, *going_on));
-    if (!complaint.empty()) {
-      check.text = complaint.as_sentence();
+    if (const auto late = late_resume(study, protocol, *going_on)) {
+      check.text = complaint_about(*late).as_sentence();
       if (inputs.late_reason.empty()) {
         check.remedy = phrase("SessionChecks", "Enter the reason for resuming it.");
         return check;

@@ -87,12 +87,10 @@ void store_changed_device(const DeviceCapability& device, Study& study, const Se
                                .data_json = capability_json(device)});
 }
 
-void store_late_resume(const Protocol& protocol, const Sitting& sitting, Study& study,
-                       std::int64_t now_ns) {
-  if (sitting.late_reason.empty()) return;
-  const nlohmann::ordered_json data{
-      {"age_hours", hours_since_it_ran(study, *sitting.unfinished).value_or(0.0)},
-      {"maximum_age_hours", protocol.resume.maximum_age_hours.value_or(0.0)}};
+void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns) {
+  if (!sitting.late) return;
+  const nlohmann::ordered_json data{{"age_hours", sitting.late->age_hours},
+                                    {"maximum_age_hours", sitting.late->maximum_age_hours}};
   study.add_event(sitting.unfinished->id, {.time_ns = now_ns,
                                            .kind = kResumedLate,
                                            .text = sitting.late_reason,
@@ -132,7 +130,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
     store_changed_device(rig.capability(), study, session.row, rig.clock().now_ns());
-    store_late_resume(protocol, sitting, study, rig.clock().now_ns());
+    store_late_resume(sitting, study, rig.clock().now_ns());
   } else {
     SessionConditions conditions{};
     conditions.mode = sitting.mode;

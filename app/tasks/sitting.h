@@ -10,6 +10,7 @@
 #include "app/conductor/conductor.h"
 #include "app/conductor/rehearsed_device.h"
 #include "app/program.h"
+#include "app/tasks/unfinished_session.h"
 
 namespace asperity {
 
@@ -17,8 +18,8 @@ namespace asperity {
 struct Sitting {
   ParticipantRow participant{};
   std::optional<SessionRow> unfinished{};  ///< to go on with; otherwise a new one is begun
-  /// Why it is resumed although it is older than the protocol has it; empty: it is not.
-  std::string late_reason{};
+  std::optional<LateResume> late{};        ///< it is older than the protocol has it
+  std::string late_reason{};               ///< why it is resumed although it is
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};

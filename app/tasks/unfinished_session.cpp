@@ -12,8 +12,10 @@
 
 namespace asperity {
 
-std::optional<double> hours_since_it_ran(const Study& study, const SessionRow& session) {
-  if (session.pacing == "stepped") return {};
+namespace {
+
+/// In real time.
+double hours_since_it_ran(const Study& study, const SessionRow& session) {
   const std::string now_utc = SystemClock(0).utc();
   constexpr double kHoursADay = 24.0;
   if (session.ended_utc) {
@@ -33,14 +35,23 @@ std::optional<double> hours_since_it_ran(const Study& study, const SessionRow& s
   return kHoursADay * (days_since_1970(now_utc) - days_since_1970(began_utc)) - ran_hours;
 }
 
-Phrase complaint_about_age(const Protocol& protocol, const std::optional<double>& age_hours) {
+}  // namespace
+
+std::optional<LateResume> late_resume(const Study& study, const Protocol& protocol,
+                                      const SessionRow& session) {
   const std::optional<double>& maximum = protocol.resume.maximum_age_hours;
-  if (!maximum || !age_hours || *age_hours <= *maximum) return {};
+  if (!maximum || session.pacing == "stepped") return {};
+  const double age_hours = hours_since_it_ran(study, session);
+  if (age_hours <= *maximum) return {};
+  return LateResume{.age_hours = age_hours, .maximum_age_hours = *maximum};
+}
+
+Phrase complaint_about(const LateResume& late) {
   return phrase(
              "UnfinishedSession",
              "the session last ran %1 hours ago, and the protocol has sessions resumed within %2 "
              "hours")
-      .with(fixed(*age_hours, 1), number_text(*maximum));
+      .with(fixed(late.age_hours, 1), number_text(late.maximum_age_hours));
 }
 
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {
@@ -58,7 +69,7 @@ std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Pro
     sessions.push_back({.row = row,
                         .trials_done = counts.done_trials,
                         .trials = counts.planned_trials,
-                        .age_hours = hours_since_it_ran(study, row),
+                        .late = late_resume(study, protocol, row),
                         .noise = recorded_stretches(row, study.events(row.id), {}).back().noise});
   }
   return sessions;

@@ -14,19 +14,24 @@
 
 namespace asperity {
 
+/// How long ago a session last ran that is older than its protocol has sessions resumed.
+struct LateResume {
+  double age_hours = 0.0;
+  double maximum_age_hours = 0.0;
+};
+/// Nothing where the protocol declares no maximum, on a simulated clock, and in time. Errors: ResultsError.
+std::optional<LateResume> late_resume(const Study& study, const Protocol& protocol,
+                                      const SessionRow& session);
+/// Why it needs a reason to be resumed.
+Phrase complaint_about(const LateResume& late);
+
 struct UnfinishedSession {
   SessionRow row{};
   int trials_done = 0;
   int trials = 0;
-  std::optional<double> age_hours{};  ///< since it last ran; absent on a simulated clock
-  RecordedNoise noise{};              ///< of its last stretch
+  std::optional<LateResume> late{};  ///< if it were resumed now
+  RecordedNoise noise{};             ///< of its last stretch
 };
-
-/// Since the session last ran, in real time; nothing on a simulated clock. Errors: ResultsError.
-std::optional<double> hours_since_it_ran(const Study& study, const SessionRow& session);
-
-/// Why a session of this age needs a reason to be resumed, as the protocol declares; empty: it needs none.
-Phrase complaint_about_age(const Protocol& protocol, const std::optional<double>& age_hours);
 
 /// Those of this very protocol, by participant, session.
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol);

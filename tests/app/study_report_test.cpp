@@ -106,9 +106,13 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
                           ElementsAre("anna", "1", "0:" + time, "2", "note", "looked away, 2 s"),
                           ElementsAre("anna", "1", "1:01.0", "2", "trial repeated",
                                       "The participant was distracted"),
-                          ElementsAre("anna", "1", "1:05.0", "–", "resumed late", "was ill"),
                           ElementsAre("anna", "1", "–", "1", "excluded afterwards",
                                       "wrong hand (decided by MK)")));
+  // The reason of a late resume is listed once, with the sessions.
+  EXPECT_THAT(words_of(section(report.chapters.at(1), "Sessions and exclusions")),
+              HasSubstr("was resumed"));
+  EXPECT_THAT(words_of(section(report.chapters.at(1), "Sessions and exclusions")),
+              HasSubstr("was ill"));
 }
 
 std::vector<MadeUpTrial> choices(int hits, int of) {
@@ -743,8 +747,7 @@ TEST(ReportNumbers, WriteCountsAsCountsAndNumbersWithTheirUnit) {
   const ReportTable table = further_numbers_table(findings);
   ASSERT_EQ(table.rows.size(), 3U) << "no number of a single participant";
   EXPECT_THAT(table.rows[0], ElementsAre("items", "–", "234", "–", "20"));
-  EXPECT_THAT(table.rows[1],
-              ElementsAre("response entropy H(R)", "–", "2.47 bit", "–", "20"));
+  EXPECT_THAT(table.rows[1], ElementsAre("response entropy H(R)", "–", "2.47 bit", "–", "20"));
   EXPECT_THAT(table.rows[2], ElementsAre("precision (positive predictive value)", "wood", "80 %",
                                          "55 % to 97 %", "20"));
 }

@@ -177,8 +177,7 @@ void StartPage::show_person() {
   // Somebody came here to go on with it: no reading of the study in between makes it a new session.
   if (unfinished_ && !resume_ && going_on_) return go_on(true);
   participant_->set_unfinished(unfinished_, resume_);
-  participant_->ask_late_reason(resume_ && chosen() != nullptr &&
-                                !complaint_about_age(*chosen(), unfinished_->age_hours).empty());
+  participant_->ask_late_reason(resume_ && unfinished_->late.has_value());
   participant_->set_session_text(session_text());
   if (resume_) {
     setup_->fix_hand(unfinished_->row.mirrored);
