@@ -53,6 +53,16 @@ std::string printable(std::string_view text) {
   return "'" + shown + (text.size() > kShown ? "…'" : "'");
 }
 
+/// No text begins so: with a byte of no letter, as a PNG or a JPEG does, or with a zero soon.
+bool is_binary(std::string_view text) {
+  constexpr std::size_t kBeginning = 512;
+  if (text.substr(0, kBeginning).find('\0') != std::string_view::npos) return true;
+  const auto first = text.empty() ? ' ' : text.front();
+  return static_cast<unsigned char>(first) >= 0x80 ||
+         (static_cast<unsigned char>(first) < 0x20 && first != '\t' && first != '\n' &&
+          first != '\r');
+}
+
 }  // namespace
 
 std::string pointer_to(const std::string& pointer, std::string_view key) {
@@ -157,9 +167,11 @@ class JsonDocument::Handler {
       ++end;
     }
     if (end > from) {
-      return refuse(from, printable(text.substr(from, end - from)) +
-                              " is not JSON: write a finite number, a \"text\", true, false, null, "
-                              "[…] or {…}");
+      return refuse(
+          from,
+          printable(text.substr(from, end - from)) +
+              " is not JSON: write a finite number, text in quotation marks, true, false, null, "
+              "[…] or {…}");
     }
     return refuse(from, "unexpected " + printable(text.substr(from, 1)) + expected);
   }
@@ -259,7 +271,8 @@ class JsonDocument::Handler {
   std::vector<Diagnostic> problems_{};
 };
 
-JsonDocument::JsonDocument(std::string_view text, std::string file)
+JsonDocument::JsonDocument(std::string_view text, std::string file,
+                           std::vector<Diagnostic>* duplicates)
     : text_(text), file_(std::move(file)) {
   const auto refuse = [this](std::string message) {
     throw ProtocolError({diagnostic(0, "", std::move(message))});
@@ -268,9 +281,15 @@ JsonDocument::JsonDocument(std::string_view text, std::string file)
   if (text.starts_with("\xEF\xBB\xBF")) {
     refuse("begins with a byte order mark; save the file as UTF-8 without one");
   }
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-      text.substr(0, 4).find('\0') != std::string_view::npos) {
-    refuse("this is not UTF-8 text (it looks like UTF-16 or a binary file); save it as UTF-8");
+  const bool has_every_other_zero =
+      text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');  // a letter in two bytes
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || has_every_other_zero) {
+    refuse("this is not UTF-8 text (it looks like UTF-16); save the file in the encoding UTF-8");
+  }
+  if (is_binary(text)) {
+    refuse(
+        "this is not a JSON text file, but a binary one, such as a picture; a protocol is text in "
+        "UTF-8, a JSON object {…}");
   }
   std::size_t read = 0;
   Handler handler(*this, read);
@@ -279,7 +298,17 @@ JsonDocument::JsonDocument(std::string_view text, std::string file)
                                 CountingIterator{text.data() + text.size(), &read}, &handler);
   std::vector<Diagnostic> problems = handler.take_problems();
   if (!complete && problems.empty()) problems.push_back(diagnostic(read, "", "this is not JSON"));
-  if (!problems.empty()) throw ProtocolError(std::move(problems));
+  if (complete && duplicates != nullptr) {
+    *duplicates = std::move(problems);
+  } else if (!problems.empty()) {
+    throw ProtocolError(std::move(problems));
+  }
+}
+
+JsonDocument JsonDocument::with_root(nlohmann::json root) const {
+  JsonDocument other = *this;
+  other.root_ = std::move(root);
+  return other;
 }
 
 Diagnostic JsonDocument::diagnostic(std::size_t offset, const std::string& pointer,

@@ -23,10 +23,14 @@ namespace asperity {
 /// object, 8192 bytes per string and 256 per key. A key may stand once in an object.
 class JsonDocument final {
  public:
-  /// Errors: ProtocolError with the one error of syntax, or every duplicate key.
-  JsonDocument(std::string_view text, std::string file);
+  /// Errors: ProtocolError with the one error of syntax, or every duplicate key; the latter go to `duplicates` where it
+  /// is given, and of each key the last value counts.
+  JsonDocument(std::string_view text, std::string file,
+               std::vector<Diagnostic>* duplicates = nullptr);
 
   const nlohmann::json& root() const noexcept { return root_; }
+  /// Another tree in place of this one. What stands in both has the place that it has in the text.
+  JsonDocument with_root(nlohmann::json root) const;
   /// A diagnostic at a value, or at the nearest value above it that exists.
   Diagnostic at(const std::string& pointer, std::string message) const;
   /// Where the value begins in the text; nothing where there is none.

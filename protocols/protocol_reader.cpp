@@ -1,4 +1,4 @@
-// The three layers of checking, one after the other.
+// A protocol, or what is wrong with it.
 
 #include "protocols/protocol_reader.h"
 
@@ -6,24 +6,15 @@
 #include <utility>
 
 #include "protocols/json_document.h"
-#include "protocols/meaning.h"
-#include "protocols/protocol_from_json.h"
-#include "protocols/schema_check.h"
+#include "protocols/protocol_problems.h"
 
 namespace asperity {
 
 Protocol read_protocol(std::string_view text, const std::string& file_name,
                        const std::vector<ModelDeclaration>& models) {
-  const JsonDocument document(text, file_name);
-  if (auto problems = check_schema(document); !problems.empty()) {
-    throw ProtocolError(std::move(problems));
-  }
-  Protocol protocol = protocol_from_json(document.root());
-  protocol.source = std::string(text);
-  if (auto problems = check_meaning(protocol, document, models); !problems.empty()) {
-    throw ProtocolError(std::move(problems));
-  }
-  return protocol;
+  ProtocolReading reading = read_protocol_with_problems(text, file_name, models);
+  if (!reading.problems.empty()) throw ProtocolError(std::move(reading.problems));
+  return std::move(*reading.protocol);
 }
 
 Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,

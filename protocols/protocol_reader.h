@@ -18,7 +18,7 @@ namespace asperity {
 /// Three layers, each of which reports all it finds: JSON (syntax, duplicate keys), schema
 /// (protocols/schema/protocol-1.schema.json, draft-07), meaning (references, models and their
 /// parameters against `models`, order constraints that cannot be met, bands against the force
-/// limit, criteria, blocks never run, …). Meaning is looked at only when the schema holds.
+/// limit, criteria, blocks never run, …). All are reported at once (protocol_problems.h).
 ///
 /// `models` are the declarations of the force models that there are. Files of textures are not
 /// looked for here (see `files_of`): the reader knows no study.

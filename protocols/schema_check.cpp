@@ -3,6 +3,7 @@
 #include "protocols/schema_check.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include <valijson/validator.hpp>
 
 #include "protocols/library_protocols.h"
+#include "protocols/schema_nodes.h"
 #include "protocols/wording.h"
 
 namespace asperity {
@@ -20,32 +22,11 @@ namespace {
 
 using nlohmann::json;
 
-const json& resolved(const json& root, const json& schema) {
-  const auto reference = schema.find("$ref");
-  if (reference == schema.end()) return schema;
-  return root.at(json::json_pointer(reference->get<std::string>().substr(1)));
-}
-
-bool is_comment(const std::string& key) { return key.starts_with("x-") || key == "$comment"; }
-
 bool is_id(const std::string& key) {
   if (key.empty() || key.size() > 64 || key[0] < 'a' || key[0] > 'z') return false;
   return std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
   });
-}
-
-/// The schema of a member; null where the schema says nothing about it.
-const json* member_schema(const json& root, const json& schema, const std::string& key) {
-  if (is_comment(key)) return nullptr;
-  if (const auto properties = schema.find("properties"); properties != schema.end()) {
-    if (const auto found = properties->find(key); found != properties->end()) {
-      return &resolved(root, *found);
-    }
-  }
-  const auto additional = schema.find("additionalProperties");
-  return additional != schema.end() && additional->is_object() ? &resolved(root, *additional)
-                                                               : nullptr;
 }
 
 std::vector<std::string> keys_of(const json& object) {
@@ -80,7 +61,7 @@ std::string shown_bound(const json& bound) { return digits(bound.get<double>());
 std::string type_in_words(const std::string& type) {
   if (type == "object") return "an object {…}";
   if (type == "array") return "a list […]";
-  if (type == "string") return "a \"text\"";
+  if (type == "string") return "text in quotation marks";
   if (type == "integer") return "a whole number";
   if (type == "boolean") return "true or false";
   return "a number";
@@ -104,7 +85,7 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
     const auto items = schema.find("items");
     if (items == schema.end()) return true;
     for (std::size_t i = 0; i < value.size(); ++i) {
-      is_short = check_keys(document, root, resolved(root, *items), value[i],
+      is_short = check_keys(document, root, resolved_node(root, *items), value[i],
                             pointer_to(pointer, i), found) &&
                  is_short;
     }
@@ -214,10 +195,54 @@ std::string sentence(const std::string& description, const json& schema, const j
   return description + purpose;
 }
 
+/// As valijson reads it, which takes longer than to look at a document.
+const valijson::Schema& schema_rules() {
+  static const std::unique_ptr<const valijson::Schema> kRules = [] {
+    auto rules = std::make_unique<valijson::Schema>();
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_root()), *rules);
+    return rules;
+  }();
+  return *kRules;
+}
+
+bool validate(const json& document, valijson::ValidationResults* results) {
+  valijson::Validator validator{};
+  return validator.validate(schema_rules(), valijson::adapters::NlohmannJsonAdapter(document),
+                            results);
+}
+
 }  // namespace
 
+const json& schema_root() {
+  static const json kRoot = json::parse(protocol_schema());
+  return kRoot;
+}
+
+const json& resolved_node(const json& root, const json& schema) {
+  const auto reference = schema.find("$ref");
+  if (reference == schema.end()) return schema;
+  return root.at(json::json_pointer(reference->get<std::string>().substr(1)));
+}
+
+bool is_comment(const std::string& key) { return key.starts_with("x-") || key == "$comment"; }
+
+const json* member_schema(const json& root, const json& schema, const std::string& key) {
+  if (is_comment(key)) return nullptr;
+  if (const auto properties = schema.find("properties"); properties != schema.end()) {
+    if (const auto found = properties->find(key); found != properties->end()) {
+      return &resolved_node(root, *found);
+    }
+  }
+  const auto additional = schema.find("additionalProperties");
+  return additional != schema.end() && additional->is_object() ? &resolved_node(root, *additional)
+                                                               : nullptr;
+}
+
+bool follows_schema(const json& document) { return validate(document, nullptr); }
+
 std::vector<Diagnostic> check_schema(const JsonDocument& document) {
-  const json root = json::parse(protocol_schema());
+  const json& root = schema_root();
   std::vector<Diagnostic> found{};
   if (!document.root().is_object()) {
     return {document.at("", shown(document.root()) + " is not a protocol; a protocol is an object "
@@ -226,12 +251,8 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
   }
   if (!check_keys(document, root, root, document.root(), "", found)) return found;
 
-  valijson::Schema schema{};
-  valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(root), schema);
-  valijson::Validator validator{};
   valijson::ValidationResults results{};
-  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document.root()), &results);
+  validate(document.root(), &results);
 
   const auto place_of = [](const valijson::ValidationResults::Error& error) {
     std::string pointer{};
@@ -266,7 +287,7 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
     for (std::size_t i = 1; i < error.context.size() && node != nullptr; ++i) {
       const std::string key = error.context[i].substr(1, error.context[i].size() - 2);
       if (value->is_array()) {
-        node = &resolved(root, node->at("items"));
+        node = &resolved_node(root, node->at("items"));
         value = &value->at(static_cast<std::size_t>(std::stoul(key)));
       } else {
         node = member_schema(root, *node, key);

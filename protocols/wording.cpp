@@ -49,7 +49,8 @@ std::string one_of(const std::vector<std::string>& names) {
   return names.empty() ? "nothing" : text;
 }
 
-std::string did_you_mean(std::string_view written, const std::vector<std::string>& names) {
+std::optional<std::string> nearest_name(std::string_view written,
+                                        const std::vector<std::string>& names) {
   constexpr std::size_t kLongest = 64;
   if (written.size() > kLongest) return {};
   const std::string* best = nullptr;
@@ -62,7 +63,12 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
       best = &name;
     }
   }
-  return best == nullptr ? std::string{} : "; did you mean " + in_quotes(*best) + "?";
+  return best == nullptr ? std::nullopt : std::optional(*best);
+}
+
+std::string did_you_mean(std::string_view written, const std::vector<std::string>& names) {
+  const auto nearest = nearest_name(written, names);
+  return nearest ? "; did you mean " + in_quotes(*nearest) + "?" : std::string{};
 }
 
 std::string digits(double value) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,9 @@ namespace asperity {
 
 /// "a", "b" or "c"
 std::string one_of(const std::vector<std::string>& names);
+/// The name that is close to what was written, if one is.
+std::optional<std::string> nearest_name(std::string_view written,
+                                        const std::vector<std::string>& names);
 /// `; did you mean "x"?` where one of the names is close to what was written, else nothing.
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& names);
 /// In quotation marks, shortened.

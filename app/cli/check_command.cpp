@@ -23,8 +23,8 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/texture_doubts.h"
 #include "device/drivers.h"
-#include "protocols/doubts.h"
 #include "protocols/json_document.h"
+#include "protocols/protocol_problems.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -90,6 +90,25 @@ std::string warning_of(const Diagnostic& doubt) {
          ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
+/// Both as an author meets them, from the first line to the last; of one place the problem first.
+void say_in_order(const std::vector<Diagnostic>& problems, const std::vector<Diagnostic>& doubts) {
+  auto doubt = doubts.begin();
+  const auto say_doubts_before = [&](const Diagnostic* problem) {
+    for (; doubt != doubts.end(); ++doubt) {
+      if (problem != nullptr &&
+          std::pair(doubt->line, doubt->column) >= std::pair(problem->line, problem->column)) {
+        return;
+      }
+      say(warning_of(*doubt));
+    }
+  };
+  for (const Diagnostic& problem : problems) {
+    say_doubts_before(&problem);
+    say(text_of(problem));
+  }
+  say_doubts_before(nullptr);
+}
+
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
 void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
                      const ModelRegistry& models, std::vector<Diagnostic>& doubts) {
@@ -146,8 +165,7 @@ void add_check(CLI::App& program, Job& job) {
       const std::string now_utc = SystemClock(0).utc();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
-        std::vector<Diagnostic> doubts{};
-        if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
+        std::vector<Diagnostic> doubts = check.warnings;
         if (options->study && check.protocol && check.diagnostics.empty()) {
           doubts_of_study(check, *options->study, models, doubts);
         }
@@ -164,8 +182,9 @@ void add_check(CLI::App& program, Job& job) {
           }
         }
         acceptable = acceptable && check.diagnostics.empty();
-        for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
-        for (const Diagnostic& doubt : doubts) say(warning_of(doubt));
+        sort_by_line(check.diagnostics);
+        sort_by_line(doubts);
+        say_in_order(check.diagnostics, doubts);
         if (options->json) {
           json["protocols"].push_back(json_of(check, doubts));
           if (options->device) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -25,6 +26,8 @@
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
+#include "protocols/doubts.h"
+#include "protocols/protocol_problems.h"
 #include "renderers/pd_gradient/finest_wave.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
@@ -275,16 +278,26 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
   return doubts;
 }
 
-std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
-                                          const std::filesystem::path& study,
-                                          StimulusBuilder& builder) {
+/// Of the files that a protocol names. `is_looked_at` says of which, by their place.
+std::vector<Diagnostic> problems_of_named_files(
+    const Protocol& protocol, const std::string& file_name, const std::filesystem::path& study,
+    StimulusBuilder& builder, const std::function<bool(const Diagnostic& place)>& is_looked_at) {
   std::vector<Diagnostic> problems{};
   for (const NamedFile& named : files_of(protocol, file_name)) {
+    if (!is_looked_at(named.place)) continue;
     if (const auto complaint = complaint_about_file(named, study, builder)) {
       problems.push_back(named.place);
       problems.back().message = *complaint;
     }
   }
+  return problems;
+}
+
+std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
+                                          const std::filesystem::path& study,
+                                          StimulusBuilder& builder) {
+  std::vector<Diagnostic> problems = problems_of_named_files(
+      protocol, file_name, study, builder, [](const Diagnostic&) { return true; });
   if (problems.empty()) problems = problems_of_shapes(protocol, file_name, builder);
   return problems;
 }
@@ -385,6 +398,22 @@ void require_driver(const std::string& device) {
   throw std::runtime_error("there is no device \"" + device + "\"; this program has: " + names);
 }
 
+/// Of a protocol with other problems: those of files that are named where nothing else is wrong.
+void add_problems_of_files(const ProtocolReading& reading, const std::filesystem::path& study,
+                           const ModelRegistry& models, ProtocolCheck& check) {
+  StimulusBuilder builder(models, study);
+  const auto is_looked_at = [&reading](const Diagnostic& place) {
+    return !may_follow_from(reading.repair, place.pointer, {}) &&
+           std::none_of(
+               reading.problems.begin(), reading.problems.end(),
+               [&place](const Diagnostic& problem) { return problem.pointer == place.pointer; });
+  };
+  for (Diagnostic& problem :
+       problems_of_named_files(*reading.protocol, check.file, study, builder, is_looked_at)) {
+    check.diagnostics.push_back(std::move(problem));
+  }
+}
+
 }  // namespace
 
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
@@ -412,18 +441,25 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   const auto whole_file = [&check](const std::string& message) {
     check.diagnostics.push_back({check.file, 1, 1, "", message});
   };
+  ProtocolReading reading{};
   try {
-    check.protocol = read_protocol(text, file_name, declarations_of(models));
-  } catch (const ProtocolError& error) {
-    check.diagnostics = error.diagnostics();
-    return check;
+    reading = read_protocol_with_problems(text, file_name, declarations_of(models));
+    if (reading.has_form) check.warnings = doubts_about(*reading.protocol, file_name);
   } catch (const std::exception& error) {
     whole_file(error.what());
     return check;
   }
+  check.diagnostics = reading.problems;
+  if (!reading.problems.empty()) {
+    if (study && reading.protocol) add_problems_of_files(reading, *study, models, check);
+    sort_by_line(check.diagnostics);
+    return check;
+  }
+  check.protocol = std::move(reading.protocol);
   if (study) {
     StimulusBuilder builder(models, *study);
     check.diagnostics = problems_of_files(*check.protocol, check.file, *study, builder);
+    sort_by_line(check.diagnostics);
   }
   if (device) {
     try {

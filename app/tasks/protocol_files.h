@@ -57,7 +57,9 @@ RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::strin
 /// Every problem of one file, and what its plan amounts to when there is none.
 struct ProtocolCheck {
   std::string file{};
-  std::vector<Diagnostic> diagnostics{};
+  std::vector<Diagnostic> diagnostics{};  ///< of all layers, in the order of lines
+  std::vector<Diagnostic>
+      warnings{};  ///< of what has the form of a protocol (`doubts_about`), likewise
   std::optional<Protocol> protocol{};
   PlanCost cost{};
 };

@@ -310,6 +310,53 @@ INSTANTIATE_TEST_SUITE_P(
             {"simulate", "a.json", "--study", "s", "--seed", "1", "--participants", "ten"},
             "--participants: \"ten\" is not a whole number, such as 10"}));
 
+/// The lines of FILE:LINE:COLUMN in what was said, in order.
+std::vector<int> lines_said(const std::string& said, const fs::path& file) {
+  std::vector<int> lines{};
+  const std::string start = file.string() + ':';
+  for (std::size_t at = said.find(start); at != std::string::npos; at = said.find(start, at + 1)) {
+    lines.push_back(std::stoi(said.substr(at + start.size())));
+  }
+  return lines;
+}
+
+// Form, meaning, files and warnings, each somewhere else in the text.
+TEST(BadProtocol, IsReportedWithAllThatIsWrongWithItFromTheFirstLineToTheLast) {
+  const SmallStudy small(1);
+  const fs::path protocol = small.selection();
+  std::string text = text_of(protocol);
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  replace("\"explorations\": {", "\"explorations\": {\n\"spare\": {},");
+  fs::remove(small.study() / "stimuli/walnut.png");
+  write_text(protocol, text);
+  const Outcome warned = asperity({"check", protocol, "--study", small.study()});
+  EXPECT_EQ(warned.status, 1);
+  EXPECT_NE(warned.err.find("stimuli/walnut.png is not in the study"), std::string::npos)
+      << warned.err;
+  EXPECT_NE(warned.err.find("warning: no block asks for the exploration \"spare\""),
+            std::string::npos)
+      << warned.err;
+  const std::vector<int> lines = lines_said(warned.err, protocol);
+  EXPECT_GE(lines.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end())) << warned.err;
+
+  replace("\"title\": ", "\"title\": 3, \"x-title\": ");
+  write_text(protocol, text);
+  const Outcome refused = asperity({"check", protocol, "--study", small.study()});
+  EXPECT_NE(refused.err.find("3 is not text in quotation marks"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("stimuli/walnut.png is not in the study"), std::string::npos)
+      << refused.err;
+
+  const Outcome picture = asperity({"check", small.study() / "stimuli/walnut_photo.png"});
+  EXPECT_EQ(picture.status, 1);
+  EXPECT_NE(picture.err.find("this is not a JSON text file, but a binary one"), std::string::npos)
+      << picture.err;
+}
+
 /// What needs a study, on a folder that is none that this program can use.
 void expect_study_refused(const SmallStudy& small, const fs::path& study,
                           const std::vector<std::string>& words) {

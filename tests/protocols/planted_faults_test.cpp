@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "protocols/doubts.h"
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
+#include "protocols/schema_check.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {
@@ -50,6 +52,18 @@ std::vector<Diagnostic> problems_of(const std::string& text) {
   return {};
 }
 
+/// But for the fault the examples are right: what is reported of the meaning of one whose form is wrong is a mere
+/// consequence of that.
+void expect_no_follow_ups(const std::string& text, const std::string& all) {
+  try {
+    const std::size_t of_form = check_schema(JsonDocument(text, "p.json")).size();
+    if (of_form > 0) {
+      EXPECT_EQ(problems_of(text).size(), of_form) << all;
+    }
+  } catch (const ProtocolError&) {  // of the syntax, which alone is reported
+  }
+}
+
 void expect_complaint(const std::string& text, const Fault& fault) {
   const std::vector<Diagnostic> problems = problems_of(text);
   const auto [line, column] = place_in(text, fault.at);
@@ -63,6 +77,7 @@ void expect_complaint(const std::string& text, const Fault& fault) {
   EXPECT_TRUE(found) << "expected " << line << ":" << column << " " << fault.pointer << " … "
                      << fault.words << "\nfound:\n"
                      << all;
+  expect_no_follow_ups(text, all);
 }
 
 std::string library_text(std::string_view name) {
@@ -593,6 +608,51 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"AnExpectation", R"("magnitude_of": "lateral_force",)", R"("expectation": "prior",)",
               R"("prior")", "/observer/expectation", "expects \"none\""}),
     [](const auto& given) { return given.param.name; });
+
+/// Every layer finds something: a form that is wrong hides no meaning, and neither the other.
+TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
+  std::string text = test::example_selection();
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  replace(R"("kind": "selection")", R"("name": "example_selection", "kind": "staircase")");
+  replace(R"("height_field": ")", R"("height_field": "../)");
+  replace(R"("exploration": "stroking")", R"("exploration": "strokin")");
+  replace(R"({"check": "device"})", R"({"check": "devise"})");
+  const std::vector<Diagnostic> problems = problems_of(text);
+  std::vector<std::string> messages{};
+  for (const Diagnostic& problem : problems) messages.push_back(problem.message);
+  EXPECT_THAT(messages,
+              testing::ElementsAre(testing::HasSubstr("\"staircase\" is not possible here"),
+                                   testing::HasSubstr("the key 'name' stands twice"),
+                                   testing::HasSubstr("leaves the study"),
+                                   testing::HasSubstr("there is no exploration \"strokin\""),
+                                   testing::HasSubstr("\"devise\" is not possible here")));
+  EXPECT_TRUE(
+      std::is_sorted(problems.begin(), problems.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; }));
+}
+
+TEST(Problems, OfABinaryFileSayThatItIsNoText) {
+  for (const std::string& bytes : {std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
+                                   std::string("\xff\xd8\xff\xe0", 4), std::string("{  \0}", 5)}) {
+    const std::vector<Diagnostic> problems = problems_of(bytes);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_THAT(problems[0].message, testing::StartsWith("this is not a JSON text file"));
+  }
+}
+
+TEST(Problems, NameTypesInPlainEnglish) {
+  std::string text = test::example_selection();
+  const std::string title = R"("title": ")";
+  const std::size_t at = text.find(title);
+  text.replace(at, text.find('"', at + title.size()) + 1 - at, R"("title": 3)");
+  const std::vector<Diagnostic> problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message, testing::StartsWith("3 is not text in quotation marks"));
+}
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> doubts_with(const std::string& from, const std::string& to) {
