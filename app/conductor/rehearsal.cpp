@@ -584,6 +584,23 @@ std::vector<RehearsalWarning> RehearsalMemory::recall(
   return warnings_;
 }
 
+std::vector<Diagnostic> RehearsalMemory::problems_once(
+    const std::string& key, const std::function<std::vector<Diagnostic>()>& rehearse) {
+  const std::lock_guard lock(mutex_);
+  if (sound_key_ == key) return {};
+  std::vector<Diagnostic> problems = rehearse();
+  if (problems.empty()) sound_key_ = key;
+  return problems;
+}
+
+std::string content_key(const Protocol& protocol, const std::filesystem::path& study) {
+  std::string key = sha256_of(protocol.source) + '\n';
+  for (const StimulusFileRow& file : hash_files(protocol, study)) {
+    key += file.path + ' ' + file.sha256 + '\n';
+  }
+  return key;
+}
+
 std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Protocol& protocol,
                                             const DeviceProfile& profile,
                                             const std::filesystem::path& study,
@@ -591,11 +608,7 @@ std::vector<RehearsalWarning> rehearse_once(RehearsalMemory* memory, const Proto
                                             const RehearsalCourse& course) {
   const auto compare = [&] { return rehearse_on_device(protocol, profile, builder, course); };
   if (memory == nullptr) return compare();
-  std::string key = sha256_of(protocol.source) + '\n' + json_text_of(profile);
-  for (const StimulusFileRow& file : hash_files(protocol, study)) {
-    key += file.path + ' ' + file.sha256 + '\n';
-  }
-  return memory->recall(key, course.stop, compare);
+  return memory->recall(content_key(protocol, study) + json_text_of(profile), course.stop, compare);
 }
 
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "app/device_profile.h"
 #include "app/phrase.h"
 #include "device/device_trait.h"
+#include "protocols/diagnostic.h"
 #include "protocols/protocol.h"
 
 namespace asperity {
@@ -91,9 +92,10 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
 /// whatever the device could reach. Nor is the peak force, which a session's opening compares with the protocol's.
 std::vector<DeviceTrait> not_compared(const std::vector<DeviceTrait>& not_known);
 
-/// What the last comparison found, for whoever asks again while nothing of it has changed.
+/// What was found of a protocol and its files before a session, for whoever asks again while nothing of them has
+/// changed: the checklist first, then the session.
 ///
-/// Threads: any; one that asks while another compares waits for it.
+/// Threads: any; one that asks while another looks waits for it.
 class RehearsalMemory final {
  public:
   /// `compare` is called for another `key` than the last one's, and what it returns is kept unless `stop`
@@ -102,11 +104,19 @@ class RehearsalMemory final {
       const std::string& key, const std::stop_token& stop,
       const std::function<std::vector<RehearsalWarning>()>& compare);
 
+  /// `rehearse` is called for another `key` than that of the last one that had no problems. Returns its problems.
+  std::vector<Diagnostic> problems_once(const std::string& key,
+                                        const std::function<std::vector<Diagnostic>()>& rehearse);
+
  private:
   std::mutex mutex_{};
+  std::optional<std::string> sound_key_{};
   std::optional<std::string> key_{};
   std::vector<RehearsalWarning> warnings_{};
 };
+
+/// Names a protocol and the files of the study that it names, by their content. Errors: as `hash_files`.
+std::string content_key(const Protocol& protocol, const std::filesystem::path& study);
 
 /// `rehearse_on_device`, unless `memory` (null: none) holds what came of the same protocol, profile and files of the
 /// study.

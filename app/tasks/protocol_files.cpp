@@ -317,12 +317,14 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
 }
 
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
-                              StimulusBuilder& builder) {
+                              StimulusBuilder& builder, RehearsalMemory* memory) {
   Protocol protocol = load_protocol(file, builder.models(), study);
-  std::vector<Diagnostic> problems =
-      problems_of_files(protocol, found_file(file, study).string(), study, builder);
+  const std::string found = found_file(file, study).string();
+  std::vector<Diagnostic> problems = problems_of_files(protocol, found, study, builder);
+  const auto rehearsed = [&] { return rehearse(protocol, found, builder); };
   if (problems.empty()) {
-    problems = rehearse(protocol, found_file(file, study).string(), builder);
+    problems = memory == nullptr ? rehearsed()
+                                 : memory->problems_once(content_key(protocol, study), rehearsed);
   }
   if (!problems.empty()) throw ProtocolError(std::move(problems));
   return protocol;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/conductor/rehearsal.h"
 #include "app/conductor/stimulus_builder.h"
 #include "app/phrase.h"
 #include "device/device_capability.h"
@@ -33,9 +34,9 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
 ///
 /// Errors: ProtocolError with every file that is not there, not in the study (a link may lead out
 /// of it), no height field, no picture or no WAV, or else with what `rehearse` finds; otherwise as
-/// above.
+/// above. What `memory` (null: none) has found without problems is not rehearsed again.
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
-                              StimulusBuilder& builder);
+                              StimulusBuilder& builder, RehearsalMemory* memory = nullptr);
 
 /// What a session would fail at in a trial: every stimulus of two bodies is made once as in a
 /// session, and the simulated device's hand strokes where it should be until it touches it. A second

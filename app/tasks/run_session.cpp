@@ -218,7 +218,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                              "such as simulated:falcon");
   }
   StimulusBuilder builder(models, inputs.study);
-  const Protocol protocol = load_protocol_to_run(inputs.protocol, inputs.study, builder);
+  const Protocol protocol =
+      load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));

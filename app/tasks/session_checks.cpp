@@ -218,7 +218,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
   SessionCheck check{.state = State::stop};
   try {
     StimulusBuilder builder(models, inputs.study);
-    load_protocol_to_run(inputs.protocol, inputs.study, builder);
+    load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
   } catch (const ProtocolError& error) {
     for (const Diagnostic& problem : error.diagnostics()) {
       const Phrase sentence = Phrase(problem.message).as_sentence();

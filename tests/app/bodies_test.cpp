@@ -226,6 +226,35 @@ void save_wave(const std::filesystem::path& study, double width_m) {
                     {.kind = "sinusoid", .parameters = values}, Overwrite::allow);
 }
 
+// The checklist rehearses every stimulus; the session after it does not, unless something has changed.
+TEST_F(Bodies, AreRehearsedOnceForChecklistAndSession) {
+  ModelRegistry counting{};
+  int made = 0;
+  for (const ForceModel& model : models_.models()) {
+    ForceModel counted = model;
+    counted.make = [&made, make = model.make](const RendererInputs& inputs) {
+      ++made;
+      return make(inputs);
+    };
+    counting.add(counted);
+  }
+  RehearsalMemory memory{};
+  const auto load = [&](RehearsalMemory* with) {
+    StimulusBuilder builder(counting, study_);
+    made = 0;
+    load_protocol_to_run(protocol_, study_, builder, with);
+    return made;
+  };
+  EXPECT_GT(load(&memory), 0);
+  EXPECT_EQ(load(&memory), 0);
+  EXPECT_GT(load(nullptr), 0);
+  replace_in_protocol(R"("stimuli": {)", R"("stimuli": {"$comment": "another text",)");
+  EXPECT_GT(load(&memory), 0);
+  EXPECT_EQ(load(&memory), 0);
+  save_wave(study_, 0.016);
+  EXPECT_GT(load(&memory), 0) << "a file is another one";
+}
+
 // Ten whole waves are rendered as they are; of 12.5 the step at the seam counts as the texture's finest
 // waves, which no sample of a contact holds, wherever the hand is.
 TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeRight) {
