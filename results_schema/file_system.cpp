@@ -8,6 +8,7 @@
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
+#include <sstream>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -40,11 +41,11 @@ std::string process_start_utc() {
 }
 
 /// What stands in the file: "process 123 on host lab1, started 2026-03-01T09:00:00Z".
-std::string description_of_this_process() {
+/// As `holder_in_lock` reads it: a line each for the process, its host and its start.
+std::string lines_of_this_process() {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
-  return "process " + std::to_string(::getpid()) + " on host " + host.data() + ", started " +
-         process_start_utc();
+  return std::to_string(::getpid()) + '\n' + host.data() + '\n' + process_start_utc() + '\n';
 }
 
 }  // namespace
@@ -241,7 +242,7 @@ bool take_lock(int descriptor, const std::filesystem::path& path) {
     if (errno == EAGAIN || errno == EACCES) return false;
     fail_on_file(path, "locked", errno);
   }
-  const std::string text = description_of_this_process();
+  const std::string text = lines_of_this_process();
   if (::ftruncate(descriptor, 0) != 0 ||
       ::pwrite(descriptor, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
     fail_on_file(path, "written", errno);
@@ -249,12 +250,22 @@ bool take_lock(int descriptor, const std::filesystem::path& path) {
   return true;
 }
 
-std::string holder_in_lock(int descriptor) {
-  std::array<char, 512> text{};
-  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+LockHolder holder_in_lock(int descriptor) {
+  std::array<char, 512> bytes{};
+  const ssize_t length = ::pread(descriptor, bytes.data(), bytes.size(), 0);
   // Empty in the moment between taking the lock and writing into the file.
-  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length))
-                    : "another process on this machine";
+  if (length <= 0) return {.description = "another process on this machine"};
+  const std::string text(bytes.data(), static_cast<std::size_t>(length));
+  LockHolder holder{};
+  std::istringstream lines(text);
+  std::getline(lines, holder.process);
+  std::getline(lines, holder.host);
+  std::getline(lines, holder.started_utc);
+  // Until version 0.2 the file had one line, the description.
+  if (holder.started_utc.empty()) return {.description = text};
+  holder.description =
+      "process " + holder.process + " on host " + holder.host + ", started " + holder.started_utc;
+  return holder;
 }
 
 std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path) {

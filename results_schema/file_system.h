@@ -10,6 +10,8 @@
 
 namespace asperity {
 
+struct LockHolder;
+
 /// A new file that is being written. Errors: ResultsError naming the path.
 class OutputFile final {
  public:
@@ -77,8 +79,8 @@ int open_lock_file(const std::filesystem::path& path, int flags);
 /// Locks an open lock file for this process alone, and writes into it who holds it. False when another process holds
 /// it. Errors: ResultsError.
 bool take_lock(int descriptor, const std::filesystem::path& path);
-/// "process 123 on host lab1, started …", as the file of a lock that is held has it.
-std::string holder_in_lock(int descriptor);
+/// As the file of a lock that is held has it.
+LockHolder holder_in_lock(int descriptor);
 
 /// The name of a network file system by the number that statfs gives it; empty for a local one.
 std::string network_file_system_of(long type) noexcept;

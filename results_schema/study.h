@@ -244,6 +244,14 @@ class Study final {
   std::unique_ptr<Store> store_;
 };
 
+/// The process that holds a lock of a study.
+struct LockHolder {
+  std::string process{};  ///< its number; empty where only the description is known
+  std::string host{};
+  std::string started_utc{};
+  std::string description{};  ///< "process 123 on host lab1, started …"
+};
+
 /// Holds `locks/<name>.lock` in the study while it lives. Throws ResultsError naming the host and
 /// process that holds it. A lock whose process is gone is free: the kernel lets go of it.
 ///
@@ -257,10 +265,9 @@ class StudyLock final {
   StudyLock(const StudyLock&) = delete;
   StudyLock& operator=(const StudyLock&) = delete;
 
-  /// Who holds it now ("process 123 on host lab1, started …"), if anybody. Takes and writes
-  /// nothing.
-  static std::optional<std::string> holder(const std::filesystem::path& study,
-                                           const std::string& name);
+  /// Who holds it now, if anybody. Takes and writes nothing.
+  static std::optional<LockHolder> holder(const std::filesystem::path& study,
+                                          const std::string& name);
 
   /// The names of those that begin so and that somebody holds now, in order. What lies in the folder of locks and is
   /// none, by its name or because it is no file, is passed over.

@@ -47,7 +47,7 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
     give_to_group(descriptor_, path_);
     if (take_lock(descriptor_, path_)) return;
     throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
-                           holder_in_lock(descriptor_) +
+                           holder_in_lock(descriptor_).description +
                            "; wait until it has finished, or stop it there",
                        path_, EAGAIN);
   } catch (...) {
@@ -62,8 +62,8 @@ StudyLock::~StudyLock() {
   ::close(descriptor_);
 }
 
-std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
-                                             const std::string& name) {
+std::optional<LockHolder> StudyLock::holder(const std::filesystem::path& study,
+                                            const std::string& name) {
   const std::filesystem::path path = lock_path(study, name);
   const int descriptor = open_lock_file(path, O_RDONLY);
   if (descriptor < 0) {
@@ -73,11 +73,11 @@ std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
   struct flock lock = lock_of_whole_file(F_RDLCK);
   const int result = ::fcntl(descriptor, F_OFD_GETLK, &lock);
   const int error_number = errno;
-  std::string text = holder_in_lock(descriptor);
+  LockHolder held_by = holder_in_lock(descriptor);
   ::close(descriptor);
   if (result != 0) fail_on_file(path, "examined", error_number);
   if (lock.l_type == F_UNLCK) return std::nullopt;
-  return text;
+  return held_by;
 }
 
 std::vector<std::string> StudyLock::held(const std::filesystem::path& study,

@@ -70,13 +70,10 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
   return check;
 }
 
-/// Who holds a lock, as StudyLock tells it.
-Phrase holder_in_words(const std::string& holder) {
-  const Phrase process = phrase("SessionChecks", "process %1 on host %2, started %3");
-  if (const auto places = process.places_in(holder)) {
-    return process.filled({places->begin(), places->end()});
-  }
-  return holder;
+Phrase holder_text(const LockHolder& holder) {
+  if (holder.process.empty()) return holder.description;
+  return phrase("SessionChecks", "process %1 on host %2, started %3")
+      .with(holder.process, holder.host, holder.started_utc);
 }
 
 /// A label that names nobody yet, somebody who may begin, or somebody whose session goes on.
@@ -96,7 +93,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   if (const auto holder =
           StudyLock::holder(inputs.study, Study::session_lock_name(inputs.participant))) {
     check.text = phrase("SessionChecks", "A session of %1 runs in %2.")
-                     .with(inputs.participant, holder_in_words(*holder));
+                     .with(inputs.participant, holder_text(*holder));
     check.remedy = phrase("SessionChecks", "Wait until it has ended, or stop it there.");
     return check;
   }

@@ -46,20 +46,25 @@ TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {
       "process " + std::to_string(child.process()) + " on host " + host.data() + ", started 20";
   EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), "device"); }),
               HasSubstr(process));
-  EXPECT_THAT(StudyLock::holder(folder.path(), "device").value_or(""), HasSubstr(process));
+  const std::optional<LockHolder> holder = StudyLock::holder(folder.path(), "device");
+  ASSERT_TRUE(holder);
+  EXPECT_THAT(holder->description, HasSubstr(process));
+  EXPECT_EQ(holder->process, std::to_string(child.process()));
+  EXPECT_EQ(holder->host, host.data());
+  EXPECT_THAT(holder->started_utc, testing::StartsWith("20"));
 }
 
 TEST(StudyLock, OfADeadProcessIsFree) {
   const TemporaryFolder folder;
   WaitingChild child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
   child.kill();
-  EXPECT_EQ(StudyLock::holder(folder.path(), "device"), std::nullopt);
+  EXPECT_FALSE(StudyLock::holder(folder.path(), "device"));
   const StudyLock lock(folder.path(), "device");
 }
 
 TEST(StudyLock, OfNobodyHasNoHolder) {
   const TemporaryFolder folder;
-  EXPECT_EQ(StudyLock::holder(folder.path(), "device"), std::nullopt);
+  EXPECT_FALSE(StudyLock::holder(folder.path(), "device"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
