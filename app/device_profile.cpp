@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/clock.h"
 #include "app/device_remarks.h"
+#include "app/earlier_wordings.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 
@@ -66,6 +68,7 @@ nlohmann::ordered_json json_of_item(const DeviceItem& item) {
   }
   if (!item.by_axis.empty()) json["by_axis"] = item.by_axis;
   json["text"] = item.text.english();
+  json["remark"] = json_of(item.text);
   return json;
 }
 
@@ -112,7 +115,9 @@ DeviceItem item_from(const nlohmann::json& json) {
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
   item.by_axis = json.value("by_axis", std::vector<double>{});
-  item.text = read_remark(json.value("text", std::string{}));
+  const auto remark = json.find("remark");
+  item.text = remark != json.end() ? phrase_from(nlohmann::ordered_json(*remark))
+                                   : remark_of_earlier(json.value("text", std::string{}));
   return item;
 }
 

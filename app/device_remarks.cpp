@@ -2,121 +2,115 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
-#include <utility>
 #include <vector>
-
-#include "app/conductor/reason.h"
 
 namespace asperity {
 
 namespace {
 
-using RemarkWords = std::pair<DeviceRemark, Phrase>;
+struct RemarkWords {
+  DeviceRemark remark{};
+  const char* code = nullptr;
+  Phrase words{};
+};
 
 const std::vector<RemarkWords>& all_remarks() {
   static const std::vector<RemarkWords> kRemarks{
-      {DeviceRemark::took_force_away,
+      {DeviceRemark::took_force_away, "device_test_force_removed",
        phrase("DeviceTest", "the servo loop took the force away (%1)")},
-      {DeviceRemark::ran_away,
+      {DeviceRemark::ran_away, "device_test_handle_ran_away",
        phrase("DeviceTest", "the handle ran farther than %1 mm away, and the force was let go of")},
-      {DeviceRemark::along, phrase("DeviceTest", "along %1 %2")},
-      {DeviceRemark::not_measured, phrase("DeviceTest", "Not measured: %1.")},
-      {DeviceRemark::of_this_computer,
+      {DeviceRemark::along, "device_test_along_axis", phrase("DeviceTest", "along %1 %2")},
+      {DeviceRemark::not_measured, "device_test_not_measured",
+       phrase("DeviceTest", "Not measured: %1.")},
+      {DeviceRemark::of_this_computer, "device_test_simulated",
        phrase("DeviceTest", "Of a simulated device: it says something about this computer.")},
-      {DeviceRemark::nothing_felt, phrase("DeviceTest", "Nothing was felt.")},
-      {DeviceRemark::did_not_run, phrase("DeviceTest", "The loop did not run: %1")},
-      {DeviceRemark::force_of_nothing,
+      {DeviceRemark::nothing_felt, "device_test_no_surface",
+       phrase("DeviceTest", "Nothing was felt.")},
+      {DeviceRemark::did_not_run, "device_test_loop_did_not_run",
+       phrase("DeviceTest", "The loop did not run: %1")},
+      {DeviceRemark::force_of_nothing, "device_test_force_without_surface",
        phrase("DeviceTest", "The strongest force with nothing to feel.")},
-      {DeviceRemark::noise,
+      {DeviceRemark::noise, "device_test_position_noise",
        phrase("DeviceTest", "Standard deviation of the positions of the handle at rest.")},
-      {DeviceRemark::too_few_readings, phrase("DeviceTest", "there were too few readings")},
-      {DeviceRemark::no_motors, phrase("DeviceTest", "It has no motors.")},
-      {DeviceRemark::limited,
+      {DeviceRemark::too_few_readings, "device_test_too_few_readings",
+       phrase("DeviceTest", "there were too few readings")},
+      {DeviceRemark::no_motors, "device_test_no_motors", phrase("DeviceTest", "It has no motors.")},
+      {DeviceRemark::limited, "device_test_force_limit",
        phrase("DeviceTest", "Asked for %1 N at a limit of %2 N, at most %3 N was sent.")},
-      {DeviceRemark::stopped,
+      {DeviceRemark::stopped, "device_test_zero_after_stop",
        phrase("DeviceTest",
               "Stopped under a force, the device got exactly 0 N from the next tick on.")},
-      {DeviceRemark::no_number,
+      {DeviceRemark::no_number, "device_test_zero_after_not_finite",
        phrase("DeviceTest",
               "Asked for a force that is no number, the device got exactly 0 N in the same tick.")},
-      {DeviceRemark::silent, phrase("DeviceTest",
-                                    "Without a sign of life from the program the force faded to 0 "
-                                    "N (a session waits for %1 s).")},
-      {DeviceRemark::did_not_follow, phrase("DeviceTest", "the handle did not follow with %1 N")},
-      {DeviceRemark::did_not_move, phrase("DeviceTest", "the handle did not move")},
-      {DeviceRemark::sweeps_say_nothing, phrase("DeviceTest", "the sweeps say nothing")},
-      {DeviceRemark::push_did_not_move,
+      {DeviceRemark::silent, "device_test_zero_without_heartbeat",
+       phrase("DeviceTest",
+              "Without a sign of life from the program the force faded to 0 N (a session waits for "
+              "%1 s).")},
+      {DeviceRemark::did_not_follow, "device_test_did_not_follow",
+       phrase("DeviceTest", "the handle did not follow with %1 N")},
+      {DeviceRemark::did_not_move, "device_test_did_not_move",
+       phrase("DeviceTest", "the handle did not move")},
+      {DeviceRemark::sweeps_say_nothing, "device_test_sweeps_inconclusive",
+       phrase("DeviceTest", "the sweeps say nothing")},
+      {DeviceRemark::push_did_not_move, "device_test_push_did_not_move",
        phrase("DeviceTest", "a push of %1 N did not move the handle")},
-      {DeviceRemark::latency,
+      {DeviceRemark::latency, "device_test_latency",
        phrase("DeviceTest", "From a sudden force to the motion that is read.")},
-      {DeviceRemark::mass,
+      {DeviceRemark::mass, "device_test_moving_mass",
        phrase("DeviceTest",
               "Of the handle and what moves with it, from how a sudden force speeds it up.")},
-      {DeviceRemark::friction,
+      {DeviceRemark::friction, "device_test_friction",
        phrase("DeviceTest", "Coulomb friction, from slow sweeps to and fro at two speeds.")},
-      {DeviceRemark::damping, phrase("DeviceTest", "Growth of that resistance with speed.")},
-      {DeviceRemark::position_step,
+      {DeviceRemark::damping, "device_test_damping",
+       phrase("DeviceTest", "Growth of that resistance with speed.")},
+      {DeviceRemark::position_step, "device_test_position_resolution",
        phrase("DeviceTest",
               "The step of positions that would make the errors found in a slow sweep.")},
-      {DeviceRemark::resonance,
+      {DeviceRemark::resonance, "device_test_resonance",
        phrase("DeviceTest",
               "The lowest frequency at which the handle answers twice as much as its mass.")},
-      {DeviceRemark::no_resonance, phrase("DeviceTest", "there is none from %1 to %2 Hz")},
-      {DeviceRemark::stiffest,
+      {DeviceRemark::no_resonance, "device_test_no_resonance",
+       phrase("DeviceTest", "there is none from %1 to %2 Hz")},
+      {DeviceRemark::stiffest, "device_test_stiffness",
        phrase(
            "DeviceTest",
            "The stiffest spring, up to 8000 N/m, on which the handle came to rest after a kick.")},
-      {DeviceRemark::swings_at_once,
+      {DeviceRemark::swings_at_once, "device_test_unstable_at_softest",
        phrase("DeviceTest", "already a spring of 250 N/m made the handle swing")},
-      {DeviceRemark::weakest,
+      {DeviceRemark::weakest, "device_test_force_resolution",
        phrase("DeviceTest",
               "The weakest push, by steps of a factor √2, that moved the handle from rest.")},
-      {DeviceRemark::nothing_moves_it, phrase("DeviceTest", "no push up to %1 N moved the handle")},
-      {DeviceRemark::nobody_moved_it,
+      {DeviceRemark::nothing_moves_it, "device_test_no_push_moved",
+       phrase("DeviceTest", "no push up to %1 N moved the handle")},
+      {DeviceRemark::nobody_moved_it, "device_test_workspace_not_explored",
        phrase("DeviceTest", "Nobody moved the handle along the borders of its workspace.")},
-      {DeviceRemark::no_readings, phrase("DeviceTest", "There were no readings.")},
-      {DeviceRemark::share_reached,
+      {DeviceRemark::no_readings, "device_test_no_readings",
+       phrase("DeviceTest", "There were no readings.")},
+      {DeviceRemark::share_reached, "device_test_workspace_reached",
        phrase("DeviceTest", "The least share of the declared workspace that the handle reached.")},
-      {DeviceRemark::not_known,
+      {DeviceRemark::not_known, "device_test_unknown_trait",
        phrase("DeviceTest", "Not known of %1, which the simulated device stands for.")},
   };
   return kRemarks;
-}
-
-/// The reasons of up to three axes, one after the other.
-Phrase read_reasons(const std::string& stored) {
-  const std::size_t end = stored.rfind("; along ");
-  if (end == std::string::npos) return read_remark(stored);
-  return Phrase("%1; %2").with(read_reasons(stored.substr(0, end)),
-                               read_remark(stored.substr(end + 2)));
 }
 
 }  // namespace
 
 Phrase phrase_of(DeviceRemark remark) {
   const std::vector<RemarkWords>& all = all_remarks();
-  const auto found = std::find_if(
-      all.begin(), all.end(), [remark](const RemarkWords& words) { return words.first == remark; });
+  const auto found = std::find_if(all.begin(), all.end(), [remark](const RemarkWords& words) {
+    return words.remark == remark;
+  });
   assert(found != all.end());
-  return found->second;
+  return found->words.coded(found->code);
 }
 
-Phrase read_remark(const std::string& stored) {
-  for (const auto& [remark, words] : all_remarks()) {
-    const auto places = words.places_in(stored);
-    if (!places) continue;
-    std::vector<Phrase> arguments{};
-    for (const std::string& place : *places) {
-      const bool is_of_axes = remark == DeviceRemark::not_measured;
-      arguments.push_back(is_of_axes ? read_reasons(place) : read_remark(place));
-    }
-    return words.filled(std::move(arguments));
-  }
-  for (const Fault fault : kFaults) {
-    if (phrase_of(fault).english() == stored) return phrase_of(fault);
-  }
-  return stored;
+std::vector<Phrase> coded_remarks() {
+  std::vector<Phrase> all{};
+  for (const RemarkWords& words : all_remarks()) all.push_back(words.words.coded(words.code));
+  return all;
 }
 
 Phrase phrase_of(DeviceTrait trait) {

@@ -52,8 +52,8 @@ enum class DeviceRemark {
 /// Its places are filled by whoever measured.
 Phrase phrase_of(DeviceRemark remark);
 
-/// What a profile says in English, so that it can be said in another language; what is not known as it stands.
-Phrase read_remark(const std::string& stored);
+/// All of them, each with its code.
+std::vector<Phrase> coded_remarks();
 
 /// "moving mass"
 Phrase phrase_of(DeviceTrait trait);

@@ -22,6 +22,8 @@ struct EventKind {
   bool text_is_public = false;
   /// The members of the data that identify neither a person nor a machine.
   std::vector<std::string_view> public_data{};
+  /// The text is words, which are stored with their codes (app/coded_phrases.h); otherwise it is a name or a number.
+  bool text_is_words = false;
 };
 
 /// In the order in which they are documented.

@@ -1,6 +1,7 @@
 #include "app/phrase.h"
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -33,6 +34,12 @@ Phrase Phrase::filled(std::vector<Phrase> arguments) const {
   return full;
 }
 
+Phrase Phrase::coded(const char* code) const {
+  Phrase named = *this;
+  named.code_ = code;
+  return named;
+}
+
 Phrase Phrase::as_sentence() const {
   Phrase sentence = *this;
   sentence.is_sentence_ = true;
@@ -59,9 +66,8 @@ std::string Phrase::translated(const LookUp& look_up) const {
     // A label or message may have a per cent sign: it is no place where there is nothing for it.
     if (place && *place < arguments_.size()) {
       const Phrase& argument = arguments_[*place];
-      const bool is_the_same = argument.context_ == nullptr && argument.arguments_.empty();
-      text +=
-          is_the_same ? look_up(nullptr, argument.words_.c_str()) : argument.translated(look_up);
+      text += argument.is_verbatim() ? look_up(nullptr, argument.words_.c_str())
+                                     : argument.translated(look_up);
       ++i;
     } else {
       text += words[i];
@@ -72,35 +78,6 @@ std::string Phrase::translated(const LookUp& look_up) const {
     if (text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
   }
   return text;
-}
-
-std::optional<std::vector<std::string>> Phrase::places_in(const std::string& text) const {
-  std::vector<std::string> between{""};  // the words before, between and after the places
-  std::vector<std::size_t> places{};
-  for (std::size_t i = 0; i < words_.size(); ++i) {
-    if (const std::optional<std::size_t> place = place_at(words_, i)) {
-      places.push_back(*place);
-      between.emplace_back();
-      ++i;
-    } else {
-      between.back() += words_[i];
-    }
-  }
-  if (!text.starts_with(between.front())) return {};
-  std::size_t read = between.front().size();
-  std::vector<std::string> found(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::string& after = between[i + 1];
-    const bool is_last = i + 1 == places.size();
-    const std::size_t end = !is_last                ? text.find(after, read)
-                            : text.ends_with(after) ? text.size() - after.size()
-                                                    : std::string::npos;
-    if (end == std::string::npos || end < read) return {};
-    found.at(places[i]) = text.substr(read, end - read);
-    read = end + after.size();
-  }
-  if (read != text.size()) return {};
-  return found;
 }
 
 Phrase phrase_of(const std::exception& error) {

@@ -5,7 +5,6 @@
 #include <concepts>
 #include <exception>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,7 +14,7 @@ namespace asperity {
 
 /// English words with places %1 … %9 for what varies.
 ///
-/// The terminal and the store are given `english()`; a window looks up the words before the places
+/// The terminal is given `english()`; a window looks up the words before the places
 /// are filled (app/gui/look/words.h), and those of every argument likewise. The words stand in the
 /// source once, in `phrase("Context", "Words")`, from where scripts/translations takes them: both
 /// have to be literals there, with nothing after the second.
@@ -39,13 +38,17 @@ class Phrase final {
   /// with an argument that is the same in every language: that may be a name, which nobody changes.
   Phrase as_sentence() const;
 
+  /// The same with the code under which it is stored (app/coded_phrases.h), a literal.
+  Phrase coded(const char* code) const;
+  /// Null where it has none.
+  const char* code() const noexcept { return code_; }
+  const std::vector<Phrase>& arguments() const noexcept { return arguments_; }
+  /// The same in every language: no words to look up, and nothing put into them.
+  bool is_verbatim() const noexcept { return context_ == nullptr && arguments_.empty(); }
+
   bool empty() const noexcept { return words_.empty(); }
   /// Whether there are words to look up; arguments may have some too.
   bool can_be_translated() const noexcept { return context_ != nullptr; }
-  /// What stands in the places where `text` was made with these words, in English; nothing where it
-  /// was not. A place takes as little as it can.
-  std::optional<std::vector<std::string>> places_in(const std::string& text) const;
-
   std::string english() const;
   bool operator==(const Phrase& other) const { return english() == other.english(); }
   /// Gives the words that stand for `words` of `context`, UTF-8, or `words`. Without a context (null) it is an
@@ -57,6 +60,7 @@ class Phrase final {
   bool begins_with_a_name(const LookUp& look_up) const;
 
   const char* context_ = nullptr;  // a literal; null: not to be looked up
+  const char* code_ = nullptr;     // a literal; null: not stored by a code
   std::string words_{};
   std::vector<Phrase> arguments_{};
   bool is_sentence_ = false;

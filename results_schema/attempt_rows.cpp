@@ -25,31 +25,30 @@ constexpr const char* kOutcomeAsRead =
 /// What was decided about attempts, or about their session, in the order of deciding.
 void apply_decisions(Database& database, const std::string& which, std::int64_t key,
                      Attempts& attempts) {
-  Statement statement(
-      database,
-      "SELECT attempt.id, verdict, reason, decision.trial IS NULL FROM attempt JOIN decision "
-      "ON decision.session_id = attempt.session_id AND (decision.trial IS NULL OR "
-      "(decision.trial = attempt.trial AND decision.attempt = attempt.attempt)) "
-      "WHERE attempt.id IN (SELECT id FROM attempt WHERE " +
-          which + ") ORDER BY decision.trial IS NULL, decision.id");
+  Statement statement(database,
+                      "SELECT attempt.id, verdict, reason, reason_json, decision.trial IS NULL "
+                      "FROM attempt JOIN decision "
+                      "ON decision.session_id = attempt.session_id AND (decision.trial IS NULL OR "
+                      "(decision.trial = attempt.trial AND decision.attempt = attempt.attempt)) "
+                      "WHERE attempt.id IN (SELECT id FROM attempt WHERE " +
+                          which + ") ORDER BY decision.trial IS NULL, decision.id");
   statement.bind(key);
-  std::map<std::int64_t, std::optional<std::string>> of_session;
+  std::map<std::int64_t, std::optional<StoredWords>> of_session;
   while (statement.step()) {
     std::int64_t id = 0;
     std::string verdict;
-    std::string reason;
+    StoredWords reason;
     bool is_of_session = false;
     statement.read(id, verdict, reason, is_of_session);
     AttemptRow& row = attempts.of(id);
     switch (enum_of(verdict, kVerdicts, "decision.verdict")) {
       case Verdict::set_aside:
         row.valid = false;
-        row.invalid_reason =
-            (row.invalid_reason ? *row.invalid_reason + "; " : "") + "set aside: " + reason;
+        row.invalid_reason = joined(row.invalid_reason, set_aside_because(reason));
         break;
       case Verdict::flag:
         row.flagged = true;
-        row.flag_reason = row.flag_reason ? *row.flag_reason + "; " + reason : reason;
+        row.flag_reason = joined(row.flag_reason, reason);
         break;
       case Verdict::exclude:
         (is_of_session ? of_session[id] : row.excluded) = reason;
@@ -83,8 +82,8 @@ Attempts read_bare_attempts(Database& database, const std::string& which, std::i
   Attempts attempts;
   Statement statement(database,
                       std::string("SELECT id, trial, attempt, segment, ") + kOutcomeAsRead +
-                          ", valid, invalid_reason, flagged, flag_reason, onset_ns, offset_ns "
-                          "FROM attempt WHERE " +
+                          ", valid, invalid_reason, invalid_reason_json, flagged, flag_reason, "
+                          "flag_reason_json, onset_ns, offset_ns FROM attempt WHERE " +
                           which + " ORDER BY id");
   statement.bind(key);
   while (statement.step()) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "results_schema/stored_words.h"
+
 namespace asperity {
 
 /// A person, or a virtual one (marked so for ever).
@@ -71,7 +73,7 @@ struct SessionRow {
   std::optional<std::string> consent_utc{};
   std::string observer_json = "null";     ///< of a virtual participant
   bool mirrored = false;                  ///< left-handed layout: x of the workspace is negated
-  std::optional<std::string> excluded{};  ///< why analyses leave the session out, if they do
+  std::optional<StoredWords> excluded{};  ///< why analyses leave the session out, if they do
   bool withdrawn = false;                 ///< as read: see ParticipantRow::withdrawn
   std::vector<StimulusFileRow> files{};
 };
@@ -180,6 +182,9 @@ struct EventRow {
   std::string kind{};
   std::string text{};
   std::string data_json = "null";
+  /// Of a text in words: as StoredWords::json. Empty of names and data, and of words from before schema version 7.
+  std::string text_json{};
+  StoredWords words() const { return {text, text_json}; }
 };
 
 enum class AttemptOutcome {
@@ -206,12 +211,12 @@ struct AttemptRow {
   int segment = 0;  ///< which uninterrupted stretch of the session
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;  ///< as read: and not set aside
-  std::optional<std::string> invalid_reason{};
+  std::optional<StoredWords> invalid_reason{};
   /// As read: why analyses leave it out although it is valid, if they do (it or its session was
   /// excluded).
-  std::optional<std::string> excluded{};
+  std::optional<StoredWords> excluded{};
   bool flagged = false;
-  std::optional<std::string> flag_reason{};
+  std::optional<StoredWords> flag_reason{};
   std::int64_t onset_ns = 0;
   std::int64_t offset_ns = 0;
   std::vector<PresentationRow> presentations{};
@@ -234,7 +239,7 @@ struct DecisionRow {
   std::optional<int> trial{};  ///< both absent: about the whole session
   std::optional<int> attempt{};
   Verdict verdict = Verdict::exclude;
-  std::string reason{};
+  StoredWords reason{};
   std::string decided_by{};   ///< may be empty
   std::string decided_utc{};  ///< empty: now
 };

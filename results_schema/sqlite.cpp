@@ -171,6 +171,31 @@ void Statement::read_next(double& value) noexcept {
   value = sqlite3_column_double(handle_, column_++);
 }
 
+void Statement::bind_next(const std::optional<StoredWords>& words) {
+  if (!words) {
+    bind_next(std::nullopt);
+    bind_next(std::nullopt);
+    return;
+  }
+  bind_next(words->text);
+  bind_next(words->json.empty() ? std::nullopt : std::optional(words->json));
+}
+
+void Statement::read_next(std::optional<StoredWords>& words) {
+  std::optional<std::string> text;
+  std::optional<std::string> json;
+  read_next(text);
+  read_next(json);
+  words.reset();
+  if (text) words.emplace(*std::move(text), json.value_or(""));
+}
+
+void Statement::read_next(StoredWords& words) {
+  std::optional<StoredWords> read;
+  read_next(read);
+  words = read.value_or(StoredWords{});
+}
+
 void Statement::read_next(std::string& value) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column_));
   const int bytes = sqlite3_column_bytes(handle_, column_++);

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "results_schema/stored_words.h"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
@@ -85,6 +87,9 @@ class Statement final {
   void bind_next(const std::string& value);
   void bind_next(const char* value) { bind_next(std::string(value)); }
   void bind_next(std::nullopt_t);
+  /// The text and the codes: two columns.
+  void bind_next(const std::optional<StoredWords>& words);
+  void bind_next(const StoredWords& words) { bind_next(std::optional<StoredWords>(words)); }
   template <typename Value>
   void bind_next(const std::optional<Value>& value) {
     if (value) {
@@ -100,6 +105,8 @@ class Statement final {
   void read_next(bool& value) noexcept;
   void read_next(double& value) noexcept;
   void read_next(std::string& value);
+  void read_next(std::optional<StoredWords>& words);
+  void read_next(StoredWords& words);
   template <typename Value>
   void read_next(std::optional<Value>& value) {
     if (is_null()) {

@@ -79,7 +79,7 @@ struct StudyWords {
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 6;
+  static constexpr int kSchemaVersion = 7;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
@@ -193,7 +193,7 @@ class Study final {
   std::vector<DecisionRow> decisions(std::int64_t session_id) const;  ///< in the order of deciding
   /// The attempt no longer counts, for ever, so that its trial can be asked again: the verdict
   /// `set_aside`, decided now by the experimenter.
-  void set_aside(std::int64_t session_id, int trial, int attempt, const std::string& reason);
+  void set_aside(std::int64_t session_id, int trial, int attempt, const StoredWords& reason);
 
   /// Answers to questions that belong to a session rather than a trial.
   void add_session_answer(std::int64_t session_id, const ResponseRow& answer);

@@ -72,10 +72,12 @@ void insert_compliance(Database& database, std::int64_t attempt_id,
 void insert_events(Database& database, std::int64_t session_id, std::int64_t attempt_id,
                    const std::vector<EventRow>& rows) {
   Statement statement(database,
-                      "INSERT INTO event (session_id, attempt_id, time_ns, kind, text, data_json) "
-                      "VALUES (?, ?, ?, ?, ?, ?)");
+                      "INSERT INTO event (session_id, attempt_id, time_ns, kind, text, data_json, "
+                      "text_json) VALUES (?, ?, ?, ?, ?, ?, nullif(?, ''))");
   for (const EventRow& row : rows) {
-    statement.bind(session_id, attempt_id, row.time_ns, row.kind, row.text, row.data_json).run();
+    statement
+        .bind(session_id, attempt_id, row.time_ns, row.kind, row.text, row.data_json, row.text_json)
+        .run();
   }
 }
 
@@ -183,14 +185,15 @@ void read_recordings(Database& database, const std::string& which, std::int64_t 
 
 void read_events(Database& database, const std::string& which, std::int64_t key,
                  Attempts& attempts) {
-  Statement statement(
-      database, "SELECT attempt_id, time_ns, kind, text, data_json FROM event WHERE " + which +
-                    " ORDER BY id");
+  Statement statement(database,
+                      "SELECT attempt_id, time_ns, kind, text, data_json, coalesce(text_json, '') "
+                      "FROM event WHERE " +
+                          which + " ORDER BY id");
   statement.bind(key);
   while (statement.step()) {
     std::int64_t id = 0;
     EventRow row;
-    statement.read(id, row.time_ns, row.kind, row.text, row.data_json);
+    statement.read(id, row.time_ns, row.kind, row.text, row.data_json, row.text_json);
     attempts.of(id).events.push_back(std::move(row));
   }
 }
@@ -217,8 +220,8 @@ std::int64_t Study::add_attempt(std::int64_t session_id, const AttemptRow& attem
   Transaction transaction(database);
   Statement(database,
             "INSERT INTO attempt (session_id, trial, attempt, segment, outcome, valid, "
-            "invalid_reason, flagged, flag_reason, onset_ns, offset_ns) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+            "invalid_reason, invalid_reason_json, flagged, flag_reason, flag_reason_json, "
+            "onset_ns, offset_ns) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(session_id, attempt.trial, attempt.attempt, attempt.segment,
             text_of(attempt.outcome == AttemptOutcome::emergency_stop ? AttemptOutcome::device_fault
                                                                       : attempt.outcome),

@@ -7,8 +7,8 @@
 namespace asperity {
 void Study::add_decision(std::int64_t session_id, const DecisionRow& decision) {
   Statement(store_->writable(),
-            "INSERT INTO decision (session_id, trial, attempt, verdict, reason, decided_by, "
-            "decided_utc) VALUES (?, ?, ?, ?, ?, ?, "
+            "INSERT INTO decision (session_id, trial, attempt, verdict, reason, reason_json, "
+            "decided_by, decided_utc) VALUES (?, ?, ?, ?, ?, ?, ?, "
             "coalesce(nullif(?, ''), strftime('%Y-%m-%dT%H:%M:%fZ', 'now')))")
       .bind(session_id, decision.trial, decision.attempt, text_of(decision.verdict),
             decision.reason, decision.decided_by, decision.decided_utc)
@@ -17,9 +17,10 @@ void Study::add_decision(std::int64_t session_id, const DecisionRow& decision) {
 
 std::vector<DecisionRow> Study::decisions(std::int64_t session_id) const {
   return store_->read([session_id](Database& database) {
-    Statement statement(database,
-                        "SELECT trial, attempt, verdict, reason, decided_by, decided_utc "
-                        "FROM decision WHERE session_id = ? ORDER BY id");
+    Statement statement(
+        database,
+        "SELECT trial, attempt, verdict, reason, reason_json, decided_by, decided_utc "
+        "FROM decision WHERE session_id = ? ORDER BY id");
     statement.bind(session_id);
     std::vector<DecisionRow> rows;
     while (statement.step()) {
@@ -32,7 +33,7 @@ std::vector<DecisionRow> Study::decisions(std::int64_t session_id) const {
   });
 }
 
-void Study::set_aside(std::int64_t session_id, int trial, int attempt, const std::string& reason) {
+void Study::set_aside(std::int64_t session_id, int trial, int attempt, const StoredWords& reason) {
   add_decision(session_id, {.trial = trial,
                             .attempt = attempt,
                             .verdict = Verdict::set_aside,

@@ -144,9 +144,11 @@ constexpr const char* kSelectSessions =
     "generator, counterbalance_row, program_version, program_commit, program_build, "
     "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
     "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, mirrored, "
-    "(SELECT iif(verdict = 'exclude', reason, NULL) FROM decision WHERE session_id = session.id "
-    "AND trial IS NULL ORDER BY decision.id DESC LIMIT 1), participant.withdrawn "
-    "FROM session JOIN participant ON participant.id = session.participant_id ";
+    "iif(latest.verdict = 'exclude', latest.reason, NULL), latest.reason_json, "
+    "participant.withdrawn "
+    "FROM session JOIN participant ON participant.id = session.participant_id "
+    "LEFT JOIN decision AS latest ON latest.id = (SELECT max(id) FROM decision WHERE session_id = "
+    "session.id AND trial IS NULL) ";
 
 void read_session(Statement& statement, SessionRow& row) {
   std::string mode;
@@ -384,21 +386,22 @@ std::vector<ResponseRow> Study::session_answers(std::int64_t session_id) const {
 
 void Study::add_event(std::int64_t session_id, const EventRow& event) {
   Statement(store_->writable(),
-            "INSERT INTO event (session_id, time_ns, kind, text, data_json) VALUES (?, ?, ?, ?, ?)")
-      .bind(session_id, event.time_ns, event.kind, event.text, event.data_json)
+            "INSERT INTO event (session_id, time_ns, kind, text, data_json, text_json) "
+            "VALUES (?, ?, ?, ?, ?, nullif(?, ''))")
+      .bind(session_id, event.time_ns, event.kind, event.text, event.data_json, event.text_json)
       .run();
 }
 
 std::vector<EventRow> Study::events(std::int64_t session_id) const {
   return store_->read([session_id](Database& database) {
     Statement statement(database,
-                        "SELECT time_ns, kind, text, data_json FROM event "
+                        "SELECT time_ns, kind, text, data_json, coalesce(text_json, '') FROM event "
                         "WHERE session_id = ? AND attempt_id IS NULL ORDER BY time_ns, id");
     statement.bind(session_id);
     std::vector<EventRow> rows;
     while (statement.step()) {
       EventRow& row = rows.emplace_back();
-      statement.read(row.time_ns, row.kind, row.text, row.data_json);
+      statement.read(row.time_ns, row.kind, row.text, row.data_json, row.text_json);
     }
     return rows;
   });

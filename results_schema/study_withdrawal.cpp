@@ -21,16 +21,16 @@ constexpr std::array kReasons{WithdrawalReason::consent_withdrawn, WithdrawalRea
                               WithdrawalReason::other};
 
 /// Of the decisions that leave the sessions of a participant out.
-const char* reason_of_exclusion(WithdrawalReason reason) {
+StoredWords reason_of_exclusion(WithdrawalReason reason) {
   switch (reason) {
     case WithdrawalReason::consent_withdrawn:
-      return "The participant withdrew consent";
+      return {"The participant withdrew consent", R"({"code":"consent_withdrawn"})"};
     case WithdrawalReason::not_eligible:
-      return "The participant was not eligible";
+      return {"The participant was not eligible", R"({"code":"not_eligible"})"};
     case WithdrawalReason::other:
       break;
   }
-  return "The participant was withdrawn";
+  return {"The participant was withdrawn", R"({"code":"withdrawn"})"};
 }
 
 [[noreturn]] void refuse_withdrawal(const std::filesystem::path& folder, const std::string& why,
@@ -76,11 +76,12 @@ void insert_withdrawal(Database& database, WithdrawalRow& row) {
 /// Each session gets the decision that leaves it out, so that whoever reads decisions needs no rule of its own.
 void exclude_sessions(Database& database, const std::string& label,
                       const WithdrawalRow& withdrawal) {
-  Statement(database,
-            "INSERT INTO decision (session_id, verdict, reason, decided_by, decided_utc) "
-            "SELECT session.id, 'exclude', ?2, ?3, strftime('%Y-%m-%dT%H:%M:%fZ', 'now') "
-            "FROM session JOIN participant ON participant.id = session.participant_id "
-            "WHERE label = ?1 ORDER BY session.id")
+  Statement(
+      database,
+      "INSERT INTO decision (session_id, verdict, reason, reason_json, decided_by, decided_utc) "
+      "SELECT session.id, 'exclude', ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%fZ', 'now') "
+      "FROM session JOIN participant ON participant.id = session.participant_id "
+      "WHERE label = ?1 ORDER BY session.id")
       .bind(label, reason_of_exclusion(withdrawal.reason), withdrawal.decided_by)
       .run();
 }

@@ -133,7 +133,7 @@ void add_run(CLI::App& program, Job& job) {
                        .experimenter_is_there = person.has_value(),
                        .tell = [](const std::string& line) { say("asperity: " + line); }});
       if (end.state != SessionState::completed) {
-        say("asperity: the session stopped: " + end.reason +
+        say("asperity: the session stopped: " + end.reason.english() +
             (end.as_the_protocol_says ? ""
                                       : "; every finished trial is stored, go on with the same "
                                         "command and --resume"));

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/clock.h"
 #include "app/conductor/reason.h"
 #include "app/conductor/trial_attempt.h"
@@ -54,11 +55,11 @@ SessionEnd Conductor::run(OpenSession session) {
     begin();
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
-    stop(is_fault(interruption.outcome) ? fault_sentence(interruption, {}) + "; " +
-                                              phrase_of(Reason::every_trial_stored).english()
+    stop(is_fault(interruption.outcome) ? with_semicolon(fault_sentence(interruption, {}),
+                                                         phrase_of(Reason::every_trial_stored))
                                         : interruption.reason);
   } catch (const RespondentGone& gone) {
-    stop(gone.what());
+    stop(gone.said());
   } catch (const std::exception& error) {
     end_after(error);
     throw;
@@ -108,7 +109,7 @@ SessionFacts Conductor::facts_of_session() const {
   if (!session_.resumed) return facts;
   facts.earlier_s = study_.session_counts(session_.row.id).running_s;
   for (EventRow& event : events_in_order(study_.events(session_.row.id), session_.attempts)) {
-    if (event.kind == "note") facts.earlier_notes.push_back(std::move(event.text));
+    if (event.kind == "note") facts.earlier_notes.push_back(phrase_of(event));
   }
   return facts;
 }
@@ -145,9 +146,9 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
                      end.state == SessionState::completed ? "completed" : "stopped");
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   if (end.state != SessionState::completed && !end.as_the_protocol_says) {
-    publish_trouble(phrase("Troubles", "%1 Every finished trial is stored.")
-                        .with(read_reason(end.reason).as_sentence()),
-                    SessionTrouble::Remedy::try_again);
+    publish_trouble(
+        phrase("Troubles", "%1 Every finished trial is stored.").with(end.reason.as_sentence()),
+        SessionTrouble::Remedy::try_again);
   }
   course_.play(Cue::finished);
   course_.show({.kind = ParticipantScene::Kind::ended});
@@ -172,7 +173,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
     course_.publish(SessionPhase::ended);
     course_.take_attempt_events();  // of an attempt that has no row to hang on
     course_.store_remarks();
-    course_.event("session_failed", error.what());
+    course_.event("session_failed", phrase_of(error));
     study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
     study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
   } catch (const std::exception&) {
@@ -180,7 +181,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
   }
 }
 
-void Conductor::stop(const std::string& reason) {
+void Conductor::stop(const Phrase& reason) {
   stopped_ = SessionEnd{.state = SessionState::stopped, .reason = reason};
 }
 
@@ -203,12 +204,12 @@ void Conductor::run_steps() {
     step_ = i;
     // A stop that was asked for while something was read or answered: there is no trial to wait for.
     if (requests_.take_stop(StopAfter::trial)) {
-      stop(phrase_of(Reason::as_asked).english());
+      stop(phrase_of(Reason::as_asked));
       break;
     }
     // Asked for between two blocks, the block that it means is over.
     if (block_ == 0 && !tally_->attempts().empty() && requests_.take_stop(StopAfter::block)) {
-      stop(phrase_of(Reason::as_asked_after_block).english());
+      stop(phrase_of(Reason::as_asked_after_block));
       break;
     }
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
@@ -400,14 +401,13 @@ void Conductor::finish_block(int block_ordinal) {
   if (block.until && tally_->criterion_of(*of_block) != BlockState::criterion_met) {
     course_.event("criterion_not_met", of_block->block);
     if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
-      stopped_ =
-          SessionEnd{.state = SessionState::stopped,
-                     .reason = phrase_of(Reason::criterion_not_met).with(of_block->block).english(),
-                     .as_the_protocol_says = true};
+      stopped_ = SessionEnd{.state = SessionState::stopped,
+                            .reason = phrase_of(Reason::criterion_not_met).with(of_block->block),
+                            .as_the_protocol_says = true};
     }
   }
   if (!stopped_ && requests_.take_stop(StopAfter::block)) {
-    stop(phrase_of(Reason::as_asked_after_block).english());
+    stop(phrase_of(Reason::as_asked_after_block));
   }
 }
 
@@ -439,7 +439,7 @@ void Conductor::run_trial(const Trial& trial) {
       continue;
     }
     if (attempt.outcome == AttemptOutcome::aborted) {
-      stop(attempt.invalid_reason.value_or(phrase_of(Reason::aborted).english()));
+      stop(attempt.invalid_reason ? phrase_of(attempt.invalid_reason) : phrase_of(Reason::aborted));
       return;
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
@@ -447,14 +447,13 @@ void Conductor::run_trial(const Trial& trial) {
       if (++failures < kTechnicalRepeats) continue;
       stop(phrase_of(Reason::failed_repeatedly)
                .with(std::to_string(trial.ordinal), std::to_string(failures),
-                     attempt.invalid_reason.value_or(""))
-               .english());
+                     phrase_of(attempt.invalid_reason)));
       return;
     }
     if (waits_for_others(trial, attempt)) break;  // finish_block asks again
   }
   if (requests_.take_stop(StopAfter::trial)) {
-    stop(phrase_of(Reason::as_asked_after_trial).english());
+    stop(phrase_of(Reason::as_asked_after_trial));
   }
 }
 
@@ -500,7 +499,8 @@ void Conductor::tell_of_repetition(const Trial& trial) const {
   if (last == made.rend()) return;
   settings_.links.tell(
       "Trial " + std::to_string(trial.ordinal) + " is repeated: " +
-      read_reason(last->invalid_reason.value_or(text_of(last->outcome))).english() + '.');
+      (last->invalid_reason ? phrase_of(last->invalid_reason).english() : text_of(last->outcome)) +
+      '.');
 }
 
 bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {

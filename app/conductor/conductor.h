@@ -43,7 +43,7 @@ struct ConductorSettings {
 /// How a session ended.
 struct SessionEnd {
   SessionState state = SessionState::completed;
-  std::string reason{};  ///< a sentence, where the session was stopped
+  Phrase reason{};  ///< where the session was stopped
   /// Stopped by a rule of the protocol (a criterion), not by a person or a fault.
   bool as_the_protocol_says = false;
   int attempts = 0;         ///< made now
@@ -85,7 +85,7 @@ class Conductor final {
   void note_guidance();
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
-  void stop(const std::string& reason);
+  void stop(const Phrase& reason);
 
   void run_steps();
   void lead_back(std::size_t first);
@@ -113,14 +113,14 @@ class Conductor final {
   void hold(Next next);
   void pause_without_noise();
   void repeat_as_asked();
-  void repeat_last(const std::string& reason);
+  void repeat_last(const Phrase& reason);
   void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);
   void check_device();
   Phrase device_problem(const Wait& waiting);
   /// False when the session is to end; it then has its reason.
-  bool wait_out_fault(std::string what);
-  std::optional<std::string> trouble_after_standstill();
+  bool wait_out_fault(Phrase what);
+  std::optional<Phrase> trouble_after_standstill();
   void forget_surface();
 
   void publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/conductor.h"
 #include "app/conductor/reason.h"
 
@@ -29,7 +30,7 @@ SessionPhase after_fault(SessionPhase before) {
 
 void Conductor::repeat_as_asked() {
   while (!stopped_) {
-    const std::optional<std::string> reason = requests_.take_repeat();
+    const std::optional<Phrase> reason = requests_.take_repeat();
     if (!reason) return;
     repeat_last(*reason);
   }
@@ -40,22 +41,22 @@ bool Conductor::between_steps(Next next) {
     course_.store_remarks();
     hold(next);
     if (stopped_) return repeated;
-    const std::optional<std::string> reason = requests_.take_repeat();
+    const std::optional<Phrase> reason = requests_.take_repeat();
     if (!reason) return repeated;
     repeat_last(*reason);
   }
 }
 
-void Conductor::repeat_last(const std::string& reason) {
+void Conductor::repeat_last(const Phrase& reason) {
   const AttemptRow* last = tally_->last_done();
   if (last == nullptr) {
-    course_.event("repeat_refused", "no trial has been answered or skipped yet");
+    course_.event("repeat_refused", phrase_of(Reason::nothing_to_repeat));
     return;
   }
   const int trial = last->trial;
   const int attempt = last->attempt;
-  study_.set_aside(session_.row.id, trial, attempt, reason);
-  tally_->set_aside(trial, attempt, reason);
+  study_.set_aside(session_.row.id, trial, attempt, stored(reason));
+  tally_->set_aside(trial, attempt, stored(reason));
   course_.event("trial_repeated", reason,
                 nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
   progress_->set_aside(*last);
@@ -98,7 +99,7 @@ void Conductor::hold(Next next) {
     }
     paused = true;
     if (requests_.take_stop(StopAfter::trial)) {
-      stop(phrase_of(Reason::as_asked).english());
+      stop(phrase_of(Reason::as_asked));
       return;
     }
     course_.pass_slice();
@@ -131,8 +132,7 @@ void Conductor::pause_without_noise() {
 void Conductor::check_device() {
   const Phrase problem = device_problem([this](double duration_s) { course_.wait(duration_s); });
   if (!problem.empty()) {
-    throw Interruption{AttemptOutcome::device_fault,
-                       phrase_of(Reason::not_ready).with(problem).english()};
+    throw Interruption{AttemptOutcome::device_fault, phrase_of(Reason::not_ready).with(problem)};
   }
 }
 
@@ -161,15 +161,14 @@ bool Conductor::outlives(const Interruption& interruption) {
 
 /// A standstill is over when the loop sees it, and nobody has to do anything: the fault is lifted and the device checked.
 /// Nothing when that is done, and otherwise the sentence of what is wrong now.
-std::optional<std::string> Conductor::trouble_after_standstill() {
+std::optional<Phrase> Conductor::trouble_after_standstill() {
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
   const Fault fault = rig_.loop().status().fault;
   if (fault != Fault::none) return fault_sentence(interruption_by(fault), {});
   if (!problem.empty()) {
     return phrase_of(Reason::failed_between_trials)
-        .with(phrase_of(Reason::not_ready).with(problem))
-        .english();
+        .with(phrase_of(Reason::not_ready).with(problem));
   }
   forget_surface();
   course_.event("fault_cleared", "");
@@ -187,14 +186,14 @@ void Conductor::forget_surface() {
   }
 }
 
-bool Conductor::wait_out_fault(std::string what) {
+bool Conductor::wait_out_fault(Phrase what) {
   if (rig_.loop().status().fault == Fault::standstill) {
     course_.event("fault", name_of(Fault::standstill));
     if (++standstills_ == kMostStandstills) {
-      stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)).english());
+      stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)));
       return false;
     }
-    std::optional<std::string> trouble = trouble_after_standstill();
+    std::optional<Phrase> trouble = trouble_after_standstill();
     if (!trouble) return true;
     what = *std::move(trouble);
   }
@@ -212,7 +211,7 @@ bool Conductor::wait_out_fault(std::string what) {
     const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
     return (by_hand ? phrase("Troubles", "%1 The force is zero until the stop is cleared.")
                     : phrase("Troubles", "%1 The force is zero until the fault is cleared."))
-        .with(read_reason(what).as_sentence());
+        .with(what.as_sentence());
   };
   const auto tell = [this](const Phrase& sentence) {
     publish_trouble(sentence, SessionTrouble::Remedy::clear_fault);

@@ -1,126 +1,99 @@
+// The words of reasons, faults and measures, with their codes.
+
 #include "app/conductor/reason.h"
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace asperity {
 
 namespace {
 
-using ReasonWords = std::pair<Reason, Phrase>;
+struct ReasonWords {
+  Reason reason{};
+  const char* code = nullptr;
+  Phrase words{};
+};
 
 const std::vector<ReasonWords>& all_reasons() {
   static const std::vector<ReasonWords> kReasons{
-      {Reason::as_asked, phrase("Reasons", "as asked")},
-      {Reason::as_asked_after_trial, phrase("Reasons", "as asked, after the trial")},
-      {Reason::as_asked_after_block, phrase("Reasons", "as asked, after the block")},
-      {Reason::stopped_as_asked, phrase("Reasons", "stopped as asked")},
-      {Reason::terminal_closed, phrase("Reasons", "the terminal was closed")},
-      {Reason::window_closed, phrase("Reasons", "the window was closed")},
-      {Reason::session_window_closed, phrase("Reasons", "the session window was closed")},
-      {Reason::stopped_in_trial, phrase("Reasons", "the emergency stop was pressed in trial %1")},
-      {Reason::stopped_between_trials,
+      {Reason::as_asked, "stop_requested", phrase("Reasons", "as asked")},
+      {Reason::as_asked_after_trial, "stop_requested_after_trial",
+       phrase("Reasons", "as asked, after the trial")},
+      {Reason::as_asked_after_block, "stop_requested_after_block",
+       phrase("Reasons", "as asked, after the block")},
+      {Reason::stopped_as_asked, "stopped_before_session", phrase("Reasons", "stopped as asked")},
+      {Reason::terminal_closed, "terminal_closed", phrase("Reasons", "the terminal was closed")},
+      {Reason::window_closed, "window_closed", phrase("Reasons", "the window was closed")},
+      {Reason::session_window_closed, "session_window_closed",
+       phrase("Reasons", "the session window was closed")},
+      {Reason::stopped_in_trial, "emergency_stop_in_trial",
+       phrase("Reasons", "the emergency stop was pressed in trial %1")},
+      {Reason::stopped_between_trials, "emergency_stop_between_trials",
        phrase("Reasons", "the emergency stop was pressed between trials")},
-      {Reason::failed_in_trial, phrase("Reasons", "the device failed in trial %1: %2")},
-      {Reason::failed_between_trials, phrase("Reasons", "the device failed between trials: %1")},
-      {Reason::every_trial_stored,
+      {Reason::failed_in_trial, "device_failed_in_trial",
+       phrase("Reasons", "the device failed in trial %1: %2")},
+      {Reason::failed_between_trials, "device_failed_between_trials",
+       phrase("Reasons", "the device failed between trials: %1")},
+      {Reason::every_trial_stored, "finished_trials_stored",
        phrase("Reasons", "every finished trial is stored, go on with --resume")},
-      {Reason::failed_repeatedly, phrase("Reasons", "trial %1 failed %2 times in a row (%3)")},
-      {Reason::criterion_not_met,
+      {Reason::failed_repeatedly, "trial_failed_repeatedly",
+       phrase("Reasons", "trial %1 failed %2 times in a row (%3)")},
+      {Reason::criterion_not_met, "criterion_not_met",
        phrase("Reasons", "the criterion of the block \"%1\" was not met")},
-      {Reason::stood_still,
-       phrase(
-           "Reasons",
-           "the servo loop stood still for more than 50 ms, %1 times: the computer was suspended, "
-           "the program was stopped, or other programs kept it from running")},
-      {Reason::aborted, phrase("Reasons", "aborted")},
-      {Reason::emergency_stop, phrase("Reasons", "the emergency stop was pressed")},
-      {Reason::noise_stopped, phrase("Reasons", "the masking noise stopped")},
-      {Reason::no_noise, phrase("Reasons", "the masking noise could not begin")},
-      {Reason::missed_in_contact,
+      {Reason::stood_still, "servo_loop_standstills",
+       phrase("Reasons",
+              "the servo loop stood still for more than 50 ms, %1 times: the computer was "
+              "suspended, the program was stopped, or other programs kept it from running")},
+      {Reason::aborted, "aborted", phrase("Reasons", "aborted")},
+      {Reason::emergency_stop, "emergency_stop_pressed",
+       phrase("Reasons", "the emergency stop was pressed")},
+      {Reason::noise_stopped, "masking_noise_stopped",
+       phrase("Reasons", "the masking noise stopped")},
+      {Reason::no_noise, "masking_noise_not_started",
+       phrase("Reasons", "the masking noise could not begin")},
+      {Reason::missed_in_contact, "deadlines_missed_in_contact",
        phrase("Reasons", "deadlines missed in contact: %1, at most %2 allowed")},
-      {Reason::missed_deadlines, phrase("Reasons", "%1 missed deadlines, at most %2 allowed")},
-      {Reason::lost_records, phrase("Reasons", "%1 lost records, at most %2 allowed")},
-      {Reason::force_limited, phrase("Reasons", "force limited in %1 ticks")},
-      {Reason::not_explored_as_asked, phrase("Reasons", "not explored as asked: %1")},
-      {Reason::not_touched, phrase("Reasons", "surface %1 was not touched")},
-      {Reason::set_aside, phrase("Reasons", "set aside: %1")},
-      {Reason::not_ready, phrase("Reasons", "the device is not ready: %1")},
-      {Reason::does_not_tick, phrase("Reasons", "it does not tick")},
-      {Reason::does_not_answer, phrase("Reasons", "it does not answer")},
-      {Reason::sends_force, phrase("Reasons", "it is sent a force although there is no surface")},
+      {Reason::missed_deadlines, "deadlines_missed",
+       phrase("Reasons", "%1 missed deadlines, at most %2 allowed")},
+      {Reason::lost_records, "records_lost",
+       phrase("Reasons", "%1 lost records, at most %2 allowed")},
+      {Reason::force_limited, "force_limited", phrase("Reasons", "force limited in %1 ticks")},
+      {Reason::not_explored_as_asked, "exploration_not_compliant",
+       phrase("Reasons", "not explored as asked: %1")},
+      {Reason::not_touched, "surface_not_touched", phrase("Reasons", "surface %1 was not touched")},
+      {Reason::set_aside, "trial_repeated", phrase("Reasons", "set aside: %1")},
+      {Reason::not_ready, "device_not_ready", phrase("Reasons", "the device is not ready: %1")},
+      {Reason::does_not_tick, "device_does_not_tick", phrase("Reasons", "it does not tick")},
+      {Reason::does_not_answer, "device_does_not_answer", phrase("Reasons", "it does not answer")},
+      {Reason::sends_force, "force_without_surface",
+       phrase("Reasons", "it is sent a force although there is no surface")},
+      {Reason::none_given, "no_reason_given", phrase("Reasons", "no reason was given")},
+      {Reason::nothing_to_repeat, "nothing_to_repeat",
+       phrase("Reasons", "no trial has been answered or skipped yet")},
+      {Reason::agreement_witnessed, "agreement_witnessed",
+       phrase("Reasons", "agreement seen by %1")},
   };
   return kReasons;
 }
 
-Phrase measure_of_surface() { return phrase("Reasons", "%1 of surface %2"); }
-
-/// Named as ComplianceRow does.
-Phrase read_quantity(const std::string& name) {
-  if (name == "normal_force_N") return phrase("Reasons", "normal force");
-  if (name == "speed_m_per_s") return phrase("Reasons", "speed");
-  if (name == "contact_s") return phrase("Reasons", "time in contact");
-  if (name == "strokes") return phrase("Reasons", "strokes");
-  if (name == "stroke_length_m") return phrase("Reasons", "stroke length");
-  return name;
+const Phrase& quantity_of_surface() {
+  static const Phrase kWords = phrase("Reasons", "%1 of surface %2").coded("quantity_of_surface");
+  return kWords;
 }
 
-std::optional<Fault> fault_named(const std::string& name) {
-  for (const Fault fault : kFaults) {
-    if (name == name_of(fault)) return fault;
-  }
-  return {};
+/// Coded as ComplianceRow names them.
+const std::vector<Phrase>& quantities() {
+  static const std::vector<Phrase> kQuantities{
+      phrase("Reasons", "normal force").coded("normal_force_N"),
+      phrase("Reasons", "speed").coded("speed_m_per_s"),
+      phrase("Reasons", "time in contact").coded("contact_s"),
+      phrase("Reasons", "strokes").coded("strokes"),
+      phrase("Reasons", "stroke length").coded("stroke_length_m")};
+  return kQuantities;
 }
 
-/// What `read` makes of the parts of a list, as one.
-Phrase read_list(const std::string& text, std::string_view between,
-                 const std::function<Phrase(const std::string&)>& read) {
-  const std::size_t end = text.find(between);
-  if (end == std::string::npos) return read(text);
-  return Phrase("%1" + std::string(between) + "%2")
-      .with(read(text.substr(0, end)), read_list(text.substr(end + between.size()), between, read));
-}
-
-Phrase read_measure(const std::string& text) {
-  const auto places = measure_of_surface().places_in(text);
-  if (!places) return text;
-  return measure_of_surface().with(read_quantity(places->at(0)), places->at(1));
-}
-
-Phrase read_one(const std::string& text) {
-  if (const std::optional<Fault> fault = fault_named(text)) return phrase_of(*fault);
-  for (const auto& [reason, words] : all_reasons()) {
-    const auto places = words.places_in(text);
-    if (!places) continue;
-    std::vector<Phrase> arguments{};
-    for (const std::string& place : *places) {
-      // What was set aside was set aside by somebody, in their own words.
-      arguments.push_back(reason == Reason::set_aside ? Phrase(place)
-                          : reason == Reason::not_explored_as_asked
-                              ? read_list(place, ", ", read_measure)
-                              : read_one(place));
-    }
-    return words.filled(std::move(arguments));
-  }
-  return text;
-}
-
-}  // namespace
-
-Phrase phrase_of(Reason reason) {
-  const std::vector<ReasonWords>& all = all_reasons();
-  const auto found = std::find_if(
-      all.begin(), all.end(), [reason](const ReasonWords& words) { return words.first == reason; });
-  assert(found != all.end());
-  return found->second;
-}
-
-Phrase phrase_of(Fault fault) {
+Phrase words_of_fault(Fault fault) {
   switch (fault) {
     case Fault::none:
       return phrase("Reasons", "none");
@@ -140,10 +113,34 @@ Phrase phrase_of(Fault fault) {
   return {};
 }
 
-Phrase failed_measure(const std::string& quantity, int surface) {
-  return measure_of_surface().with(quantity, std::to_string(surface));
+}  // namespace
+
+Phrase phrase_of(Reason reason) {
+  const std::vector<ReasonWords>& all = all_reasons();
+  const auto found = std::find_if(all.begin(), all.end(), [reason](const ReasonWords& words) {
+    return words.reason == reason;
+  });
+  assert(found != all.end());
+  return found->words.coded(found->code);
 }
 
-Phrase read_reason(const std::string& stored) { return read_list(stored, "; ", read_one); }
+Phrase phrase_of(Fault fault) { return words_of_fault(fault).coded(name_of(fault)); }
+
+Phrase failed_measure(const std::string& quantity, int surface) {
+  const std::vector<Phrase>& all = quantities();
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&quantity](const Phrase& one) { return one.code() == quantity; });
+  return quantity_of_surface().with(found == all.end() ? Phrase(quantity) : *found,
+                                    std::to_string(surface));
+}
+
+std::vector<Phrase> coded_reasons() {
+  std::vector<Phrase> all = quantities();
+  all.push_back(quantity_of_surface());
+  all.push_back(phrase_of(Fault::none));
+  for (const Fault fault : kFaults) all.push_back(phrase_of(fault));
+  for (const ReasonWords& words : all_reasons()) all.push_back(words.words.coded(words.code));
+  return all;
+}
 
 }  // namespace asperity

@@ -1,16 +1,16 @@
-// Why an attempt does not count or is flagged, and why a session ended: as stored, and as said.
+// Why an attempt does not count or is flagged, and why a session ended.
 
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/phrase.h"
 #include "renderers/servo_loop.h"
 
 namespace asperity {
 
-/// The program's own reasons. In the store they stand in English, several of them with "; " between;
-/// `read_reason` finds them there again.
+/// The program's own reasons; a study stores their codes (app/coded_phrases.h).
 enum class Reason {
   // of the end of a session
   as_asked,
@@ -38,7 +38,7 @@ enum class Reason {
   missed_deadlines,       ///< of version 0.1, in contact or not; how many, how many are allowed
   lost_records,           ///< how many, how many are allowed
   force_limited,          ///< in how many ticks
-  not_explored_as_asked,  ///< what failed: measures of surfaces with ", " between
+  not_explored_as_asked,  ///< what failed: measures of surfaces
   not_touched,            ///< which surface
   set_aside,              ///< why
   // of a device: what is wrong with it
@@ -46,18 +46,20 @@ enum class Reason {
   does_not_tick,
   does_not_answer,
   sends_force,
+  none_given,
+  // of events
+  nothing_to_repeat,
+  agreement_witnessed,  ///< by whom
 };
 Phrase phrase_of(Reason reason);
-/// "the device does not answer", for people; stored is its name.
+/// "the device does not answer"; its code is its name.
 Phrase phrase_of(Fault fault);
 
-/// "normal_force_N of surface 2", for what was not explored as asked; quantities as ComplianceRow
+/// "normal force of surface 2", for what was not explored as instructed; quantities as ComplianceRow
 /// names them.
 Phrase failed_measure(const std::string& quantity, int surface);
 
-/// What stands in the store, or is to stand there, as it can be said in other languages; names of
-/// faults and quantities in words. What is no reason of the program's (somebody typed it) stays as
-/// it is.
-Phrase read_reason(const std::string& stored);
+/// All that is declared here, each with its code.
+std::vector<Phrase> coded_reasons();
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/reason.h"
 
 namespace asperity {
@@ -19,24 +20,21 @@ constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 Interruption interruption_by(Fault fault) {
   if (fault == Fault::emergency_stop) {
     return {.outcome = AttemptOutcome::emergency_stop,
-            .reason = phrase_of(Reason::emergency_stop).english(),
+            .reason = phrase_of(Reason::emergency_stop),
             .fault = fault};
   }
-  return {.outcome = AttemptOutcome::device_fault, .reason = name_of(fault), .fault = fault};
+  return {.outcome = AttemptOutcome::device_fault, .reason = phrase_of(fault), .fault = fault};
 }
 
-std::string fault_sentence(const Interruption& interruption, std::optional<int> trial) {
+Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial) {
   const bool by_hand = interruption.fault == Fault::emergency_stop;
-  Phrase sentence{};
-  if (trial) {
-    const std::string number = std::to_string(*trial);
-    sentence = by_hand ? phrase_of(Reason::stopped_in_trial).with(number)
-                       : phrase_of(Reason::failed_in_trial).with(number, interruption.reason);
-  } else {
-    sentence = by_hand ? phrase_of(Reason::stopped_between_trials)
-                       : phrase_of(Reason::failed_between_trials).with(interruption.reason);
+  if (!trial) {
+    return by_hand ? phrase_of(Reason::stopped_between_trials)
+                   : phrase_of(Reason::failed_between_trials).with(interruption.reason);
   }
-  return sentence.english();
+  const std::string number = std::to_string(*trial);
+  return by_hand ? phrase_of(Reason::stopped_in_trial).with(number)
+                 : phrase_of(Reason::failed_in_trial).with(number, interruption.reason);
 }
 
 SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
@@ -139,12 +137,11 @@ void SessionCourse::look(bool outside_trial) {
     }
   }
   if (outside_trial && requests_.take_stop(StopAfter::trial)) {
-    throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::as_asked).english()};
+    throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::as_asked)};
   }
   if (in_attempt_ && has_lost_noise()) {
     const Reason reason = has_masked_ ? Reason::noise_stopped : Reason::no_noise;
-    throw Interruption{AttemptOutcome::aborted, phrase_of(reason).english(),
-                       links_.experimenter_is_there};
+    throw Interruption{AttemptOutcome::aborted, phrase_of(reason), links_.experimenter_is_there};
   }
 }
 
@@ -290,9 +287,9 @@ void SessionCourse::put_mask(bool on, const Wait& waiting) {
 
 // --- what is written down ------------------------------------------------------------------------
 
-void SessionCourse::event(const std::string& kind, const std::string& text,
+void SessionCourse::event(const std::string& kind, const Phrase& text,
                           const std::string& data_json) {
-  EventRow row{now_ns(), kind, text, data_json};
+  EventRow row = event_row(now_ns(), kind, text, data_json);
   if (in_attempt_) {
     attempt_events_.push_back(std::move(row));
   } else {
@@ -302,8 +299,8 @@ void SessionCourse::event(const std::string& kind, const std::string& text,
 
 void SessionCourse::store_remarks() {
   for (const SessionRequests::Remark& remark : requests_.take_remarks()) {
-    study_.add_event(row_.id, {remark.time_ns == 0 ? now_ns() : remark.time_ns, remark.kind,
-                               remark.text, "null"});
+    study_.add_event(row_.id, event_row(remark.time_ns == 0 ? now_ns() : remark.time_ns,
+                                        remark.kind, remark.text));
   }
 }
 

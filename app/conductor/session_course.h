@@ -25,7 +25,7 @@ namespace asperity {
 /// What ends an attempt before its answer, or what was read or asked outside one.
 struct Interruption {
   AttemptOutcome outcome = AttemptOutcome::aborted;
-  std::string reason{};
+  Phrase reason{};
   /// The session does not end with it: whatever was interrupted is asked again.
   bool ask_again = false;
   Fault fault = Fault::none;  ///< that the loop showed, if it was one
@@ -33,9 +33,9 @@ struct Interruption {
 
 /// By a fault of the loop, or by the emergency stop.
 Interruption interruption_by(Fault fault);
-/// "the device failed in trial 3: device_lost"; without a trial "the emergency stop was pressed between
+/// "the device failed in trial 3: the device does not answer"; without a trial "the emergency stop was pressed between
 /// trials".
-std::string fault_sentence(const Interruption& interruption, std::optional<int> trial);
+Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial);
 
 /// What the walk over the plan and an attempt have in common: they wait, they are in a phase, the
 /// participant sees a scene, something happens that is to be stored.
@@ -116,8 +116,7 @@ class SessionCourse final {
 
   // --- what is written down ---
 
-  void event(const std::string& kind, const std::string& text,
-             const std::string& data_json = "null");
+  void event(const std::string& kind, const Phrase& text, const std::string& data_json = "null");
   /// What the experimenter remarked since the last call.
   void store_remarks();
   /// What happened at the participant's side outside an attempt.

@@ -46,7 +46,7 @@ struct AttemptSummary {
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;
-  std::string reason{};                ///< why it does not count, or is flagged; may be empty
+  Phrase reason{};                     ///< why it does not count, or is flagged; may be empty
   std::vector<std::string> answers{};  ///< labels as shown ("4", "B"), one per item
   std::optional<bool> correct{};       ///< all of them; absent where nothing is right or wrong
   std::optional<double> from_cue_s{};  ///< reaction times
@@ -78,7 +78,7 @@ struct SessionFacts {
   std::int64_t clock_ahead_ns = 0;  ///< of the session's clock against the machine's steady clock
   /// Of a resumed session: how long its trials have taken so far, and what was noted.
   double earlier_s = 0.0;
-  std::vector<std::string> earlier_notes{};
+  std::vector<Phrase> earlier_notes{};
 };
 
 /// What is to be heard of the masking noise.

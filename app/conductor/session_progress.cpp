@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/coded_phrases.h"
+
 namespace asperity {
 
 namespace {
@@ -53,7 +55,7 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
     for (AttemptSummary& summary : *attempts) {
       if (summary.trial != attempt.trial || summary.attempt != attempt.attempt) continue;
       summary.valid = false;
-      summary.reason = attempt.invalid_reason.value_or("");
+      summary.reason = phrase_of(attempt.invalid_reason);
     }
     snapshot.attempts = std::move(attempts);
   });
@@ -126,7 +128,7 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   summary.outcome = attempt.outcome;
   summary.valid = attempt.valid;
   summary.flagged = attempt.flagged;
-  summary.reason = attempt.invalid_reason.value_or(attempt.flag_reason.value_or(""));
+  summary.reason = phrase_of(attempt.valid ? attempt.flag_reason : attempt.invalid_reason);
   for (const ResponseRow& response : attempt.responses) {
     if (trial.question.form == TrialQuestion::Form::number) {
       summary.answers.push_back(response.answer);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/conductor/reason.h"
 #include "app/conductor/rig.h"
 
 namespace asperity {
@@ -10,8 +11,8 @@ namespace asperity {
 namespace {
 
 /// A reason is stored with what it explains, and is not empty there.
-std::string given(const std::string& reason) {
-  return reason.empty() ? "no reason was given" : reason;
+Phrase given(const Phrase& reason) {
+  return reason.empty() ? phrase_of(Reason::none_given) : reason;
 }
 
 }  // namespace
@@ -36,24 +37,24 @@ void SessionRequests::resume() {
   paused_ = false;
 }
 
-void SessionRequests::repeat_last(const std::string& reason) {
+void SessionRequests::repeat_last(const Phrase& reason) {
   const std::lock_guard lock(mutex_);
   repeat_ = given(reason);
 }
 
-void SessionRequests::skip(const std::string& reason) {
+void SessionRequests::skip(const Phrase& reason) {
   const std::lock_guard lock(mutex_);
   skip_ = given(reason);
 }
 
-void SessionRequests::abort(const std::string& reason) {
+void SessionRequests::abort(const Phrase& reason) {
   const std::lock_guard lock(mutex_);
   abort_ = given(reason);
 }
 
-void SessionRequests::note(const std::string& text) { remark("note", text); }
+void SessionRequests::note(const Phrase& text) { remark("note", text); }
 
-void SessionRequests::remark(const std::string& kind, const std::string& text) {
+void SessionRequests::remark(const std::string& kind, const Phrase& text) {
   const std::lock_guard lock(mutex_);
   remarks_.push_back({rig_ == nullptr ? 0 : rig_->clock().now_ns(), kind, text});
 }
@@ -118,17 +119,17 @@ bool SessionRequests::take_stop(StopAfter what) {
   return true;
 }
 
-std::optional<std::string> SessionRequests::take_repeat() {
+std::optional<Phrase> SessionRequests::take_repeat() {
   const std::lock_guard lock(mutex_);
   return std::exchange(repeat_, std::nullopt);
 }
 
-std::optional<std::string> SessionRequests::take_skip() {
+std::optional<Phrase> SessionRequests::take_skip() {
   const std::lock_guard lock(mutex_);
   return std::exchange(skip_, std::nullopt);
 }
 
-std::optional<std::string> SessionRequests::take_abort() {
+std::optional<Phrase> SessionRequests::take_abort() {
   const std::lock_guard lock(mutex_);
   return std::exchange(abort_, std::nullopt);
 }

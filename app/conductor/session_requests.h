@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "renderers/servo_loop.h"
 
 namespace asperity {
@@ -38,16 +39,16 @@ class SessionRequests final {
   void resume();
   /// The last trial that was answered or skipped is asked once more, as a new attempt; the earlier
   /// attempt stays, no longer valid.
-  void repeat_last(const std::string& reason);
+  void repeat_last(const Phrase& reason);
   /// The trial under way is kept as skipped and not asked again.
-  void skip(const std::string& reason);
+  void skip(const Phrase& reason);
   /// Ends the session at once; the attempt under way is kept as aborted.
-  void abort(const std::string& reason);
+  void abort(const Phrase& reason);
   /// Stamped now, stored between trials.
-  void note(const std::string& text);
+  void note(const Phrase& text);
   /// What is to stand in the session's record beside notes, stamped now: "unblinded",
   /// "focus_changed".
-  void remark(const std::string& kind, const std::string& text);
+  void remark(const std::string& kind, const Phrase& text);
   /// Zero force in the next servo tick, latched.
   void emergency_stop() noexcept;
   /// Of a simulated device, whose handle nobody can hold: its button goes down or up within a few
@@ -65,7 +66,7 @@ class SessionRequests final {
   struct Remark {
     std::int64_t time_ns = 0;
     std::string kind{};
-    std::string text{};
+    Phrase text{};
   };
   enum class Move { press, release };
   struct ButtonMove {
@@ -88,9 +89,9 @@ class SessionRequests final {
   bool is_paused() const;
   /// Each gives what was asked for and forgets it.
   bool take_stop(StopAfter what);
-  std::optional<std::string> take_repeat();
-  std::optional<std::string> take_skip();
-  std::optional<std::string> take_abort();
+  std::optional<Phrase> take_repeat();
+  std::optional<Phrase> take_skip();
+  std::optional<Phrase> take_abort();
   bool take_clear_fault();
   bool take_confirmation();
   /// Takes `clear_fault` and lifts the rig's fault (Rig::clear_fault), in one: an emergency stop comes before or after
@@ -108,9 +109,9 @@ class SessionRequests final {
   bool stop_wanted_ = false;  ///< an emergency stop from before there was a rig
   std::optional<StopAfter> stop_{};
   bool paused_ = false;
-  std::optional<std::string> repeat_{};
-  std::optional<std::string> skip_{};
-  std::optional<std::string> abort_{};
+  std::optional<Phrase> repeat_{};
+  std::optional<Phrase> skip_{};
+  std::optional<Phrase> abort_{};
   bool clear_fault_ = false;
   bool confirmed_ = false;
   std::vector<Remark> remarks_{};

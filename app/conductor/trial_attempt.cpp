@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/coded_phrases.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/clock.h"
 #include "app/conductor/layout.h"
@@ -61,7 +62,7 @@ AttemptRow TrialAttempt::make() {
   } catch (const Interruption& caught) {
     interruption_ = caught;
   } catch (const RespondentGone& gone) {
-    interruption_ = Interruption{AttemptOutcome::aborted, gone.what()};
+    interruption_ = Interruption{AttemptOutcome::aborted, gone.said()};
   }
   row_.offset_ns = course_.now_ns();
   course_.set_guiding_tones(false);  // a surface that is taken away asks nothing of the hand
@@ -83,7 +84,7 @@ AttemptRow TrialAttempt::make() {
   if (interruption_) {
     row_.outcome = interruption_->outcome;
     row_.valid = false;
-    row_.invalid_reason = interruption_->reason;
+    row_.invalid_reason = stored(interruption_->reason);
   } else {
     answer();
     judge();
@@ -263,9 +264,8 @@ void TrialAttempt::feel(std::size_t index) {
     surface.presentation = rig.loop().collect();
   }
   if (recorder.live().contact_s <= 0.0) {
-    throw Interruption{
-        AttemptOutcome::not_compliant,
-        phrase_of(Reason::not_touched).with(std::to_string(planned.position)).english()};
+    throw Interruption{AttemptOutcome::not_compliant,
+                       phrase_of(Reason::not_touched).with(std::to_string(planned.position))};
   }
   surface.felt_s += recorder.live().contact_s;
   if (std::find(felt_.begin(), felt_.end(), planned.position) == felt_.end()) {
@@ -376,48 +376,42 @@ void TrialAttempt::judge() {
   // Also of a slow answer, during which nothing is felt, many a tick may be late.
   if (servo.missed_in_contact > protocol.maximum_missed_deadlines) {
     row_.valid = false;
-    row_.invalid_reason = phrase_of(Reason::missed_in_contact)
-                              .with(std::to_string(*servo.missed_in_contact),
-                                    std::to_string(protocol.maximum_missed_deadlines))
-                              .english();
+    row_.invalid_reason = stored(phrase_of(Reason::missed_in_contact)
+                                     .with(std::to_string(*servo.missed_in_contact),
+                                           std::to_string(protocol.maximum_missed_deadlines)));
     return;
   }
   if (servo.lost_records > protocol.maximum_lost_records) {
     row_.valid = false;
-    row_.invalid_reason =
-        phrase_of(Reason::lost_records)
-            .with(std::to_string(servo.lost_records), std::to_string(protocol.maximum_lost_records))
-            .english();
+    row_.invalid_reason = stored(phrase_of(Reason::lost_records)
+                                     .with(std::to_string(servo.lost_records),
+                                           std::to_string(protocol.maximum_lost_records)));
     return;
   }
-  std::string flags{};
-  const auto flag = [&flags](const Phrase& reason) {
-    if (!flags.empty()) flags += "; ";
-    flags += reason.english();
-  };
+  Phrase flags{};
   if (servo.saturated_ticks > 0) {
-    flag(phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks)));
+    flags = phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks));
   }
-  std::string failures{};
+  Phrase failures{};
   for (const ComplianceRow& compliance : row_.compliance) {
     if (compliance.passed.value_or(true)) continue;
-    if (!failures.empty()) failures += ", ";
-    failures += failed_measure(compliance.quantity, compliance.position).english();
+    failures = with_comma(failures, failed_measure(compliance.quantity, compliance.position));
   }
   if (!failures.empty()) {
+    const Phrase not_explored = phrase_of(Reason::not_explored_as_asked).with(failures);
     const bool ask_again = exploration_.on_failure != Exploration::OnFailure::flag &&
                            order_.explored_wrongly < exploration_.maximum_repeats;
     if (ask_again) {
       row_.outcome = AttemptOutcome::not_compliant;
       row_.valid = false;
-      row_.invalid_reason = phrase_of(Reason::not_explored_as_asked).with(failures).english();
+      row_.invalid_reason = stored(not_explored);
       return;
     }
-    flag(phrase_of(Reason::not_explored_as_asked).with(failures));
+    flags = with_semicolon(flags, not_explored);
   }
   if (!flags.empty()) {
     row_.flagged = true;
-    row_.flag_reason = flags;
+    row_.flag_reason = stored(flags);
   }
 }
 

@@ -33,13 +33,12 @@ const AttemptRow* TrialTally::last_done() const {
   return last == attempts_.rend() ? nullptr : &*last;
 }
 
-void TrialTally::set_aside(int trial, int attempt, const std::string& reason) {
+void TrialTally::set_aside(int trial, int attempt, const StoredWords& reason) {
   remember_set_aside(trial, attempt);
   for (AttemptRow& row : attempts_) {
     if (row.trial != trial || row.attempt != attempt) continue;
     row.valid = false;
-    row.invalid_reason = (row.invalid_reason ? *row.invalid_reason + "; " : "") +
-                         phrase_of(Reason::set_aside).with(reason).english();
+    row.invalid_reason = joined(row.invalid_reason, set_aside_because(reason));
   }
 }
 

@@ -36,7 +36,7 @@ class TrialTally final {
   /// The latest attempt that did its trial; null when there is none.
   const AttemptRow* last_done() const;
   /// The attempt does not do its trial any more, and its reason to be invalid says so.
-  void set_aside(int trial, int attempt, const std::string& reason);
+  void set_aside(int trial, int attempt, const StoredWords& reason);
   /// Known from an earlier stretch of the session, and stored so.
   void remember_set_aside(int trial, int attempt) { set_aside_.insert({trial, attempt}); }
   /// Trial and attempt.

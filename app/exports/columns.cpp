@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/exports/column_making.h"
 #include "app/exports/event_columns.h"
 #include "results_schema/analysis_use.h"
@@ -25,6 +26,26 @@ constexpr const char* kMissedInContact =
     "ticks that came too late while a surface was touched: on these an attempt is judged";
 constexpr const char* kNotCountedApart =
     "the attempt was made by version 0.1, which did not count them apart";
+
+/// The words of the program as they were stored, in English, or somebody's own.
+Cell text_cell_of(const std::optional<StoredWords>& words) {
+  return words ? Cell{words->text} : Cell{};
+}
+
+/// Why, by codes. The public is told the program's reasons, and of the experimenter's that there was one.
+ExportColumn codes_column(const char* name, const char* when_missing, const char* description,
+                          std::optional<StoredWords> AttemptRow::*reason) {
+  const auto cell = [reason](std::string (*codes)(const StoredWords&)) {
+    return [reason, codes](const Place& at) {
+      const std::optional<StoredWords>& words = at.attempt->*reason;
+      return words ? Cell{codes(*words)} : Cell{};
+    };
+  };
+  ExportColumn made = missing(when_missing, column(name, "text", "", description, cell(codes_of)));
+  made.publication = Publication::without_free_text;
+  made.published_cell = cell(published_codes_of);
+  return made;
+}
 
 Columns participant_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::participant);
@@ -229,13 +250,18 @@ Columns attempt_columns() {
       missing("the attempt is valid",
               column("invalid_reason", "text", "",
                      "why the attempt does not count; may be in the experimenter's words",
-                     [](const Place& at) { return optional_cell(at.attempt->invalid_reason); }))));
+                     [](const Place& at) { return text_cell_of(at.attempt->invalid_reason); }))));
+  add(codes_column("invalid_code", "the attempt is valid",
+                   "the same by codes, with semicolons between; \"typed\" where the experimenter "
+                   "typed it",
+                   &AttemptRow::invalid_reason));
   add(column("excluded", "boolean", "", "1: it or its session was excluded: leave it out",
              [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
-  add(dropped(missing("not excluded", column("exclusion_reason", "text", "",
-                                             "reason, as it was entered", [](const Place& at) {
-                                               return optional_cell(at.attempt->excluded);
-                                             }))));
+  add(dropped(missing("not excluded",
+                      column("exclusion_reason", "text", "", "reason, as it was entered",
+                             [](const Place& at) { return text_cell_of(at.attempt->excluded); }))));
+  add(codes_column("exclusion_code", "not excluded", "the same by codes, as in invalid_code",
+                   &AttemptRow::excluded));
   add(column("counts_in_analyses", "boolean", "",
              "1: analyses count the attempt: the trial belongs to the main phase and is not an "
              "anchor, and the attempt is answered, valid and not excluded",
@@ -247,7 +273,9 @@ Columns attempt_columns() {
   add(dropped(missing(
       "not flagged",
       column("flag_reason", "text", "", "what to look at, in the program's or somebody's words",
-             [](const Place& at) { return optional_cell(at.attempt->flag_reason); }))));
+             [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
+  add(codes_column("flag_code", "not flagged", "the same by codes, as in invalid_code",
+                   &AttemptRow::flag_reason));
   add(column("onset_s", "number", "s", "beginning, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
   add(column("offset_s", "number", "s", "end, since the session began",

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/event_kinds.h"
 #include "app/exports/column_making.h"
 #include "app/tasks/session_timeline.h"
@@ -79,6 +80,20 @@ std::vector<ExportColumn> event_columns() {
                     if (kind == nullptr || !kind->text_is_public) return {};
                     return at.event->row.text;
                   })));
+  const auto codes = [](std::string (*of)(const StoredWords&)) {
+    return [of](const ExportPlace& at) -> Cell {
+      const EventRow& event = at.event->row;
+      const EventKind* const kind = event_kind(event.kind);
+      if (kind == nullptr || !kind->text_is_words) return {};
+      return of(event.words());
+    };
+  };
+  add(missing("the text is not words",
+              without_free_text(column("text_code", "text", "",
+                                       "the text by codes, with semicolons between; \"typed\" "
+                                       "where a person typed it",
+                                       codes(codes_of)),
+                                codes(published_codes_of))));
   add(missing(
       "the event has none, or none that an export for the public has",
       without_free_text(column("data_json", "json", "", "what the kind states it to be",

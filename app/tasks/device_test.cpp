@@ -16,6 +16,7 @@
 #include "analysis/device_response.h"
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
+#include "app/coded_phrases.h"
 #include "app/conductor/clock.h"
 #include "app/conductor/reason.h"
 #include "app/device_remarks.h"
@@ -154,7 +155,7 @@ class DeviceTest final {
       } else if (!found.reasons[axis].empty()) {
         const Phrase reason =
             phrase_of(DeviceRemark::along).with(kAxisNames[axis], found.reasons[axis]);
-        missing = missing.empty() ? reason : Phrase("%1; %2").with(missing, reason);
+        missing = with_semicolon(missing, reason);
       }
     }
     if (by_axis.size() != kAxes) by_axis.clear();

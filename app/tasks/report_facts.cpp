@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/tasks/session_timeline.h"
 #include "app/tasks/study_overview.h"
 #include "protocols/protocol.h"
@@ -93,14 +94,14 @@ void count_use(const AttemptRow& attempt, const PlannedTrialRow& planned, Analys
     case AnalysisUse::invalid:
     case AnalysisUse::unanswered:
     case AnalysisUse::excluded: {
-      const std::optional<std::string>& reason =
+      const std::optional<StoredWords>& reason =
           use == AnalysisUse::excluded ? attempt.excluded : attempt.invalid_reason;
-      ++facts.not_counted[fate_of(use, attempt.outcome)][reason.value_or("")];
+      ++facts.not_counted[fate_of(use, attempt.outcome)][phrase_of(reason).english()];
       break;
     }
     case AnalysisUse::counted:
       ++facts.counted;
-      if (attempt.flagged) ++facts.flagged[attempt.flag_reason.value_or("")];
+      if (attempt.flagged) ++facts.flagged[phrase_of(attempt.flag_reason).english()];
       break;
   }
   ++facts.attempts;
@@ -198,7 +199,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     if (!is_in_own_words(event.row.kind)) continue;
     session.notes.push_back(
         {.kind = event.row.kind,
-         .text = event.row.text,
+         .text = phrase_of(event.row).english(),
          .time_s = static_cast<double>(event.row.time_ns - row.clock_zero_ns) * 1e-9,
          .trial = trial_of(event)});
   }

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/conductor/reason.h"
+#include "app/coded_phrases.h"
 #include "app/tasks/report_sections.h"
 
 namespace asperity {
@@ -65,7 +65,7 @@ ReportSection notes_section(const ReportFacts& facts) {
     const std::string number = std::to_string(session.row.session);
     for (const ReportedNote& note : session.notes) {
       add({who, number, clock_text(note.time_s), note.trial ? std::to_string(*note.trial) : "–",
-           what_text(note.kind), read_reason(note.text).english()});
+           what_text(note.kind), note.text});
     }
     for (const DecisionRow& decision : session.decisions) {
       const std::string what = decision_text(decision.verdict);
@@ -73,7 +73,7 @@ ReportSection notes_section(const ReportFacts& facts) {
       const std::string by =
           decision.decided_by.empty() ? "" : " (decided by " + decision.decided_by + ')';
       add({who, number, "–", decision.trial ? std::to_string(*decision.trial) : "all", what,
-           decision.reason + by});
+           phrase_of(decision.reason).english() + by});
     }
   }
   ReportSection section{"Notes and decisions", {}};

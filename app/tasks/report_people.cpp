@@ -11,7 +11,7 @@
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "app/analyses/reading_number.h"
-#include "app/conductor/reason.h"
+#include "app/coded_phrases.h"
 #include "app/tasks/report_sections.h"
 
 namespace asperity {
@@ -109,8 +109,8 @@ std::string fate_text(const std::string& fate) {
   return found == kWords.end() ? fate : found->second;
 }
 
-std::string reason_text(const std::string& stored) {
-  return stored.empty() ? "no reason stored" : read_reason(stored).english();
+std::string reason_text(const std::string& reason) {
+  return reason.empty() ? "no reason stored" : reason;
 }
 
 ReportTable fates_table(const ReportFacts& facts) {
@@ -324,10 +324,10 @@ std::string late_text(const ReportedSession& session, const EventRow& event) {
   const auto hours = [&data](const char* key) {
     return data.is_object() ? data.value(key, 0.0) : 0.0;
   };
-  return stopped(capitalised(reported_session_name(session)) + " was resumed " +
-                 fixed(hours("age_hours"), 1) +
-                 " hours after it had last run (the protocol has at most " +
-                 reading_number(hours("maximum_age_hours")) + " hours): " + event.text);
+  return stopped(
+      capitalised(reported_session_name(session)) + " was resumed " + fixed(hours("age_hours"), 1) +
+      " hours after it had last run (the protocol has at most " +
+      reading_number(hours("maximum_age_hours")) + " hours): " + phrase_of(event).english());
 }
 
 /// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
@@ -372,8 +372,8 @@ ReportSection exclusions_section(const ReportFacts& facts) {
     if (const std::optional<DecisionRow> decision = exclusion_of(session)) {
       const std::string by =
           decision->decided_by.empty() ? "" : " (decided by " + decision->decided_by + ')';
-      excluded.items.push_back(
-          stopped(capitalised(reported_session_name(session)) + ": " + decision->reason + by));
+      excluded.items.push_back(stopped(capitalised(reported_session_name(session)) + ": " +
+                                       phrase_of(decision->reason).english() + by));
     }
   }
   if (!unfinished.items.empty()) section.parts.emplace_back(std::move(unfinished));

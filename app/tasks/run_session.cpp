@@ -38,7 +38,7 @@ Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links)
       left_s -= kSleep_s;
       if (links.requests != nullptr) {
         if (const auto reason = links.requests->take_abort()) {
-          throw RespondentGone(read_reason(*reason));
+          throw RespondentGone(*reason);
         }
       }
       if (stop.stop_requested()) throw RespondentGone(phrase_of(Reason::stopped_as_asked));

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/contact_reader.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
@@ -91,10 +92,8 @@ void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns
   if (!sitting.late) return;
   const nlohmann::ordered_json data{{"age_hours", sitting.late->age_hours},
                                     {"maximum_age_hours", sitting.late->maximum_age_hours}};
-  study.add_event(sitting.unfinished->id, {.time_ns = now_ns,
-                                           .kind = kResumedLate,
-                                           .text = sitting.late_reason,
-                                           .data_json = data.dump()});
+  study.add_event(sitting.unfinished->id,
+                  event_row(now_ns, kResumedLate, sitting.late_reason, data.dump()));
 }
 
 }  // namespace

@@ -486,7 +486,7 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   EXPECT_EQ(simulate(inputs, models, {}, {}, {}).attempts, 1);
   const Study opened = Study::open(study, Access::read_only);
   const AttemptRow attempt = opened.attempts(opened.sessions().at(0).id).at(0);
-  EXPECT_TRUE(attempt.valid) << attempt.invalid_reason.value_or("");
+  EXPECT_TRUE(attempt.valid) << attempt.invalid_reason.value_or("").text;
   std::set<std::string> tools{};
   for (const PresentationRow& felt : attempt.presentations) {
     tools.insert(felt.tool_sha256.value_or(""));

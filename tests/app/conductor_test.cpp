@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/contact_reader.h"
 #include "app/conductor/form_answer.h"
@@ -128,8 +129,10 @@ TEST_F(ConductorTest, JudgesAnAttemptByTheDeadlinesMissedInContact) {
   EXPECT_EQ(rows[0].servo->missed_in_contact, 0);
   EXPECT_FALSE(rows[1].valid);
   EXPECT_EQ(rows[1].servo->missed_in_contact, 60);
-  EXPECT_EQ(rows[1].invalid_reason, "deadlines missed in contact: 60, at most 50 allowed");
-  EXPECT_EQ(read_reason(*rows[1].invalid_reason).english(), rows[1].invalid_reason);
+  EXPECT_EQ(rows[1].invalid_reason.value().text,
+            "deadlines missed in contact: 60, at most 50 allowed");
+  EXPECT_EQ(codes_of(*rows[1].invalid_reason), "deadlines_missed_in_contact");
+  EXPECT_EQ(phrase_of(rows[1].invalid_reason).english(), rows[1].invalid_reason->text);
   EXPECT_TRUE(rows[2].valid);
 }
 
@@ -156,7 +159,7 @@ TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
   EXPECT_EQ(end.reason, "the fire alarm rang");
   ASSERT_EQ(attempts().size(), 2U);
   EXPECT_EQ(attempts()[1].outcome, AttemptOutcome::aborted);
-  EXPECT_EQ(attempts()[1].invalid_reason, "the fire alarm rang");
+  EXPECT_EQ(attempts()[1].invalid_reason.value().text, "the fire alarm rang");
 
   make_rig({});
   rig_->move_clock_to(1'000'000'000'000);
@@ -198,7 +201,7 @@ TEST_F(ConductorTest, KeepsASkippedTrialAndDoesNotAskItAgain) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
-  EXPECT_EQ(rows[0].invalid_reason, "the picture fell down");
+  EXPECT_EQ(rows[0].invalid_reason.value().text, "the picture fell down");
   EXPECT_TRUE(rows[0].responses.empty());
   EXPECT_EQ(rows[1].trial, 2);
 }
@@ -230,7 +233,7 @@ TEST_F(ConductorTest, AsksATrialAgainAtOnceWhenItWasNotExploredAsAsked) {
   EXPECT_EQ(rows[1].attempt, 2);
   EXPECT_TRUE(rows[1].valid);    // the last repeat counts
   EXPECT_TRUE(rows[1].flagged);  // and says what was wrong
-  EXPECT_NE(rows[1].flag_reason->find("normal_force_N of surface 1"), std::string::npos);
+  EXPECT_NE(rows[1].flag_reason->text.find("normal force of surface 1"), std::string::npos);
 }
 
 TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
@@ -266,7 +269,8 @@ TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAg
   EXPECT_NEAR(force_of(rows[0]).p50, 0.9, 0.09);
   EXPECT_EQ(rows[1].trial, 2);
   EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
-  EXPECT_EQ(rows[1].invalid_reason, "not explored as asked: normal_force_N of surface 1");
+  EXPECT_EQ(rows[1].invalid_reason.value().text,
+            "not explored as asked: normal force of surface 1");
   EXPECT_EQ(force_of(rows[1]).passed, false);
   EXPECT_GT(force_of(rows[1]).p50, 1.25);
   EXPECT_LT(*force_of(rows[1]).fraction_in_band, 0.3);  // while the force rises
@@ -423,8 +427,8 @@ TEST_F(ConductorTest, TakesANaturalHandOnTargetAndAsksOneThatIsTooFastAgain) {
     EXPECT_NEAR(speed.mean, 0.1, 0.02);
   }
   EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
-  EXPECT_EQ(rows[1].invalid_reason,
-            "not explored as asked: speed_m_per_s of surface 1, speed_m_per_s of surface 2");
+  EXPECT_EQ(rows[1].invalid_reason.value().text,
+            "not explored as asked: speed of surface 1, speed of surface 2");
   EXPECT_LT(shown[1], 0.4);
 }
 
@@ -502,7 +506,7 @@ TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::emergency_stop);
-  EXPECT_EQ(rows[0].invalid_reason, "the emergency stop was pressed");
+  EXPECT_EQ(rows[0].invalid_reason.value().text, "the emergency stop was pressed");
   EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
   const Recording recording = read_recording(folder_.path() / "study" / rows[0].recording->path);
   const std::vector<TickRecord> records = records_of(recording);
@@ -526,8 +530,9 @@ TEST_F(ConductorTest, SaysThatItWasTheEmergencyStopAlsoBetweenTrials) {
   begin(small_protocol());
   rig_->at_pass = [this] { conductor_->requests().emergency_stop(); };
   const SessionEnd end = run();
-  EXPECT_THAT(end.reason, testing::StartsWith("the emergency stop was pressed between trials"));
-  EXPECT_THAT(end.reason, testing::Not(testing::HasSubstr("device")));
+  EXPECT_THAT(end.reason.english(),
+              testing::StartsWith("the emergency stop was pressed between trials"));
+  EXPECT_THAT(end.reason.english(), testing::Not(testing::HasSubstr("device")));
 }
 
 TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) {
@@ -563,7 +568,7 @@ TEST_F(ConductorTest, GivesUpATrialWhoseSurfaceCannotBeTouched) {
   protocol_.patch.centre_m = {0.0, 0.0, 0.0};  // the hand strokes there, a metre above the surface
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_NE(end.reason.find("surface 1 was not touched"), std::string::npos);
+  EXPECT_NE(end.reason.english().find("surface 1 was not touched"), std::string::npos);
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 3U);
   for (const AttemptRow& row : rows) EXPECT_EQ(row.outcome, AttemptOutcome::not_compliant);
@@ -588,7 +593,7 @@ TEST_F(ConductorTest, HoldsTheLongestContactOfEachVisitAgainstTheMaximum) {
   run();
   const AttemptRow row = attempts().front();
   EXPECT_GT(row.presentations[0].contact_s, 2.0);  // more than a single visit may last
-  EXPECT_FALSE(row.flagged) << row.flag_reason.value_or("");
+  EXPECT_FALSE(row.flagged) << row.flag_reason.value_or("").text;
 }
 
 TEST_F(ConductorTest, CountsReactionTimesFromTheFirstTimeTheQuestionWasPut) {

@@ -17,6 +17,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/session_requests.h"
 #include "app/tasks/measure_device.h"
@@ -99,8 +100,11 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
   const SessionEnd end =
       run_session(inputs, models, &person, {}, [&done](const AttemptDone&) { ++done; });
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_NE(end.reason.find(GetParam().name), std::string::npos) << end.reason;
-  EXPECT_NE(end.reason.find("the device failed"), std::string::npos) << end.reason;
+  EXPECT_THAT(end.reason.english(),
+              testing::HasSubstr(coded_phrases().at(GetParam().name).english()))
+      << end.reason.english();
+  EXPECT_NE(end.reason.english().find("the device failed"), std::string::npos)
+      << end.reason.english();
   {
     const Study study = Study::open(study_folder, Access::read_only);
     const SessionRow session = study.sessions().at(0);
@@ -115,7 +119,7 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
     EXPECT_EQ(failed.outcome, AttemptOutcome::device_fault);
     EXPECT_FALSE(failed.valid);
     EXPECT_EQ(failed.servo->fault, GetParam().name);
-    EXPECT_EQ(failed.invalid_reason, GetParam().name);
+    EXPECT_EQ(codes_of(failed.invalid_reason.value()), GetParam().name);
     for (std::size_t i = 0; i + 1 < attempts.size(); ++i) EXPECT_TRUE(attempts[i].valid);
     // Nothing is sent any more once the fault is known.
     const auto records = records_of(read_recording(study_folder / failed.recording->path));
@@ -174,7 +178,7 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
            attempt.servo->period_maximum_s >= 0.15;
   };
   EXPECT_TRUE(std::any_of(attempts.begin(), attempts.end(), counts_it));
-  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason.english();
 }
 
 /// Swings through the surface by itself, as a device in a person's hand does.
@@ -215,7 +219,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   const ModelRegistry models = built_in_models();
   ScriptedPerson person(kQuick);
   const SessionEnd end = run_session(inputs, models, &person, {}, {}, {}, drivers);
-  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason.english();
   EXPECT_EQ(which, "42");
   EXPECT_EQ(firmware, "some.bin");
   const Study study = Study::open(inputs.study, Access::read_only);

@@ -16,8 +16,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/reason.h"
 #include "app/device_remarks.h"
+#include "app/earlier_wordings.h"
 #include "app/tasks/measure_device.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
@@ -509,9 +511,26 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
   }
   DeviceItem fault{.name = "latency_s", .text = phrase_of(DeviceRemark::did_not_run)};
   fault.text = fault.text.with(phrase_of(Fault::not_finite));
-  EXPECT_EQ(read_remark(fault.text.english()).translated(spelt_out),
+  EXPECT_EQ(phrase_from(json_of(fault.text)).translated(spelt_out),
             fault.text.translated(spelt_out));
-  EXPECT_EQ(read_remark("of a later version").english(), "of a later version");
+  EXPECT_EQ(remark_of_earlier("of a later version").english(), "of a later version");
+}
+
+// Profiles of before had only the sentence.
+TEST(DeviceProfile, SaysInAnotherLanguageWhatAnEarlierVersionStored) {
+  const auto spelt_out = [](const char*, const char* words) {
+    return "<" + std::string(words) + ">";
+  };
+  ScriptedDevice stuck(kStuck);
+  for (const DeviceProfile& profile : {measured({}), test_device(stuck, stepped(), {})}) {
+    auto earlier = nlohmann::ordered_json::parse(json_text_of(profile));
+    for (auto& one : earlier.at("items")) one.erase("remark");
+    const DeviceProfile stored = profile_from_json(earlier.dump(), "here");
+    for (const DeviceItem& one : profile.items) {
+      EXPECT_EQ(item(stored, one.name).text.translated(spelt_out), one.text.translated(spelt_out))
+          << one.name;
+    }
+  }
 }
 
 TEST(DeviceProfile, RefusesWhatIsNoneAndNamesTheFile) {

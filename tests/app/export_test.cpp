@@ -15,8 +15,11 @@
 
 #include "analysis/number_text.h"
 #include "app/analyses/analyze_study.h"
+#include "app/coded_phrases.h"
+#include "app/conductor/reason.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/publication.h"
+#include "app/offered_reasons.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
@@ -375,6 +378,49 @@ TEST(Export, MarksTheAttemptsThatAnalysesCount) {
     EXPECT_THAT(text, Not(HasSubstr("excluded"))) << script;
     EXPECT_THAT(text, Not(HasSubstr("repetition"))) << script;
   }
+}
+
+// Sentences are reworded; whoever filters needs what stays.
+TEST(Export, StatesReasonsByTheirCodesNextToTheirWords) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of("s", "sinusoid", "s")};
+  trial.answers = {"7"};
+  const std::int64_t session =
+      made.add_session("anna", made.add_protocol("rough", "magnitude"), {trial, trial, trial});
+  const auto decide = [&](int number, Verdict verdict, const StoredWords& reason) {
+    made.study().add_decision(
+        session, {.trial = number, .attempt = 1, .verdict = verdict, .reason = reason});
+  };
+  decide(1, Verdict::exclude, stored(offered_reasons(ReasonFor::excluding_attempt).front()));
+  decide(2, Verdict::exclude, "the alarm rang");
+  decide(3, Verdict::flag, stored(phrase_of(Reason::force_limited).with("7")));
+  decide(3, Verdict::flag, {"surface 1 was not touched", ""});  // as version 0.1.0 stored it
+  made.study().add_event(session, event_row(5, "session_stopped", phrase_of(Reason::as_asked)));
+  made.study().add_event(session, event_row(6, "phase", "iti"));
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out, tables_only());
+  const Table attempts = table_in(out, "attempts.tsv");
+  EXPECT_EQ(cell_of(attempts, 0, "exclusion_code"), Cell{"instruction_not_followed"});
+  EXPECT_EQ(cell_of(attempts, 1, "exclusion_code"), Cell{"typed"});
+  EXPECT_EQ(cell_of(attempts, 1, "exclusion_reason"), Cell{"the alarm rang"});
+  EXPECT_EQ(cell_of(attempts, 2, "exclusion_code"), Cell{});
+  EXPECT_EQ(cell_of(attempts, 2, "flag_code"), Cell{"force_limited; surface_not_touched"});
+  EXPECT_EQ(cell_of(attempts, 2, "flag_reason"),
+            Cell{"force limited in 7 ticks; surface 1 was not touched"});
+  EXPECT_EQ(cell_of(attempts, 2, "invalid_code"), Cell{});
+  const Table events = table_in(out, "events.tsv");
+  EXPECT_EQ(cell_of(events, 0, "text_code"), Cell{"stop_requested"});
+  EXPECT_EQ(cell_of(events, 1, "text_code"), Cell{});
+
+  ExportOptions options = tables_only();
+  options.audience = ExportAudience::published;
+  const std::filesystem::path published = made.beside("published");
+  export_to(made, published, options);
+  const Table of_public = table_in(published, "attempts.tsv");
+  EXPECT_EQ(cell_of(of_public, 0, "exclusion_code"), Cell{"typed"});
+  EXPECT_EQ(cell_of(of_public, 2, "flag_code"), Cell{"force_limited; surface_not_touched"});
 }
 
 // Textures have names; what roughness is drawn over is how far apart their elements are.

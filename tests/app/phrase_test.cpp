@@ -19,8 +19,6 @@ std::string german(const char* context, const char* words) {
   return words;
 }
 
-using Places = std::vector<std::string>;
-
 TEST(Phrase, IsFilledInItsPlaces) {
   EXPECT_EQ(phrase("Test", "%1 of %2 were felt").with("3", std::string("7")).english(),
             "3 of 7 were felt");
@@ -61,20 +59,6 @@ TEST(Phrase, CanStandByItselfInAnyLanguage) {
       << "a name stays as it is";
   EXPECT_EQ(named.with(phrase("Test", "everybody")).as_sentence().english(),
             "Everybody was chosen.");
-}
-
-TEST(Phrase, IsReadBackFromWhatItWasMadeInto) {
-  const Phrase felt = phrase("Test", "%1 of %2 were felt");
-  EXPECT_EQ(felt.places_in("3 of 7 were felt"), (Places{"3", "7"}));
-  EXPECT_EQ(felt.places_in(" of  were felt"), (Places{"", ""}));
-  EXPECT_EQ(felt.places_in("a of b of c were felt"), (Places{"a", "b of c"}));
-  EXPECT_FALSE(felt.places_in("3 of 7 were felt."));
-  EXPECT_FALSE(felt.places_in("3 of 7"));
-  EXPECT_FALSE(felt.places_in(""));
-  EXPECT_EQ(phrase("Test", "set aside: %1").places_in("set aside: it rang"), Places{"it rang"});
-  EXPECT_EQ(phrase("Test", "as asked").places_in("as asked"), Places{});
-  EXPECT_FALSE(phrase("Test", "as asked").places_in("as asked, after the trial"));
-  EXPECT_FALSE(phrase("Test", "aXb%1bXa").places_in("aXbXa"));  // shorter than its own words
 }
 
 TEST(Phrase, OfAnErrorIsWhatTheErrorSays) {

@@ -401,7 +401,7 @@ TEST_F(ResumedSession, HasTheEarlierNotesAndTime) {
   links_.monitor = &monitor;
   EXPECT_EQ(run().state, SessionState::completed);
   const std::shared_ptr<const SessionFacts> facts = monitor.facts();
-  EXPECT_THAT(facts->earlier_notes, testing::ElementsAre("a note of the first stretch"));
+  EXPECT_THAT(facts->earlier_notes, testing::ElementsAre(Phrase("a note of the first stretch")));
   EXPECT_GT(facts->earlier_s, 0.5) << "the trial that was done";
 }
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/coded_phrases.h"
 #include "app/conductor/reason.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/session_monitor.h"
@@ -51,9 +52,9 @@ TEST_F(Standstill, InvalidatesTheAttemptAndRepeatsTheTrialByItself) {
   ASSERT_EQ(rows.size(), 4U);  // three trials
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
   EXPECT_FALSE(rows[0].valid);
-  EXPECT_EQ(rows[0].invalid_reason, "standstill");
+  EXPECT_EQ(codes_of(rows[0].invalid_reason.value()), "standstill");
   EXPECT_EQ(rows[0].servo->fault, "standstill");
-  EXPECT_EQ(read_reason("standstill").english(), "the servo loop stood still for more than 50 ms");
+  EXPECT_EQ(rows[0].invalid_reason->text, "the servo loop stood still for more than 50 ms");
   EXPECT_EQ(rows[1].trial, rows[0].trial);
   EXPECT_EQ(rows[1].attempt, 2);
   EXPECT_TRUE(rows[1].valid);
@@ -94,7 +95,8 @@ TEST_F(Standstill, EndsTheSessionTheThirdTimeAndItCanBeResumed) {
   stand_still_in({1, 2, 4});
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason, HasSubstr("the servo loop stood still for more than 50 ms, 3 times"));
+  EXPECT_THAT(end.reason.english(),
+              HasSubstr("the servo loop stood still for more than 50 ms, 3 times"));
   ASSERT_EQ(attempts().size(), 4U);
   EXPECT_TRUE(attempts()[2].valid);
   EXPECT_THAT(kinds_of_events(),
@@ -117,7 +119,7 @@ TEST_F(Standstill, LeavesAnEmergencyStopThatComesMeanwhile) {
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason, HasSubstr("emergency stop"));
+  EXPECT_THAT(end.reason.english(), HasSubstr("emergency stop"));
 }
 
 TEST_F(Standstill, WaitsForAPersonWhereTheDeviceDoesNotComeThroughIt) {
@@ -132,7 +134,7 @@ TEST_F(Standstill, WaitsForAPersonWhereTheDeviceDoesNotComeThroughIt) {
     return run();
   }();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason, HasSubstr("device_lost"));
+  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not answer"));
 }
 
 TEST_F(Standstill, WhileNothingIsFeltIsNone) {

@@ -437,7 +437,7 @@ TEST_F(WatchedSession, AsksTheLastTrialAgainWhenWanted) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_FALSE(rows[1].valid);
-  EXPECT_THAT(*rows[1].invalid_reason, HasSubstr("somebody came in"));
+  EXPECT_THAT(rows[1].invalid_reason->text, HasSubstr("somebody came in"));
   EXPECT_FALSE(rows[1].responses.empty());  // it stays
   EXPECT_TRUE(rows[2].valid);
   EXPECT_FALSE(monitor_.snapshot().attempts->at(1).valid);
@@ -468,9 +468,9 @@ TEST_F(WatchedSession, AsksASkippedTrialAgainWhenWanted) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
-  EXPECT_EQ(rows[0].invalid_reason,
+  EXPECT_EQ(rows[0].invalid_reason.value().text,
             "the wrong sample lay there; set aside: the right sample lies there now");
-  EXPECT_EQ(monitor_.snapshot().attempts->at(0).reason, rows[0].invalid_reason);
+  EXPECT_EQ(monitor_.snapshot().attempts->at(0).reason.english(), rows[0].invalid_reason->text);
   EXPECT_TRUE(rows[1].valid);
 }
 
@@ -658,7 +658,7 @@ TEST_F(WatchedSession, EndsAfterAFaultWhenWhoeverAnswersWantsThat) {
   person_.at_fault = [] { return Respondent::AfterFault::end; };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason, HasSubstr("device_lost"));
+  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not answer"));
   EXPECT_EQ(attempts().size(), 1U);
 }
 
@@ -1113,7 +1113,7 @@ TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::aborted);
-  EXPECT_EQ(rows[0].invalid_reason, "the masking noise stopped");
+  EXPECT_EQ(rows[0].invalid_reason.value().text, "the masking noise stopped");
   EXPECT_TRUE(rows[1].valid);
   EXPECT_FALSE(monitor_.snapshot().trouble);
 }
@@ -1474,7 +1474,7 @@ TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
     }
     EXPECT_GT(bins_seen, 0U);
   }
-  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason.english();
   int valid = 0;
   int faults = 0;
   for (const AttemptRow& attempt : study.attempts(id)) {

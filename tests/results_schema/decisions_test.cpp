@@ -40,7 +40,7 @@ TEST(Decision, SetsAnAttemptAsideSoThatItsTrialCanBeAskedAgain) {
   EXPECT_THROW(study.add_attempt(session, some_attempt(1, 2)), ResultsError);
   study.set_aside(session, 1, 1, "the door opened");
   EXPECT_FALSE(of(study, session, 1).valid);
-  EXPECT_EQ(of(study, session, 1).invalid_reason, "set aside: the door opened");
+  EXPECT_EQ(of(study, session, 1).invalid_reason.value().text, "set aside: the door opened");
   EXPECT_EQ(cell(folder / "s", "SELECT invalid_reason FROM tidy_attempt"),
             "set aside: the door opened");
   study.add_attempt(session, some_attempt(1, 2));
@@ -56,14 +56,14 @@ TEST(Decision, ExcludesAndIncludesAgain) {
   EXPECT_FALSE(of(study, session, 1).excluded);
   study.add_decision(session,
                      {.trial = 1, .attempt = 1, .verdict = Verdict::exclude, .reason = "asleep"});
-  EXPECT_EQ(of(study, session, 1).excluded, "asleep");
+  EXPECT_EQ(of(study, session, 1).excluded.value().text, "asleep");
   EXPECT_TRUE(of(study, session, 1).valid);
   study.add_decision(
       session,
       {.trial = 1, .attempt = 1, .verdict = Verdict::include, .reason = "awake after all"});
   EXPECT_FALSE(of(study, session, 1).excluded);
   EXPECT_EQ(study.decisions(session).size(), 2U);
-  EXPECT_EQ(study.decisions(session)[0].reason, "asleep");
+  EXPECT_EQ(study.decisions(session)[0].reason.text, "asleep");
 }
 
 TEST(Decision, ExcludesAWholeSessionWithItsAttempts) {
@@ -71,13 +71,13 @@ TEST(Decision, ExcludesAWholeSessionWithItsAttempts) {
   auto [study, session] = study_with_session(folder / "s", 1);
   study.add_attempt(session, some_attempt(1, 1));
   study.add_decision(session, {.verdict = Verdict::exclude, .reason = "wrong glove"});
-  EXPECT_EQ(study.session(session).excluded, "wrong glove");
-  EXPECT_EQ(study.sessions().at(0).excluded, "wrong glove");
-  EXPECT_EQ(of(study, session, 1).excluded, "wrong glove");
+  EXPECT_EQ(study.session(session).excluded.value().text, "wrong glove");
+  EXPECT_EQ(study.sessions().at(0).excluded.value().text, "wrong glove");
+  EXPECT_EQ(of(study, session, 1).excluded.value().text, "wrong glove");
   // Taking an attempt's own exclusion back does not bring it past the session's.
   study.add_decision(session,
                      {.trial = 1, .attempt = 1, .verdict = Verdict::include, .reason = "fine"});
-  EXPECT_EQ(of(study, session, 1).excluded, "wrong glove");
+  EXPECT_EQ(of(study, session, 1).excluded.value().text, "wrong glove");
   study.add_decision(session, {.verdict = Verdict::include, .reason = "no glove"});
   EXPECT_FALSE(study.session(session).excluded);
   EXPECT_FALSE(of(study, session, 1).excluded);
@@ -89,7 +89,7 @@ TEST(Decision, AddsAFlagToThoseOfTheProgram) {
   study.add_attempt(session, some_attempt(1, 1));
   study.add_decision(session,
                      {.trial = 1, .attempt = 1, .verdict = Verdict::flag, .reason = "a noise"});
-  EXPECT_EQ(of(study, session, 1).flag_reason, "saturated for 3 ticks; a noise");
+  EXPECT_EQ(of(study, session, 1).flag_reason.value().text, "saturated for 3 ticks; a noise");
   EXPECT_EQ(cell(folder / "s", "SELECT flag_reason FROM tidy_attempt"),
             "saturated for 3 ticks; a noise");
 }

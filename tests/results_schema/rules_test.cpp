@@ -104,7 +104,10 @@ struct Forbidden {
 const std::string kServoValues =
     ", 1000, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'none', 0)";
 
-std::string attempt(const std::string& values) { return "INSERT INTO attempt VALUES " + values; }
+/// Without the codes of its reasons.
+std::string attempt(const std::string& values) {
+  return "INSERT INTO attempt SELECT *, NULL, NULL FROM (VALUES " + values + ")";
+}
 std::string session(const std::string& participant, const std::string& ordinal,
                     const std::string& mode) {
   return "INSERT INTO session SELECT NULL, " + participant + ", " + ordinal + ", protocol_id, " +
@@ -116,7 +119,7 @@ std::string session(const std::string& participant, const std::string& ordinal,
 }
 
 std::string decision(const std::string& values) {
-  return "INSERT INTO decision VALUES (" + values + ", 'because', '', '" + kNow + "')";
+  return "INSERT INTO decision VALUES (" + values + ", 'because', '', '" + kNow + "', NULL)";
 }
 
 std::vector<Forbidden> forbidden_statements() {
@@ -130,7 +133,7 @@ std::vector<Forbidden> forbidden_statements() {
       {"whole session set aside", decision("NULL, 1, NULL, NULL, 'set_aside'")},
       {"attempt without its trial", decision("NULL, 1, NULL, 1, 'exclude'")},
       {"decision without a reason",
-       "INSERT INTO decision VALUES (NULL, 1, 1, 1, 'exclude', '', '', '" + kNow + "')"},
+       "INSERT INTO decision VALUES (NULL, 1, 1, 1, 'exclude', '', '', '" + kNow + "', NULL)"},
       {"set aside in a session that is over", decision("NULL, 2, 1, 1, 'set_aside'")},
       {"other layout", "UPDATE session SET mirrored = 1 WHERE id = 1"},
       {"second valid attempt", attempt("(9,1,1,3,1,'answered',1,NULL,0,NULL,0,1)")},
@@ -145,13 +148,13 @@ std::vector<Forbidden> forbidden_statements() {
       {"unplanned trial", attempt("(9,1,99,1,1,'answered',1,NULL,0,NULL,0,1)")},
       {"trial of another session", attempt("(9,2,2,1,1,'answered',1,NULL,0,NULL,0,1)")},
       {"attempt id taken by replacing",
-       "INSERT OR REPLACE INTO attempt VALUES (2,1,2,1,1,'answered',1,NULL,0,NULL,0,1)"},
+       "INSERT OR REPLACE INTO attempt VALUES (2,1,2,1,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL)"},
       {"attempt replaced by its key",
-       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,2,1,'aborted',0,'x',0,NULL,0,1)"},
+       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,2,1,'aborted',0,'x',0,NULL,0,1,NULL,NULL)"},
       {"valid attempt replaced",
-       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,3,1,'answered',1,NULL,0,NULL,0,1)"},
+       "INSERT OR REPLACE INTO attempt VALUES (9,1,1,3,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL)"},
       {"attempt upserted",
-       "INSERT INTO attempt VALUES (2,1,1,2,1,'answered',1,NULL,0,NULL,0,1) "
+       "INSERT INTO attempt VALUES (2,1,1,2,1,'answered',1,NULL,0,NULL,0,1,NULL,NULL) "
        "ON CONFLICT DO UPDATE SET flagged = 0, flag_reason = NULL"},
       {"update attempt", "UPDATE attempt SET valid = 0, invalid_reason = 'x' WHERE id = 2"},
       {"update or replace attempt", "UPDATE OR REPLACE attempt SET id = 1 WHERE id = 2"},
@@ -221,10 +224,10 @@ std::vector<Forbidden> forbidden_statements() {
       {"recording of no attempt", "INSERT INTO recording VALUES (99,'n','f'," + kHash + ",1,1)"},
       {"update event", "UPDATE event SET text = 'x'"},
       {"delete event", "DELETE FROM event"},
-      {"replace event", "INSERT OR REPLACE INTO event VALUES (1,1,NULL,0,'k','','null')"},
-      {"event of no session", "INSERT INTO event VALUES (NULL,99,NULL,0,'k','','null')"},
+      {"replace event", "INSERT OR REPLACE INTO event VALUES (1,1,NULL,0,'k','','null',NULL)"},
+      {"event of no session", "INSERT INTO event VALUES (NULL,99,NULL,0,'k','','null',NULL)"},
       {"event of an attempt of another session",
-       "INSERT INTO event VALUES (NULL,2,1,0,'k','','null')"},
+       "INSERT INTO event VALUES (NULL,2,1,0,'k','','null',NULL)"},
       {"update session_answer", "UPDATE session_answer SET answer = 'b'"},
       {"delete session_answer", "DELETE FROM session_answer"},
       {"replace session_answer",
@@ -328,7 +331,7 @@ TEST_P(Rules, AllowWhatIsAsItShouldBe) {
   fill(folder / "s");
   ForeignTool tool(folder / "s", GetParam());
   EXPECT_EQ(tool.run(attempt("(9,1,2,1,1,'aborted',0,'x',0,NULL,0,1)")), "");
-  EXPECT_EQ(tool.run("INSERT INTO event VALUES (NULL,1,9,0,'k','','null')"), "");
+  EXPECT_EQ(tool.run("INSERT INTO event VALUES (NULL,1,9,0,'k','','null',NULL)"), "");
   EXPECT_EQ(tool.run("UPDATE participant SET age_years = 30 WHERE label = 'P01'"), "");
   EXPECT_EQ(tool.run("DELETE FROM participant WHERE label = 'Person'"), "");
   EXPECT_EQ(tool.run(session("1", "4", "'run'")), "");

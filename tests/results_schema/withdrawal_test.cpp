@@ -105,7 +105,7 @@ TEST_F(Withdrawal, DeletesNothingOfTheOthers) {
     for (const SessionRow& session : study.sessions()) {
       if (session.participant != "Stays1") continue;
       for (const AttemptRow& attempt : study.attempts(session.id)) {
-        words.push_back(attempt.responses.at(0).answer + *attempt.flag_reason +
+        words.push_back(attempt.responses.at(0).answer + attempt.flag_reason->text +
                         attempt.recording->sha256);
       }
       for (const ResponseRow& row : study.session_answers(session.id)) words.push_back(row.answer);
@@ -163,7 +163,7 @@ TEST_F(Withdrawal, KeepsDataThatNothingUses) {
   const SessionRow session = study.sessions().back();
   ASSERT_EQ(session.participant, "Wanda7");
   EXPECT_TRUE(session.withdrawn);
-  EXPECT_EQ(session.excluded, "The participant withdrew consent");
+  EXPECT_EQ(session.excluded.value().text, "The participant withdrew consent");
   for (const AttemptRow& attempt : study.attempts(session.id)) EXPECT_TRUE(attempt.excluded);
   EXPECT_EQ(study.attempts(session.id).at(0).responses.at(0).answer, "answer of Wanda7");
   EXPECT_THAT(study.verify({}), testing::IsEmpty());

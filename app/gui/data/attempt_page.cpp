@@ -13,6 +13,7 @@
 #include "app/gui/data/decision_form.h"
 #include "app/gui/data/recording_view.h"
 #include "app/gui/look/task_line.h"
+#include "app/offered_reasons.h"
 #include "app/tasks/recording_curves.h"
 #include "app/tasks/study_overview.h"
 #include "results_schema/atomic_file.h"
@@ -251,9 +252,7 @@ void AttemptPage::ask_to_flag() {
                     .attempt = detail_->attempt.attempt,
                     .verdict = Verdict::flag};
   question.text = tr("Why should somebody look at this attempt? It goes on to count.");
-  question.common_reasons = QStringList{
-      tr("The participant seemed distracted"), tr("The hand slipped"), tr("Somebody came in"),
-      tr("The force felt wrong"), tr("The participant took the answer back")};
+  question.offered = offered_reasons(ReasonFor::flagging);
   question.verb = tr("Flag attempt");
   form_->ask(question);
 }
@@ -268,17 +267,13 @@ void AttemptPage::ask_to_exclude() {
                     .verdict = excluded ? Verdict::include : Verdict::exclude};
   if (excluded) {
     question.text = tr("Why do analyses count this attempt again?");
-    question.common_reasons =
-        QStringList{tr("Excluded by mistake"), tr("The reason turned out not to hold")};
+    question.offered = offered_reasons(ReasonFor::including);
     question.verb = tr("Include attempt");
   } else {
     question.text =
         tr("Why do analyses leave this attempt out? It stays in the study and can be included "
            "again.");
-    question.common_reasons =
-        QStringList{tr("The participant did not follow the instruction"), tr("Interrupted"),
-                    tr("Answered by mistake"), tr("The device did not work as it should"),
-                    tr("The surface was recognised by something other than touch")};
+    question.offered = offered_reasons(ReasonFor::excluding_attempt);
     question.verb = tr("Exclude attempt");
   }
   form_->ask(question);

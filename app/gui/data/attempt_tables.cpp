@@ -110,7 +110,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
        count(servo.slew_limited_ticks), none(servo.slew_limited_ticks)},
       {MeasureTables::tr("ticks without a finite force"), count(servo.not_finite_ticks),
        none(servo.not_finite_ticks)},
-      {MeasureTables::tr("fault"), OutcomeWords::of_reason(servo.fault),
+      {MeasureTables::tr("fault"), OutcomeWords::of_fault(servo.fault),
        servo.fault == "none" ? State::fine : State::stop},
   };
 }
@@ -318,7 +318,8 @@ void HistoryTables::show_attempt(const AttemptDetail& detail) {
                      text_cell(text_of_time(decision.decided_utc), text(decision.decided_utc)),
                      text_cell(decision.trial ? tr("this attempt") : tr("the session")),
                      text_cell(AttemptWords::of_verdict(decision.verdict)),
-                     text_cell(text(decision.reason)), text_cell(text(decision.decided_by))}});
+                     text_cell(OutcomeWords::of_reason(decision.reason)),
+                     text_cell(text(decision.decided_by))}});
   }
   decisions_->fill(rows);
   rows.clear();
@@ -326,7 +327,7 @@ void HistoryTables::show_attempt(const AttemptDetail& detail) {
     const double time_s = static_cast<double>(event.time_ns - detail.attempt.onset_ns) * 1e-9;
     rows.push_back({QString::number(rows.size()),
                     {number_cell(shown_number(time_s, 'f', 2), time_s), text_cell(text(event.kind)),
-                     text_cell(text(event.text))}});
+                     text_cell(OutcomeWords::of_event(event))}});
   }
   events_->fill(rows);
 }

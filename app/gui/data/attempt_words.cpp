@@ -72,13 +72,13 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   const AttemptRow& attempt = detail.attempt;
   QStringList said{};
   if (!attempt.valid) {
-    said << tr("Does not count: %1")
-                .arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–")));
+    said << tr("Does not count: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason));
   }
   if (detail.session.excluded) {
-    said << tr("Excluded with its whole session: %1").arg(text(*detail.session.excluded));
+    said << tr("Excluded with its whole session: %1")
+                .arg(OutcomeWords::of_reason(detail.session.excluded));
   } else if (attempt.excluded) {
-    said << tr("Excluded: %1").arg(text(*attempt.excluded));
+    said << tr("Excluded: %1").arg(OutcomeWords::of_reason(attempt.excluded));
   }
   if (said.isEmpty()) {
     switch (use_in_analyses(detail.planned, attempt)) {
@@ -102,7 +102,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   }
   if (attempt.flagged) {
     said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
-                .arg(OutcomeWords::of_reason(attempt.flag_reason.value_or("–")));
+                .arg(OutcomeWords::of_reason(attempt.flag_reason));
   }
   return said.join(tr("; "));
 }

@@ -4,7 +4,9 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 
+#include "app/coded_phrases.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 
 namespace asperity {
@@ -58,7 +60,7 @@ void DecisionForm::ask(const Question& question) {
   text_->setText(question.text);
   write_->setText(question.verb);
   reason_->clear();
-  reason_->addItems(question.common_reasons);
+  for (const Phrase& offered : question.offered) reason_->addItem(words_of(offered));
   reason_->setCurrentIndex(-1);
   reason_->clearEditText();
   show_what_is_missing();
@@ -92,7 +94,7 @@ void DecisionForm::show_what_is_missing() {
 
 void DecisionForm::write() {
   DecisionRow decision = question_.draft;
-  decision.reason = reason_->currentText().trimmed().toStdString();
+  decision.reason = stored(offered_or_typed(reason_->currentText().trimmed(), question_.offered));
   decision.decided_by = by_->text().trimmed().toStdString();
   write_->setEnabled(false);
   writing_.run<bool>(

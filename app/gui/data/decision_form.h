@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include <QtCore/QStringList>
 #include <QtWidgets/QFrame>
 
 #include "app/gui/look/background_task.h"
+#include "app/phrase.h"
 #include "results_schema/rows.h"
 
 class QComboBox;
@@ -29,7 +30,7 @@ class DecisionForm final : public QFrame {
     std::int64_t session_id = 0;
     DecisionRow draft{};  ///< what it is about, and the verdict
     QString text{};
-    QStringList common_reasons{};
+    std::vector<Phrase> offered{};  ///< see offered_reasons
     QString verb{};
   };
 

@@ -1,5 +1,6 @@
 #include "app/gui/look/outcome_words.h"
 
+#include "app/coded_phrases.h"
 #include "app/conductor/reason.h"
 #include "app/gui/look/words.h"
 
@@ -25,8 +26,17 @@ QString OutcomeWords::of(AttemptOutcome outcome) {
   return tr("skipped");
 }
 
-QString OutcomeWords::of_reason(const std::string& reason) { return words_of(read_reason(reason)); }
+QString OutcomeWords::of_reason(const std::optional<StoredWords>& reason) {
+  return reason ? words_of(phrase_of(*reason)) : QString("–");
+}
 
 QString OutcomeWords::of_fault(Fault fault) { return words_of(phrase_of(fault)); }
+
+QString OutcomeWords::of_fault(const std::string& name) {
+  const auto known = coded_phrases().find(name);
+  return known == coded_phrases().end() ? text(name) : words_of(known->second);
+}
+
+QString OutcomeWords::of_event(const EventRow& event) { return words_of(phrase_of(event)); }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <QtCore/QCoreApplication>
@@ -17,10 +18,14 @@ class OutcomeWords final {
  public:
   /// "no answer in time".
   static QString of(AttemptOutcome outcome);
-  /// Why something does not count, is flagged or ended, as stored: the program's own reasons in the
-  /// language of the windows, what somebody typed as it is.
-  static QString of_reason(const std::string& reason);
+  /// Why something does not count, is flagged or was decided: the program's own reasons in the language of
+  /// the windows, what somebody typed as it is. "–" where nothing is stored.
+  static QString of_reason(const std::optional<StoredWords>& reason);
   static QString of_fault(Fault fault);
+  /// As a row stores it: by its name.
+  static QString of_fault(const std::string& name);
+  /// The text of an event.
+  static QString of_event(const EventRow& event);
 };
 
 }  // namespace asperity

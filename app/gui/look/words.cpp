@@ -1,5 +1,6 @@
 #include "app/gui/look/words.h"
 
+#include <algorithm>
 #include <map>
 
 #include <QtCore/QCoreApplication>
@@ -76,6 +77,12 @@ QString words_of(const Phrase& phrase, const QString& control) {
     words.replace(kCommand, DriverWords::tr("“Test this device…” on the page Devices"));
   }
   return words;
+}
+
+Phrase offered_or_typed(const QString& text, const std::vector<Phrase>& offered) {
+  const auto chosen = std::find_if(offered.begin(), offered.end(),
+                                   [&text](const Phrase& one) { return words_of(one) == text; });
+  return chosen == offered.end() ? Phrase(text.toStdString()) : *chosen;
 }
 
 QString with_remark(const QString& said, const std::optional<Phrase>& remark) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QtCore/QString>
 
@@ -24,6 +25,9 @@ QString words_in_language(const std::string& tag, const Phrase& phrase);
 QString words_of(const Phrase& phrase);
 /// Likewise where what an option tells is told right here: by `control`.
 QString words_of(const Phrase& phrase, const QString& control);
+
+/// What was chosen or typed where a window offers these: the one that it shows as `text`, otherwise what was typed.
+Phrase offered_or_typed(const QString& text, const std::vector<Phrase>& offered);
 
 /// A sentence, followed by the remark if there is one.
 QString with_remark(const QString& said, const std::optional<Phrase>& remark);

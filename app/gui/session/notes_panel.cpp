@@ -15,7 +15,9 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/settings.h"
+#include "app/offered_reasons.h"
 
 namespace asperity {
 
@@ -23,11 +25,9 @@ namespace {
 
 /// What a hand at a haptic device, and whoever it belongs to, is noted for most often.
 QStringList usual_phrases() {
-  return {NotesPanel::tr("Pressed hard"),  NotesPanel::tr("Lifted early"),
-          NotesPanel::tr("Grip changed"),  NotesPanel::tr("Hand slipped"),
-          NotesPanel::tr("Hand is tired"), NotesPanel::tr("Felt a jolt"),
-          NotesPanel::tr("Distracted"),    NotesPanel::tr("Had a question"),
-          NotesPanel::tr("Noise outside")};
+  QStringList phrases{};
+  for (const Phrase& phrase : offered_reasons(ReasonFor::noting)) phrases += words_of(phrase);
+  return phrases;
 }
 
 }  // namespace
@@ -215,10 +215,8 @@ void NotesPanel::focus_field() {
   if (field_->isEnabled()) field_->setFocus(Qt::ShortcutFocusReason);
 }
 
-void NotesPanel::show_earlier(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) {
-    list_->insertItem(0, tr("earlier  %1").arg(QString::fromStdString(note)));
-  }
+void NotesPanel::show_earlier(const std::vector<Phrase>& notes) {
+  for (const Phrase& note : notes) list_->insertItem(0, tr("earlier  %1").arg(words_of(note)));
 }
 
 void NotesPanel::note(const QString& text) {

@@ -2,11 +2,12 @@
 
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
+
+#include "app/phrase.h"
 
 class QLabel;
 class QLineEdit;
@@ -31,7 +32,7 @@ class NotesPanel final : public QWidget {
   bool is_locked() const;
   void focus_field();
   /// Of a session that is resumed, in the order of noting.
-  void show_earlier(const std::vector<std::string>& notes);
+  void show_earlier(const std::vector<Phrase>& notes);
   /// With two rows of phrases: where there is more room, more are shown.
   QSize minimumSizeHint() const override;
 

@@ -13,7 +13,7 @@
 #include <QtWidgets/QTableView>
 
 #include "app/gui/look/controls.h"
-#include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -189,7 +189,7 @@ void PlanModel::write_outcomes() {
     row.outcome = numbered(text, attempt.attempt);
     row.history = row.history.isEmpty() ? text : tr("%1, before: %2").arg(text, row.history);
     row.state = SessionText::state_of(attempt);
-    const QString reason = OutcomeWords::of_reason(attempt.reason);
+    const QString reason = words_of(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;
   }
 }

@@ -9,6 +9,7 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -104,15 +105,17 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-void ReasonForm::ask(const QString& question, const QStringList& ready_made, const QString& verb,
-                     std::function<void(QString)> on_reason) {
+void ReasonForm::ask(const QString& question, const std::vector<Phrase>& ready_made,
+                     const QString& verb, std::function<void(Phrase)> on_reason) {
   question_->setText(question);
   act_->setText(verb);
   act_->setEnabled(false);
   field_->clear();
+  offered_ = ready_made;
   on_reason_ = std::move(on_reason);
   QList<QPushButton*> buttons{};
-  for (const QString& reason : ready_made) {
+  for (const Phrase& offered : ready_made) {
+    const QString reason = words_of(offered);
     QPushButton* button = make_button(reason, ButtonRole::plain, ready_made_);
     button->setFont(text_font(TextSize::small));
     button->setFocusPolicy(Qt::NoFocus);
@@ -134,7 +137,7 @@ void ReasonForm::finish() {
   if (reason.isEmpty()) return;
   hide();
   const auto act = std::exchange(on_reason_, nullptr);  // may ask something else
-  if (act) act(reason);
+  if (act) act(offered_or_typed(reason, offered_));
 }
 
 void ReasonForm::cancel() {

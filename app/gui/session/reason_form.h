@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
-#include <QtCore/QStringList>
 #include <QtWidgets/QFrame>
+
+#include "app/phrase.h"
 
 class QLabel;
 class QLineEdit;
@@ -21,8 +23,8 @@ class ReasonForm final : public QFrame {
  public:
   explicit ReasonForm(QWidget* parent = nullptr);
   /// Shows itself. `verb` is what its button says; `on_reason` gets what was chosen or typed.
-  void ask(const QString& question, const QStringList& ready_made, const QString& verb,
-           std::function<void(QString)> on_reason);
+  void ask(const QString& question, const std::vector<Phrase>& ready_made, const QString& verb,
+           std::function<void(Phrase)> on_reason);
   /// Why nothing can be typed now; empty: it can.
   void lock(const QString& why);
   void cancel();
@@ -39,7 +41,8 @@ class ReasonForm final : public QFrame {
   QLineEdit* field_ = nullptr;
   QLabel* why_locked_ = nullptr;
   QPushButton* act_ = nullptr;
-  std::function<void(QString)> on_reason_{};
+  std::vector<Phrase> offered_{};
+  std::function<void(Phrase)> on_reason_{};
 };
 
 }  // namespace asperity

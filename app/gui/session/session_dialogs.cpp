@@ -9,6 +9,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/session/reason_form.h"
+#include "app/offered_reasons.h"
 
 namespace asperity {
 
@@ -33,7 +34,7 @@ QVBoxLayout* prepare_dialog(QDialog& dialog, const QString& title, const QString
 
 }  // namespace
 
-AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort) : QDialog(parent) {
+AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) : QDialog(parent) {
   setObjectName("abort_dialog");
   QVBoxLayout* rows = prepare_dialog(
       *this, tr("Abort the session?"),
@@ -44,10 +45,8 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort)
   form_->layout()->setContentsMargins(0, 0, 0, 0);
   rows->addWidget(form_);
   connect(form_, &ReasonForm::cancelled, this, &QDialog::reject);
-  form_->ask(tr("Why is it aborted?"),
-             {tr("The participant wishes to stop"), tr("The participant is unwell"),
-              tr("Technical problem")},
-             tr("Abort session"), [this, on_abort = std::move(on_abort)](const QString& reason) {
+  form_->ask(tr("Why is it aborted?"), offered_reasons(ReasonFor::aborting), tr("Abort session"),
+             [this, on_abort = std::move(on_abort)](const Phrase& reason) {
                on_abort(reason);
                accept();
              });

@@ -6,6 +6,8 @@
 
 #include <QtWidgets/QDialog>
 
+#include "app/phrase.h"
+
 namespace asperity {
 
 class ReasonForm;
@@ -16,7 +18,7 @@ class ReasonForm;
 class AbortDialog final : public QDialog {
   Q_OBJECT
  public:
-  AbortDialog(QWidget* parent, std::function<void(QString)> on_abort);
+  AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort);
   /// Why nothing can be typed now; empty: it can.
   void lock(const QString& why);
 

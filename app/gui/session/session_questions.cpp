@@ -5,6 +5,7 @@
 #include "app/conductor/reason.h"
 #include "app/gui/session/reason_form.h"
 #include "app/gui/session/session_dialogs.h"
+#include "app/offered_reasons.h"
 
 namespace asperity {
 
@@ -20,32 +21,26 @@ void SessionQuestions::lock(const QString& why) {
 void SessionQuestions::ask_to_repeat() {
   form_.ask(tr("Why is the last trial repeated? What was answered stays stored and no longer "
                "counts."),
-            {tr("The participant was distracted"), tr("Wrong key pressed"),
-             tr("The participant asks for it"), tr("Technical problem")},
-            tr("Repeat last trial"),
-            [this](const QString& reason) { requests_.repeat_last(reason.toStdString()); });
+            offered_reasons(ReasonFor::repeating), tr("Repeat last trial"),
+            [this](const Phrase& reason) { requests_.repeat_last(reason); });
 }
 
 void SessionQuestions::ask_to_skip(int trial) {
   form_.ask(tr("Why is trial %1 skipped? It is kept as skipped and not asked again.").arg(trial),
-            {tr("The participant cannot answer"), tr("The participant does not want to go on"),
-             tr("Technical problem")},
-            tr("Skip this trial"),
-            [this](const QString& reason) { requests_.skip(reason.toStdString()); });
+            offered_reasons(ReasonFor::skipping), tr("Skip this trial"),
+            [this](const Phrase& reason) { requests_.skip(reason); });
 }
 
-void SessionQuestions::ask_to_unblind(std::function<void(QString)> on_reason) {
+void SessionQuestions::ask_to_unblind(std::function<void(Phrase)> on_reason) {
   form_.ask(tr("Why do you need to know the conditions? The reason is stored with the session, and "
                "the window stays marked."),
-            {tr("Safety of the participant"), tr("Suspected fault of a stimulus"),
-             tr("Not the experimenter of this study")},
-            tr("Unblind"), std::move(on_reason));
+            offered_reasons(ReasonFor::unblinding), tr("Unblind"), std::move(on_reason));
 }
 
 void SessionQuestions::ask_to_abort() {
   if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
-  auto* dialog = new AbortDialog(
-      &window_, [this](const QString& reason) { requests_.abort(reason.toStdString()); });
+  auto* dialog =
+      new AbortDialog(&window_, [this](const Phrase& reason) { requests_.abort(reason); });
   dialog->lock(why_locked_);
   dialog_ = dialog;
   dialog_->show();
@@ -55,7 +50,7 @@ void SessionQuestions::ask_to_leave() {
   if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
   dialog_ = new CloseDialog(&window_, [this](Leaving how) {
     if (how == Leaving::abort_now) {
-      requests_.abort(phrase_of(Reason::session_window_closed).english());
+      requests_.abort(phrase_of(Reason::session_window_closed));
     } else {
       requests_.stop_after(StopAfter::trial);
       // A pause would keep it from ever coming to that.

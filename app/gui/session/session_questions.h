@@ -28,7 +28,7 @@ class SessionQuestions final : public QObject {
   void ask_to_skip(int trial);
   void ask_to_abort();
   void ask_to_leave();
-  void ask_to_unblind(std::function<void(QString)> on_reason);
+  void ask_to_unblind(std::function<void(Phrase)> on_reason);
   /// Takes back what is asked, the dialog before the form; false when nothing is.
   bool take_back_one();
   void take_all_back();

@@ -28,7 +28,7 @@ SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound, DriverRegis
 
 SessionRunner::~SessionRunner() {
   if (!worker_.joinable()) return;
-  requests_.abort(phrase_of(Reason::window_closed).english());
+  requests_.abort(phrase_of(Reason::window_closed));
   worker_.request_stop();
   worker_.join();
 }
@@ -53,7 +53,8 @@ void SessionRunner::start(const SessionOrder& order) {
   running_ = true;
   person_ = std::make_unique<PersonAtWindow>(monitor_, nullptr);
   if (!order.consent_seen_by.empty()) {
-    requests_.remark("consent_seen", "agreement seen by " + order.consent_seen_by);
+    requests_.remark("consent_seen",
+                     phrase_of(Reason::agreement_witnessed).with(order.consent_seen_by));
   }
   worker_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -71,8 +72,7 @@ void SessionRunner::run(const std::stop_token& stop) {
   // As asked, before there was a session: there is nothing to fix.
   const auto tell_not_begun = [this, &tell_end] {
     monitor_.update([](SessionSnapshot& snapshot) { snapshot.phase = SessionPhase::ended; });
-    tell_end(
-        {.state = SessionState::stopped, .reason = phrase_of(Reason::stopped_as_asked).english()});
+    tell_end({.state = SessionState::stopped, .reason = phrase_of(Reason::stopped_as_asked)});
   };
   try {
     // Here and not in a window's thread: a sound server takes its time.

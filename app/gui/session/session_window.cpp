@@ -14,7 +14,6 @@
 
 #include "app/conductor/clock.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
 #include "app/gui/session/answers_panel.h"
 #include "app/gui/session/end_summary.h"
@@ -31,6 +30,7 @@
 #include "app/gui/session/session_text.h"
 #include "app/gui/session/session_troubles.h"
 #include "app/gui/session/window_place.h"
+#include "app/offered_reasons.h"
 
 namespace asperity {
 
@@ -117,8 +117,9 @@ void SessionWindow::connect_parts() {
   connect(controls_, &SessionControls::skip_wanted, this,
           [this] { questions_->ask_to_skip(shown_.trial); });
   connect(header_, &SessionHeader::unblind_pressed, this, &SessionWindow::change_blindness);
-  connect(notes_, &NotesPanel::noted, this,
-          [this](const QString& text) { requests_.note(text.toStdString()); });
+  connect(notes_, &NotesPanel::noted, this, [this](const QString& text) {
+    requests_.note(offered_or_typed(text, offered_reasons(ReasonFor::noting)));
+  });
   connect(troubles_, &SessionTroubles::end_wanted, this, [this] { do_verb(SessionVerb::abort); });
   connect(troubles_, &SessionTroubles::pause_wanted, this, [this] { do_verb(SessionVerb::pause); });
   connect(troubles_, &SessionTroubles::way_on_wanted, this, &SessionWindow::way_on_wanted);
@@ -283,8 +284,8 @@ void SessionWindow::change_blindness() {
     blind_ = false;
     return write_blindness();
   }
-  questions_->ask_to_unblind([this](const QString& reason) {
-    requests_.remark("unblinded", reason.toStdString());
+  questions_->ask_to_unblind([this](const Phrase& reason) {
+    requests_.remark("unblinded", reason);
     if (unblinded_at_.isEmpty()) unblinded_at_ = QTime::currentTime().toString("HH:mm");
     blind_ = false;
     write_blindness();
@@ -519,7 +520,7 @@ void SessionWindow::write_end() {
       facts_ != nullptr && !outcome.is_complete && !(end_ && end_->as_the_protocol_says);
   QString why{};
   if (end_ && !end_->reason.empty()) {
-    why = OutcomeWords::of_reason(end_->reason);
+    why = words_of(end_->reason);
   } else if (shown_.trouble && !failed_) {  // a failure is said by its banner
     why = words_of(shown_.trouble->what);
   }

@@ -7,6 +7,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QStyledItemDelegate>
 
+#include "app/gui/look/outcome_words.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
 
@@ -43,7 +44,7 @@ QStandardItem* session_state_cell(const SessionOverview& session) {
     cell->setForeground(theme().stop);
     cell->setToolTip(
         SessionsPage::tr("%1; analyses leave it out: %2")
-            .arg(text_of_session_state(session), QString::fromStdString(*session.row.excluded)));
+            .arg(text_of_session_state(session), OutcomeWords::of_reason(session.row.excluded)));
     return cell;
   }
   const State state = state_of_session(session);

@@ -17,6 +17,7 @@
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
+#include "app/offered_reasons.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -55,15 +56,14 @@ QString text_of_outcome(const TrialOverview& trial) {
 QString text_of_remarks(const AttemptRow& attempt) {
   QStringList remarks{};
   if (!attempt.valid) {
-    remarks.append(TrialsPage::tr("not valid: %1")
-                       .arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–"))));
+    remarks.append(
+        TrialsPage::tr("not valid: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason)));
   }
   if (attempt.flagged) {
-    remarks.append(TrialsPage::tr("flagged: %1")
-                       .arg(OutcomeWords::of_reason(attempt.flag_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("flagged: %1").arg(OutcomeWords::of_reason(attempt.flag_reason)));
   }
   if (attempt.excluded) {
-    remarks.append(TrialsPage::tr("excluded: %1").arg(text(*attempt.excluded)));
+    remarks.append(TrialsPage::tr("excluded: %1").arg(OutcomeWords::of_reason(attempt.excluded)));
   }
   return remarks.join("; ");
 }
@@ -258,17 +258,13 @@ void TrialsPage::ask_to_exclude() {
   question.draft.verdict = excluded ? Verdict::include : Verdict::exclude;
   if (excluded) {
     question.text = tr("Why do analyses count this session again?");
-    question.common_reasons =
-        QStringList{tr("Excluded by mistake"), tr("The reason turned out not to hold")};
+    question.offered = offered_reasons(ReasonFor::including);
     question.verb = tr("Include session");
   } else {
     question.text =
         tr("Why do analyses leave the whole session out? It stays in the study and can be included "
            "again.");
-    question.common_reasons =
-        QStringList{tr("The participant withdrew consent"),
-                    tr("The participant did not follow the instruction"),
-                    tr("The device did not work as it should"), tr("It was run to try things out")};
+    question.offered = offered_reasons(ReasonFor::excluding_session);
     question.verb = tr("Exclude session");
   }
   form_->ask(question);
@@ -298,8 +294,9 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
         State::look, tr("It is running, and who runs it is blind: until it ends, its own window "
                         "shows what may be known."));
   } else if (excluded) {
-    standing_->set_state(State::stop,
-                         tr("Analyses leave the whole session out: %1").arg(text(*excluded)));
+    standing_->set_state(
+        State::stop,
+        tr("Analyses leave the whole session out: %1").arg(OutcomeWords::of_reason(excluded)));
   }
   exclude_->setText(excluded ? tr("Include session again…") : tr("Exclude session…"));
   std::vector<StudyTable::Row> rows{};
@@ -313,7 +310,7 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
     const bool is_hidden = blind && event.kind != "note" && !event.text.empty();
     rows.push_back({QString::number(i),
                     {clock_cell(since_start_s(detail, event.time_ns)), text_cell(text(event.kind)),
-                     text_cell(is_hidden ? QString(kHidden) : text(event.text))}});
+                     text_cell(is_hidden ? QString(kHidden) : OutcomeWords::of_event(event))}});
   }
   events_->fill(rows);
   tabs_->setTabText(1, tr("Notes and events (%1)").arg(detail.events.size()));

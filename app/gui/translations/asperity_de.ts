@@ -3115,6 +3115,153 @@
     </message>
 </context>
 <context>
+    <name>OfferedReasons</name>
+    <message>
+        <source>The participant was distracted</source>
+        <translation>Die Versuchsperson war abgelenkt</translation>
+    </message>
+    <message>
+        <source>Wrong key pressed</source>
+        <translation>Falsche Taste gedrückt</translation>
+    </message>
+    <message>
+        <source>The participant asks for it</source>
+        <translation>Die Versuchsperson bittet darum</translation>
+    </message>
+    <message>
+        <source>The participant cannot answer</source>
+        <translation>Die Versuchsperson kann nicht antworten</translation>
+    </message>
+    <message>
+        <source>The participant does not want to go on</source>
+        <translation>Die Versuchsperson möchte nicht weitermachen</translation>
+    </message>
+    <message>
+        <source>The participant wishes to stop</source>
+        <translation>Die Versuchsperson möchte aufhören</translation>
+    </message>
+    <message>
+        <source>The participant is unwell</source>
+        <translation>Der Versuchsperson ist nicht wohl</translation>
+    </message>
+    <message>
+        <source>Technical problem</source>
+        <translation>Technisches Problem</translation>
+    </message>
+    <message>
+        <source>Safety of the participant</source>
+        <translation>Sicherheit der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Suspected fault of a stimulus</source>
+        <translation>Verdacht auf einen fehlerhaften Reiz</translation>
+    </message>
+    <message>
+        <source>Not the experimenter of this study</source>
+        <translation>Nicht die Versuchsleitung dieser Studie</translation>
+    </message>
+    <message>
+        <source>The participant seemed distracted</source>
+        <translation>Die Versuchsperson wirkte abgelenkt</translation>
+    </message>
+    <message>
+        <source>The hand slipped</source>
+        <translation>Die Hand ist abgerutscht</translation>
+    </message>
+    <message>
+        <source>Somebody came in</source>
+        <translation>Jemand kam herein</translation>
+    </message>
+    <message>
+        <source>The force felt wrong</source>
+        <translation>Die Kraft fühlte sich falsch an</translation>
+    </message>
+    <message>
+        <source>The participant took the answer back</source>
+        <translation>Die Versuchsperson nahm die Antwort zurück</translation>
+    </message>
+    <message>
+        <source>The participant withdrew consent</source>
+        <translation>Die Versuchsperson zog die Einwilligung zurück</translation>
+    </message>
+    <message>
+        <source>The participant did not follow the instruction</source>
+        <translation>Die Versuchsperson folgte der Anweisung nicht</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Answered by mistake</source>
+        <translation>Aus Versehen beantwortet</translation>
+    </message>
+    <message>
+        <source>The device did not work as it should</source>
+        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
+    </message>
+    <message>
+        <source>The surface was recognised by something other than touch</source>
+        <translation>Die Oberfläche wurde an etwas anderem als der Berührung erkannt</translation>
+    </message>
+    <message>
+        <source>It was run to try things out</source>
+        <translation>Sie diente zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Excluded by mistake</source>
+        <translation>Aus Versehen ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>The reason turned out not to hold</source>
+        <translation>Der Grund hat sich nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Pressed hard</source>
+        <translation>Fest gedrückt</translation>
+    </message>
+    <message>
+        <source>Lifted early</source>
+        <translation>Früh gehoben</translation>
+    </message>
+    <message>
+        <source>Grip changed</source>
+        <translation>Umgegriffen</translation>
+    </message>
+    <message>
+        <source>Hand slipped</source>
+        <translation>Abgerutscht</translation>
+    </message>
+    <message>
+        <source>Hand is tired</source>
+        <translation>Hand müde</translation>
+    </message>
+    <message>
+        <source>Felt a jolt</source>
+        <translation>Ruck gespürt</translation>
+    </message>
+    <message>
+        <source>Distracted</source>
+        <translation>Abgelenkt</translation>
+    </message>
+    <message>
+        <source>Had a question</source>
+        <translation>Hatte Frage</translation>
+    </message>
+    <message>
+        <source>Noise outside</source>
+        <translation>Lärm außen</translation>
+    </message>
+    <message>
+        <source>The participant was not eligible</source>
+        <translation>Die Versuchsperson war nicht teilnahmeberechtigt</translation>
+    </message>
+    <message>
+        <source>The participant was withdrawn</source>
+        <translation>Die Versuchsperson wurde aus der Studie genommen</translation>
+    </message>
+</context>
+<context>
     <name>OpeningWords</name>
     <message>
         <source>%1 is a folder; open one of the pictures in it.</source>
@@ -3752,6 +3899,18 @@
     <message>
         <source>deadlines missed in contact: %1, at most %2 allowed</source>
         <translation>verpasste Fristen im Kontakt: %1, höchstens %2 erlaubt</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>no trial has been answered or skipped yet</source>
+        <translation>es wurde noch kein Durchgang beantwortet oder übersprungen</translation>
+    </message>
+    <message>
+        <source>agreement seen by %1</source>
+        <translation>Einwilligung bezeugt von %1</translation>
     </message>
 </context>
 <context>
@@ -4885,18 +5044,6 @@
         <translation>Warum wird abgebrochen?</translation>
     </message>
     <message>
-        <source>The participant wishes to stop</source>
-        <translation>Die Versuchsperson möchte aufhören</translation>
-    </message>
-    <message>
-        <source>The participant is unwell</source>
-        <translation>Der Versuchsperson ist nicht wohl</translation>
-    </message>
-    <message>
-        <source>Technical problem</source>
-        <translation>Technisches Problem</translation>
-    </message>
-    <message>
         <source>Abort session</source>
         <translation>Sitzung abbrechen</translation>
     </message>
@@ -5183,26 +5330,6 @@
         <translation>Warum soll jemand diesen Versuch ansehen? Er zählt weiterhin.</translation>
     </message>
     <message>
-        <source>The participant seemed distracted</source>
-        <translation>Die Versuchsperson wirkte abgelenkt</translation>
-    </message>
-    <message>
-        <source>The hand slipped</source>
-        <translation>Die Hand ist abgerutscht</translation>
-    </message>
-    <message>
-        <source>Somebody came in</source>
-        <translation>Jemand kam herein</translation>
-    </message>
-    <message>
-        <source>The force felt wrong</source>
-        <translation>Die Kraft fühlte sich falsch an</translation>
-    </message>
-    <message>
-        <source>The participant took the answer back</source>
-        <translation>Die Versuchsperson nahm die Antwort zurück</translation>
-    </message>
-    <message>
         <source>Flag attempt</source>
         <translation>Versuch markieren</translation>
     </message>
@@ -5211,40 +5338,12 @@
         <translation>Warum zählen die Auswertungen diesen Versuch wieder?</translation>
     </message>
     <message>
-        <source>Excluded by mistake</source>
-        <translation>Aus Versehen ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>The reason turned out not to hold</source>
-        <translation>Der Grund hat sich nicht bestätigt</translation>
-    </message>
-    <message>
         <source>Include attempt</source>
         <translation>Versuch einschließen</translation>
     </message>
     <message>
         <source>Why do analyses leave this attempt out? It stays in the study and can be included again.</source>
         <translation>Warum lassen die Auswertungen diesen Versuch weg? Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
-    </message>
-    <message>
-        <source>The participant did not follow the instruction</source>
-        <translation>Die Versuchsperson folgte der Anweisung nicht</translation>
-    </message>
-    <message>
-        <source>Interrupted</source>
-        <translation>Unterbrochen</translation>
-    </message>
-    <message>
-        <source>Answered by mistake</source>
-        <translation>Aus Versehen beantwortet</translation>
-    </message>
-    <message>
-        <source>The device did not work as it should</source>
-        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
-    </message>
-    <message>
-        <source>The surface was recognised by something other than touch</source>
-        <translation>Die Oberfläche wurde an etwas anderem als der Berührung erkannt</translation>
     </message>
     <message>
         <source>Exclude attempt</source>
@@ -7039,44 +7138,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Notiz, F2; Eingabetaste speichert</translation>
     </message>
     <message>
-        <source>Lifted early</source>
-        <translation>Früh gehoben</translation>
-    </message>
-    <message>
-        <source>Distracted</source>
-        <translation>Abgelenkt</translation>
-    </message>
-    <message>
-        <source>Noise outside</source>
-        <translation>Lärm außen</translation>
-    </message>
-    <message>
-        <source>Grip changed</source>
-        <translation>Umgegriffen</translation>
-    </message>
-    <message>
         <source>Notes “%1”</source>
         <translation>Notiert „%1“</translation>
-    </message>
-    <message>
-        <source>Pressed hard</source>
-        <translation>Fest gedrückt</translation>
-    </message>
-    <message>
-        <source>Hand slipped</source>
-        <translation>Abgerutscht</translation>
-    </message>
-    <message>
-        <source>Hand is tired</source>
-        <translation>Hand müde</translation>
-    </message>
-    <message>
-        <source>Felt a jolt</source>
-        <translation>Ruck gespürt</translation>
-    </message>
-    <message>
-        <source>Had a question</source>
-        <translation>Hatte Frage</translation>
     </message>
     <message>
         <source>Keep as phrase</source>
@@ -8549,22 +8612,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Warum wird der letzte Durchgang wiederholt? Was geantwortet wurde, bleibt gespeichert und zählt nicht mehr.</translation>
     </message>
     <message>
-        <source>The participant was distracted</source>
-        <translation>Die Versuchsperson war abgelenkt</translation>
-    </message>
-    <message>
-        <source>Wrong key pressed</source>
-        <translation>Falsche Taste gedrückt</translation>
-    </message>
-    <message>
-        <source>The participant asks for it</source>
-        <translation>Die Versuchsperson bittet darum</translation>
-    </message>
-    <message>
-        <source>Technical problem</source>
-        <translation>Technisches Problem</translation>
-    </message>
-    <message>
         <source>Repeat last trial</source>
         <translation>Letzten Durchgang wiederholen</translation>
     </message>
@@ -8573,32 +8620,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Warum wird Durchgang %1 übersprungen? Er bleibt als übersprungen erhalten und wird nicht erneut gefragt.</translation>
     </message>
     <message>
-        <source>The participant cannot answer</source>
-        <translation>Die Versuchsperson kann nicht antworten</translation>
-    </message>
-    <message>
-        <source>The participant does not want to go on</source>
-        <translation>Die Versuchsperson möchte nicht weitermachen</translation>
-    </message>
-    <message>
         <source>Skip this trial</source>
         <translation>Diesen Durchgang überspringen</translation>
     </message>
     <message>
         <source>Why do you need to know the conditions? The reason is stored with the session, and the window stays marked.</source>
         <translation>Warum müssen die Bedingungen bekannt sein? Der Grund wird mit der Sitzung gespeichert, und das Fenster bleibt gekennzeichnet.</translation>
-    </message>
-    <message>
-        <source>Safety of the participant</source>
-        <translation>Sicherheit der Versuchsperson</translation>
-    </message>
-    <message>
-        <source>Suspected fault of a stimulus</source>
-        <translation>Verdacht auf einen fehlerhaften Reiz</translation>
-    </message>
-    <message>
-        <source>Not the experimenter of this study</source>
-        <translation>Nicht die Versuchsleitung dieser Studie</translation>
     </message>
     <message>
         <source>Unblind</source>
@@ -9762,36 +9789,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Warum zählen die Auswertungen diese Sitzung wieder?</translation>
     </message>
     <message>
-        <source>Excluded by mistake</source>
-        <translation>Aus Versehen ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>The reason turned out not to hold</source>
-        <translation>Der Grund hat sich nicht bestätigt</translation>
-    </message>
-    <message>
         <source>Include session</source>
         <translation>Sitzung einschließen</translation>
     </message>
     <message>
         <source>Why do analyses leave the whole session out? It stays in the study and can be included again.</source>
         <translation>Warum lassen die Auswertungen die ganze Sitzung weg? Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
-    </message>
-    <message>
-        <source>The participant withdrew consent</source>
-        <translation>Die Versuchsperson zog die Einwilligung zurück</translation>
-    </message>
-    <message>
-        <source>The participant did not follow the instruction</source>
-        <translation>Die Versuchsperson folgte der Anweisung nicht</translation>
-    </message>
-    <message>
-        <source>The device did not work as it should</source>
-        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
-    </message>
-    <message>
-        <source>It was run to try things out</source>
-        <translation>Sie diente zum Ausprobieren</translation>
     </message>
     <message>
         <source>Exclude session</source>

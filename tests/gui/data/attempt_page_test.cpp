@@ -240,7 +240,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   ASSERT_EQ(stored.size(), 1U);
   EXPECT_EQ(stored[0].verdict, Verdict::exclude);
   EXPECT_EQ(stored[0].trial, 2);
-  EXPECT_EQ(stored[0].reason, "interrupted by a fire alarm");
+  EXPECT_EQ(stored[0].reason.text, "interrupted by a fire alarm");
   EXPECT_EQ(stored[0].decided_by, "A. Keller");
   ASSERT_TRUE(eventually([&] { return analysis.outcomes().at(0).answers == 2; }));
 
@@ -490,7 +490,9 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   click(page, "decision_write");
   ASSERT_TRUE(eventually([&] { return child<QLabel>(page, "trials_standing").isVisible(); }));
   EXPECT_EQ(trials.text_at(2, 10), "excluded: It was run to try things out");
-  EXPECT_EQ(study_->study().session(session_id_).excluded, "It was run to try things out");
+  EXPECT_EQ(study_->study().session(session_id_).excluded.value().text,
+            "It was run to try things out");
+  EXPECT_EQ(study_->study().session(session_id_).excluded->json, R"({"code":"test_run"})");
   window.show_page("sessions");
   const auto& sessions = child<StudyTable>(window, "sessions_table");
   EXPECT_TRUE(eventually([&] { return sessions.text_at(0, 4) == "✕ excluded"; }));

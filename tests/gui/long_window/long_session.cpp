@@ -98,7 +98,7 @@ ServoTimes servo_times_of(const std::filesystem::path& study_folder,
 std::string trouble_of(const SessionEnd& end, bool was_asked) {
   if (was_asked && end.state == SessionState::stopped) return {};
   return end.reason.empty() ? "the plan was done before the time was over"
-                            : "the session ended early: " + end.reason;
+                            : "the session ended early: " + end.reason.english();
 }
 
 }  // namespace

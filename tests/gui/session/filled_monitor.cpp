@@ -72,7 +72,7 @@ void FilledMonitor::answer_up_to(int done) {
                        "\" was pressed with too little force (34 % in band)";
       monitor.add_attempt(attempt);
       ++attempts;
-      attempt.reason.clear();
+      attempt.reason = {};
       attempt.attempt = 2;
       attempt.valid = true;
     }

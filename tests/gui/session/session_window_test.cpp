@@ -655,7 +655,9 @@ TEST(SessionWindow, AsksWhyATrialIsSkippedAndTakesAReasonByMouse) {
   ASSERT_NE(ready, buttons.end());
   QTest::mouseClick(*ready, Qt::LeftButton);
   child<QPushButton>(*window, "reason_given").click();
-  EXPECT_EQ(session.requests.take_skip(), "Technical problem");
+  const std::optional<Phrase> chosen = session.requests.take_skip();
+  ASSERT_TRUE(chosen);
+  EXPECT_STREQ(chosen->code(), "technical_problem");
 }
 
 TEST(SessionWindow, HandsTheFocusOfWhatGoesAwayToNoButton) {
@@ -667,7 +669,9 @@ TEST(SessionWindow, HandsTheFocusOfWhatGoesAwayToNoButton) {
   ASSERT_TRUE(child<QLineEdit>(*window, "reason").hasFocus());
   QTest::keyClicks(&child<QLineEdit>(*window, "reason"), "unwell");
   QTest::keyClick(&child<QLineEdit>(*window, "reason"), Qt::Key_Return);
-  EXPECT_EQ(session.requests.take_skip(), "unwell");
+  const std::optional<Phrase> typed = session.requests.take_skip();
+  EXPECT_EQ(typed, "unwell");
+  EXPECT_EQ(typed->code(), nullptr);
   EXPECT_EQ(QApplication::focusWidget(), window.get());
 
   auto& skip = child<QPushButton>(*window, "skip");
@@ -917,7 +921,7 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     const auto window = session.window();
     window->show_end(each.end);
     auto& go_on = child<QPushButton>(*window, "go_on");
-    EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason;
+    EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason.english();
     EXPECT_EQ(child<QLabel>(*window, "end_text").text().contains("Resume the session now"),
               each.goes_on);
     // One filled button on the page.

@@ -120,7 +120,7 @@ TEST_F(SessionKeysAtWork, StopAfterTheTrialThenAbortWithAReason) {
   give_reason(child<QDialog>(experimenter(), "abort_dialog"), "The participant is unwell");
   wait_for_end();
   EXPECT_EQ(stored_outcomes(), (Outcomes{"1/1 answered", "2/1 aborted, not valid"}));
-  EXPECT_EQ(stored_attempts().back().invalid_reason, "The participant is unwell");
+  EXPECT_EQ(stored_attempts().back().invalid_reason.value().text, "The participant is unwell");
   EXPECT_EQ(stored_session().state, SessionState::stopped);
 }
 
