@@ -262,9 +262,10 @@ TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {
     if (said.empty() || said.back() != now.scene->text) said.push_back(now.scene->text);
   };
   run();  // nobody asks for the end of a surface
-  EXPECT_THAT(said,
-              ElementsAre("Feel surface A now.", "That is enough of surface A. Please lift.",
-                          "Feel surface B now.", "That is enough of surface B. Please lift."));
+  EXPECT_THAT(
+      said,
+      ElementsAre("Feel surface A now.", "That is enough of surface A. Please lift the handle.",
+                  "Feel surface B now.", "That is enough of surface B. Please lift the handle."));
 }
 
 TEST_F(WatchedSession, FollowsTheContactWithTheSurfaceUnderTheHand) {

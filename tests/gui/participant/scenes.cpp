@@ -39,7 +39,8 @@ ParticipantScene to_read() {
   ParticipantScene scene = in_block(
       ParticipantScene::Kind::text,
       "You will see the picture of a material and feel three surfaces, A, B and C. Stroke each one "
-      "to and fro, from left to right, as lightly as you would stroke a table. You may go back to "
+      "back and forth, from left to right, as lightly as you would stroke a table. You may go back "
+      "to "
       "each as often as you like. Then choose the one that felt most like the material in the "
       "picture. There is no right or wrong; we would like to know what you feel. If you cannot "
       "tell, say so.");
@@ -111,7 +112,7 @@ ParticipantScene magnitude() {
 
 ParticipantScene form_choice() {
   return of_question({.name = "hand_problems",
-                      .prompt = "Do you have any trouble with your sense of touch, or with the "
+                      .prompt = "Do you have any problems with your sense of touch, or with the "
                                 "hand or arm that you will use (for example numbness, pain or an "
                                 "injury)?",
                       .form = Question::Form::choice,
@@ -134,10 +135,10 @@ ParticipantScene form_text() {
 }
 
 ParticipantScene rest(std::int64_t until_ns) {
-  ParticipantScene scene =
-      in_block(ParticipantScene::Kind::rest,
-               "Please let go of the handle and rest your hand. Shake it out if you like. We will "
-               "go on when you are ready.");
+  ParticipantScene scene = in_block(
+      ParticipantScene::Kind::rest,
+      "Please release the handle and rest your hand. You may shake it out if you like. We will "
+      "go on when you are ready.");
   scene.rest_until_ns = until_ns;
   return scene;
 }
@@ -166,7 +167,7 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("text", to_read());
   scenes.emplace_back("feel", feel(4));
   ParticipantScene lifting = feel(4);
-  lifting.text = "That is enough of surface B. Please lift.";
+  lifting.text = "That is enough of surface B. Please lift the handle.";
   scenes.emplace_back("feel-enough", lifting);
   ParticipantScene with_pictures = feel(1);
   with_pictures.choices = recognition(6).choices;
