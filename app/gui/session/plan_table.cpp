@@ -343,7 +343,8 @@ void PlanTable::fit_columns() {
   }
   constexpr int kOutcome = 176;  // longer names are in the tool tip
   const int room = view_->viewport()->width() - view_->columnWidth(kTrialColumn) - kOutcome;
-  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kPadding, 72, std::max(room, 72)));
+  constexpr int kAroundText = 24;  // both sides, and the margin of a focused cell
+  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kAroundText, 72, std::max(room, 72)));
 }
 
 void PlanTable::set_now(int trial, const QString& phase) {

@@ -204,6 +204,19 @@ TEST(SessionWindow, NamesEveryOutcomeInFullWhereConditionsAreHidden) {
   }
 }
 
+TEST(SessionWindow, ShowsEveryCodeOfTheTrialUnderWay) {
+  FilledMonitor session("chapter_matching", SessionMode::run);
+  session.answer_up_to(1);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  window->resize(1366, 768);
+  window->show();
+  const QAbstractItemView& plan = child<QTableView>(*window, "plan");
+  EXPECT_TRUE(eventually([&] {
+    return child<QTableView>(*window, "plan").columnWidth(1) >= plan.sizeHintForColumn(1);
+  }));
+}
+
 TEST(SessionWindow, KeepsTheButtonsOfItsDialogsApart) {
   FilledMonitor session{};
   session.answer_up_to(2);
