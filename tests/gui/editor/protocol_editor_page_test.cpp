@@ -209,9 +209,13 @@ TEST_F(ProtocolEditor, ShowsEachProblemAsAWhole) {
   page_->resize(1280, 720);
   go_behind("hand_oc");
   type("x");
+  go_behind("\"level_dBA\": 6");
+  type("5");
+  go_behind("\"tiling\": \"");
+  type("x");
   ASSERT_TRUE(checked());
   const auto& problems = child<StudyTable>(*page_, "editor_problems");
-  ASSERT_EQ(problems.shown_rows(), 1);
+  ASSERT_EQ(problems.shown_rows(), 3) << "with a scroll bar, which takes of the width";
   EXPECT_TRUE(problems.text_at(0, 1).contains("did you mean"));
   EXPECT_TRUE(eventually([&] { return cut_cells(problems).isEmpty(); }))
       << cut_cells(problems).join(" | ").toStdString();
