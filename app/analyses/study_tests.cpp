@@ -327,6 +327,7 @@ Phrase StudyTests::note_on_columns() const {
   std::vector<std::pair<std::string_view, Phrase>> symbols{};
   std::string pooled{};
   bool has_interval = false;
+  std::vector<Phrase> coverages{};
   const auto add_symbol = [&symbols](std::string_view symbol, const Phrase& name) {
     const bool is_known = std::any_of(symbols.begin(), symbols.end(),
                                       [symbol](const auto& one) { return one.first == symbol; });
@@ -339,6 +340,11 @@ Phrase StudyTests::note_on_columns() const {
     const std::string_view symbol = test.made_by->effect_symbol;
     add_symbol(symbol, test.made_by->effect_name);
     has_interval = has_interval || test.effect->low;
+    const Phrase& coverage = test.made_by->coverage;
+    if (test.effect->low && !coverage.empty() &&
+        std::find(coverages.begin(), coverages.end(), coverage) == coverages.end()) {
+      coverages.push_back(coverage);
+    }
     const bool is_named = pooled.find(symbol) != std::string::npos;
     if (!test.effect->takes_trials_as_independent || is_named) continue;
     pooled += (pooled.empty() ? "" : ", ") + std::string(symbol);
@@ -353,6 +359,7 @@ Phrase StudyTests::note_on_columns() const {
     note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
   };
   if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
+  for (const Phrase& coverage : coverages) add(coverage);
   if (!pooled.empty()) {
     add(phrase("Analysis", "Estimated from trials as if they were independent: %1.").with(pooled));
   }

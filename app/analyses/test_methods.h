@@ -29,6 +29,9 @@ struct TestMethod {
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval
+  /// How often such intervals contained the true value in simulations (docs/analysis.md), where that is less than 93 %
+  /// or more than 97 %; empty of others.
+  Phrase coverage{};
 };
 
 /// All of them, by `p`.

@@ -18,7 +18,7 @@ struct DriverWords {
 };
 
 /// "10.0" → "10,0"; what is not a number with a point stays.
-std::string with_point_of(const QLocale& locale, const char* words) {
+std::string with_point_of_locale(const QLocale& locale, const char* words) {
   static const QRegularExpression kNumber("^[-−]?[0-9]+\\.[0-9]+$");
   QString text = QString::fromUtf8(words);
   if (kNumber.match(text).hasMatch()) text.replace('.', locale.decimalPoint());
@@ -44,7 +44,7 @@ QString words_in_language(const std::string& tag, const Phrase& phrase) {
   }
   return QString::fromStdString(
       phrase.translated([&](const char* context, const char* words) -> std::string {
-        if (context == nullptr) return with_point_of(locale, words);
+        if (context == nullptr) return with_point_of_locale(locale, words);
         const QString found = texts->second.translate(context, words);
         return found.isEmpty() ? words : found.toStdString();
       }));
@@ -64,7 +64,7 @@ QString shown_number(double value, char format, int precision) {
 
 QString words_of(const Phrase& phrase, const QString& control) {
   const auto look_up = [look = language_of_windows()](const char* context, const char* words) {
-    return context == nullptr ? with_point_of(QLocale(), words) : look(context, words);
+    return context == nullptr ? with_point_of_locale(QLocale(), words) : look(context, words);
   };
   QString words = QString::fromStdString(phrase.translated(look_up));
   if (words.contains("--")) {

@@ -1264,8 +1264,8 @@
         <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants, four textures and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 99 % of the studies with an estimate.</source>
-        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen, vier Texturen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 99 % der Studien mit einer Schätzung.</translation>
+        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants, four or ten textures and SDs of 0.5 and 1 the 95 % CI contained the true value in 90 to 100 % of the studies with an estimate.</source>
+        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen, vier oder zehn Texturen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 90 bis 100 % der Studien mit einer Schätzung.</translation>
     </message>
 </context>
 <context>
@@ -4985,6 +4985,14 @@
     <message>
         <source>permutation test of independence</source>
         <translation>Permutationstest auf Unabhängigkeit</translation>
+    </message>
+    <message>
+        <source>The CIs of d of choices are approximate: in simulations they contained the true value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or more of those with a larger one.</source>
+        <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derer mit einem größeren.</translation>
+    </message>
+    <message>
+        <source>The CIs of W of choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
+        <translation>Die Konfidenzintervalle von W bei Wahlen sind Näherungen: In Simulationen mit 12 und 20 Versuchspersonen enthielten sie den wahren Wert in 77 bis 100 % der Studien.</translation>
     </message>
 </context>
 <context>

@@ -107,7 +107,7 @@ TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
   const int recognition = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
   ASSERT_GE(recognition, 0);
   EXPECT_EQ(table.text_at(recognition, 2), "recognition");
-  EXPECT_EQ(table.text_at(recognition, 3), "1.0.0");
+  EXPECT_EQ(table.text_at(recognition, 3), "1.1.0");
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
 }
