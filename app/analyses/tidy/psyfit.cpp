@@ -283,8 +283,11 @@ class PsychometricList final {
            method + ", SD of the thresholds");
     const ConfidenceInterval none{.low = kUndefined, .high = kUndefined};
     const ConfidenceInterval ends = thresholds.percentile.value_or(none);
-    number("bootstrap.threshold.lower", ends.low, method + ", percentile interval");
-    number("bootstrap.threshold.upper", ends.high, method + ", percentile interval");
+    const std::string percentile = method +
+                                   ", percentile interval; 95 % intervals contained the "
+                                   "true threshold in 88 to 93 % of simulated tables";
+    number("bootstrap.threshold.lower", ends.low, percentile);
+    number("bootstrap.threshold.upper", ends.high, percentile);
   }
 
   void threshold(const PsychometricFit& fit) {

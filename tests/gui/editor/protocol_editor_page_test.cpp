@@ -165,7 +165,7 @@ TEST_F(ProtocolEditor, FindsWhatCheckFindsInADozenBrokenProtocols) {
   const QString good = QString::fromStdString(library_text("improved_recognition"));
   const std::array<std::pair<const char*, const char*>, 14> mutations{{
       {"\"kind\": \"recognition\"", "\"kind\": \"recogniton\""},
-      {"\"version\": \"1.0.0\"", "\"version\": \"1.0\""},
+      {"\"version\": \"1.1.0\"", "\"version\": \"1.0\""},
       {"\"level_dBA\": 65", "\"level_dBA\": 650"},
       {"\"force_limit_N\": 5,", "\"force_limit_N\": 0,"},
       {"\"picture\": \"stimuli/metal_photo.png\"", "\"picture\": \"stimuli/no_such.png\""},
@@ -514,21 +514,21 @@ TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereRunWithTheOldOne) {
   ASSERT_TRUE(eventually([&] { return asks(); }));
   EXPECT_TRUE(child<QuestionBar>(*page_, "editor_question")
                   .question()
-                  .contains("sessions were run with version 1.0.0 of another text"));
+                  .contains("sessions were run with version 1.1.0 of another text"));
   EXPECT_EQ(read_file(file_), library_text("chapter_recognition"));
   click("editor_raise_version");
   ASSERT_TRUE(saved());
-  EXPECT_NE(read_file(file_).find("\"version\": \"1.0.1\""), std::string::npos);
+  EXPECT_NE(read_file(file_).find("\"version\": \"1.1.1\""), std::string::npos);
   EXPECT_EQ(read_file(file_), page_->content());
 
-  go_behind("\"version\": \"1.0.");
+  go_behind("\"version\": \"1.1.");
   QTest::keyClick(&edit(), Qt::Key_Delete);
   type("0");
   click("editor_save");
   ASSERT_TRUE(eventually([&] { return asks(); }));
   click("editor_save_anyway");
   ASSERT_TRUE(saved());
-  EXPECT_NE(read_file(file_).find("\"version\": \"1.0.0\""), std::string::npos);
+  EXPECT_NE(read_file(file_).find("\"version\": \"1.1.0\""), std::string::npos);
 }
 
 TEST_F(ProtocolEditor, GivesBackEveryByteThatItWasGiven) {

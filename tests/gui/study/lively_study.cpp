@@ -137,7 +137,7 @@ void fill_with_people(const std::filesystem::path& folder) {
   const auto add_protocol = [&](const std::string& name, const std::string& kind) {
     ProtocolRow row{};
     row.name = name;
-    row.version = "1.0.0";
+    row.version = "1.1.0";
     row.kind = kind;
     row.design = "chapter";
     row.source = read_file(folder / "protocols" / (name + ".json"));

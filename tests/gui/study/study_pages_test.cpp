@@ -308,7 +308,7 @@ TEST_F(StudyPages, ShowABrokenOffSessionThatCannotGoOn) {
   ASSERT_TRUE(window_.open_study(folder));
   auto& banner = child<Banner>(window_, "protocols_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
-  EXPECT_TRUE(banner.text().contains("put chapter_recognition version 1.0.0 back"))
+  EXPECT_TRUE(banner.text().contains("put chapter_recognition version 1.1.0 back"))
       << banner.text().toStdString();
   press(banner, "Show the sessions");
   EXPECT_EQ(window_.shown_page(), "sessions");
@@ -449,7 +449,7 @@ TEST_F(StudyPages, TellNothingOfTheTrialsOfABlindSessionThatRuns) {
 TEST_F(StudyPages, LeaveRoomForTheProtocolOfASession) {
   open_lively();
   const StudyTable& table = table_of("sessions", "sessions_table", 15);
-  const int wanted = QFontMetrics(table.font()).horizontalAdvance("chapter_recognition 1.0.0");
+  const int wanted = QFontMetrics(table.font()).horizontalAdvance("chapter_recognition 1.1.0");
   for (const int width : {1180, 1264, 1366, 1920}) {
     window_.resize(width, 768);
     QCoreApplication::processEvents();
