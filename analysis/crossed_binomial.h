@@ -52,7 +52,7 @@ struct CrossedFit {
   double log_likelihood = 0.0;
 };
 
-/// The error of the intercept as that of a mean over a sample of participants and a sample of items,
+/// Of a model without other fixed effects: the error of the intercept as that of a mean over a sample of participants and a sample of items,
 /// for t intervals and tests. β₀ varies by σ_p²/P + σ_i²/I besides what its responses vary by; maximum
 /// likelihood estimates σ² too small by (k − 1)/k of k intercepts, so that what is missing,
 /// σ̂_p²/(P(P − 1)) + σ̂_i²/(I(I − 1)), is added to the square of Wald's standard error. The degrees of

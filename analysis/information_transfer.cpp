@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
 
@@ -109,8 +108,14 @@ PooledTrials pooled_trials(std::span<const std::vector<LabelPair>> trials_of_par
   return pool;
 }
 
-bool has_different(const std::vector<std::size_t>& values) {
-  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) != values.end();
+/// Otherwise every order of the answers gives the same table.
+bool can_be_permuted(const std::vector<LabelPair>& trials) {
+  const auto differ = [&trials](std::size_t LabelPair::*label) {
+    return std::any_of(trials.begin(), trials.end(), [&](const LabelPair& trial) {
+      return trial.*label != trials.front().*label;
+    });
+  };
+  return differ(&LabelPair::stimulus) && differ(&LabelPair::answer);
 }
 
 /// Σ n·ln n over the cells of a table. The margins are those of every permutation, and G is twice this
@@ -146,7 +151,9 @@ std::optional<InformationTest> information_test(
     std::span<const std::vector<LabelPair>> trials_of_participants, std::size_t labels,
     Random random) {
   PooledTrials pool = pooled_trials(trials_of_participants, labels);
-  if (!has_different(pool.stimuli) || !has_different(pool.answers)) return std::nullopt;
+  if (std::none_of(trials_of_participants.begin(), trials_of_participants.end(), can_be_permuted)) {
+    return std::nullopt;
+  }
   constexpr double kSwaps = 3e7;  // some tenths of a second
   const auto trials = static_cast<double>(pool.stimuli.size());
   const auto draws = static_cast<std::size_t>(std::clamp(kSwaps / trials, 199.0, 9999.0));

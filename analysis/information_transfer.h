@@ -44,12 +44,13 @@ struct InformationTransfer {
 InformationTransfer information_transfer(const ConfusionCounts& counts);
 
 /// Permutation test of G: how often G is at least the observed one when each participant's responses
-/// are permuted over that participant's trials, the observed order among them [Davison 1997]. Its
-/// size is at most the nominal one whatever a participant prefers to answer, where the distribution
-/// of χ² rejects too often: of 36 trials among four pictures 12 % at .05.
+/// are permuted over that participant's trials, the observed order among them [Davison 1997]. Where a
+/// participant's trials are exchangeable under the null hypothesis its size is at most the nominal one,
+/// whatever a participant prefers to answer; the distribution of χ² rejects too often: of 36 trials
+/// among four pictures 12 % at .05.
 ///
-/// 9999 random permutations; fewer, but at least 199, of more than 3000 trials. Nothing where only one
-/// stimulus was presented or only one answer was given. Throws std::invalid_argument for a label that
+/// 9999 random permutations; fewer, but at least 199, of more than 3000 trials. Nothing where no
+/// participant has both two different stimuli and two different answers. Throws std::invalid_argument for a label that
 /// is not below `labels`.
 ///
 /// [Davison 1997] Davison, Hinkley: Bootstrap Methods and their Application.

@@ -143,7 +143,12 @@ StoredWords stored(const Phrase& phrase) {
   return {phrase.english(), json_of(phrase).dump(-1, ' ', false, Item::error_handler_t::replace)};
 }
 
-Phrase phrase_of(const StoredWords& words) { return phrase_from(words.item()); }
+Phrase phrase_of(const StoredWords& words) {
+  const Item item = words.item();
+  const bool is_readable = item.is_string() || !string_member(item, kCodeKey).empty() ||
+                           item.contains(kEnglishKey) || item.contains(kEarlierKey);
+  return is_readable ? phrase_from(item) : Phrase(words.text);
+}
 
 Phrase phrase_of(const std::optional<StoredWords>& words) {
   return words ? phrase_of(*words) : Phrase{};

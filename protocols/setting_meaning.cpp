@@ -304,6 +304,12 @@ void Meaning::check_questions() {
       if (std::find(texts.begin(), text, *text) != text) {
         report(pointer_to(pointer + "/options", i), in_quotes(*text) + " is shown twice");
       }
+      const auto value = std::find(question.options.begin(), question.options.end(), *text);
+      if (value != question.options.end() && *value != *here) {
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*text) + " is shown for " + in_quotes(*here) +
+                   " and stored for another option: give them different words");
+      }
     }
   }
   if (!root.contains("participants") || !root.at("participants").contains("questions")) return;

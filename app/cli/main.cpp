@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     }
     return kWrongUsage;
   } catch (const CLI::ParseError& error) {
-    const auto sentence = unreadable_number(program);
+    const auto sentence = error.get_exit_code() == 0 ? std::nullopt : unreadable_number(program);
     if (!sentence) return program.exit(error) == 0 ? 0 : kWrongUsage;
     say(*sentence);
     return kWrongUsage;

@@ -173,7 +173,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
     course_.publish(SessionPhase::ended);
     course_.take_attempt_events();  // of an attempt that has no row to hang on
     course_.store_remarks();
-    course_.event("session_failed", phrase_of(error));
+    course_.event("session_failed", Phrase("%1").with(phrase_of(error)));
     study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
     study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
   } catch (const std::exception&) {

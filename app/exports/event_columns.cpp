@@ -84,11 +84,11 @@ std::vector<ExportColumn> event_columns() {
     return [of](const ExportPlace& at) -> Cell {
       const EventRow& event = at.event->row;
       const EventKind* const kind = event_kind(event.kind);
-      if (kind == nullptr || !kind->text_is_words) return {};
+      if (kind == nullptr || !kind->text_is_words || event.text.empty()) return {};
       return of(event.words());
     };
   };
-  add(missing("the text is not words",
+  add(missing("the event has no text, or its text is not words",
               without_free_text(column("text_code", "text", "",
                                        "the text by codes, with semicolons between; \"typed\" "
                                        "where a person typed it",

@@ -6,7 +6,7 @@ namespace asperity {
 
 namespace {
 
-/// "created_utc (participants.tsv), consent_utc, started_utc (sessions.tsv)": what becomes of it so.
+/// "created_utc (participants.tsv), consent_utc, started_utc (sessions.tsv)": the columns of one kind of publication.
 class ListedColumns final {
  public:
   void add(const std::string& file, const std::string& column) {
@@ -44,7 +44,9 @@ std::string publication_text(const std::vector<ExportFile>& files) {
          columns[Publication::without_questionnaires].sentence(
              "n/a for answers to questionnaires, unless named by --with-questions") +
          columns[Publication::without_free_text].sentence(
-             "n/a where a person or a driver worded it") +
+             "Without what a person or a driver worded (then n/a; codes: \"typed\"; data: without "
+             "the "
+             "members that hold it)") +
          columns[Publication::kept].sentence("Kept of each participant") +
          "Whether these identify a participant is for you to judge before you publish them.\n";
 }

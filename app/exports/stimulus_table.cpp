@@ -131,25 +131,26 @@ StimulusTable::Relief StimulusTable::relief_of(const std::string& sidecar_sha256
   if (!std::filesystem::exists(png) || !std::filesystem::exists(sidecar_of(png))) {
     return {.state = FileState::missing};
   }
+  std::optional<LoadedHeightField> loaded{};
   try {
-    const LoadedHeightField loaded = load_height_field(png);
-    if (loaded.sha256 != sidecar_sha256) return {.state = FileState::changed};
-    const HeightField& field = *loaded.field;
-    if (copies_height_fields_) {
-      folder_.write(path->second, read_file(png));
-      folder_.write(path->second + ".json", read_file(sidecar_of(png)));
-    }
-    return {.path = path->second,
-            .width_m = field.width_m(),
-            .rms_m = field.rms_m(),
-            .range_m = field.maximum_m() - field.minimum_m(),
-            .dominant_wavelength_m = dominant_wavelength_m({.heights_m = field.heights_m(),
-                                                            .rows = field.grid().rows,
-                                                            .columns = field.grid().columns,
-                                                            .pitch_m = field.grid().pitch_m})};
+    loaded = load_height_field(png);
   } catch (const std::exception&) {
     return {.state = FileState::changed};  // `asperity verify` states what is wrong with the file
   }
+  if (loaded->sha256 != sidecar_sha256) return {.state = FileState::changed};
+  const HeightField& field = *loaded->field;
+  if (copies_height_fields_) {
+    folder_.write(path->second, read_file(png));
+    folder_.write(path->second + ".json", read_file(sidecar_of(png)));
+  }
+  return {.path = path->second,
+          .width_m = field.width_m(),
+          .rms_m = field.rms_m(),
+          .range_m = field.maximum_m() - field.minimum_m(),
+          .dominant_wavelength_m = dominant_wavelength_m({.heights_m = field.heights_m(),
+                                                          .rows = field.grid().rows,
+                                                          .columns = field.grid().columns,
+                                                          .pitch_m = field.grid().pitch_m})};
 }
 
 Phrase StimulusTable::complaint_about(const std::string& sidecar_sha256, FileState state) const {

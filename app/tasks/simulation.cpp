@@ -216,18 +216,18 @@ bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
 }
 
 void Simulation::prepare(Study& study) {
-  study.mark_crashed_sessions();
   const Batches there = batches_in(study, inputs_);
   if (!inputs_.resume && there.begun && is_interrupted(study, *there.begun)) {
     throw PhrasedError(
         phrase(
             "Simulation",
             "the simulation of %1 participants with the seed %2 in %3 is not complete; to complete "
-            "it, add --resume; to add further participants, take another --seed. Nothing was "
-            "written")
+            "it, add --resume; to add further participants, take another --seed. No participant "
+            "was added")
             .with(std::to_string(inputs_.participants), std::to_string(inputs_.seed),
                   inputs_.study.string()));
   }
+  study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
   for (int i = 0; i < batch_.participants; ++i) {

@@ -73,6 +73,8 @@ TEST(InformationTest, NeedsTwoStimuliAndTwoAnswers) {
   EXPECT_FALSE(information_test(Everyone{trials_of({0, 1, 1}, {1, 1, 1})}, 2));
   EXPECT_FALSE(information_test(Everyone{trials_of({1, 1, 1}, {0, 1, 1})}, 2));
   EXPECT_FALSE(information_test({}, 2));
+  // Of these two nothing can be permuted, though the pool has two of both.
+  EXPECT_FALSE(information_test(Everyone{trials_of({0, 0}, {0, 0}), trials_of({1, 1}, {1, 0})}, 2));
   EXPECT_THROW(information_test(Everyone{trials_of({0, 2}, {1, 1})}, 2), std::invalid_argument);
 }
 

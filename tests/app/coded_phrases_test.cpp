@@ -143,6 +143,9 @@ TEST(CodedPhrases, OfALaterVersionAreShownByTheirCodes) {
 
 TEST(CodedPhrases, OfADamagedRowAreItsText) {
   for (const char* json : {"{", "7", "null", R"({"code":7})", R"({"code":"list","arguments":7})"}) {
+    if (std::string(json).find("list") == std::string::npos) {
+      EXPECT_EQ(phrase_of(StoredWords{"as it was", json}).english(), "as it was") << json;
+    }
     EXPECT_NO_THROW((void)phrase_of(StoredWords{"as it was", json}).english()) << json;
     EXPECT_NO_THROW((void)codes_of(StoredWords{"as it was", json})) << json;
     EXPECT_NO_THROW((void)joined(StoredWords{"as it was", json}, "more")) << json;

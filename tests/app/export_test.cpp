@@ -399,6 +399,7 @@ TEST(Export, StatesReasonsByTheirCodesNextToTheirWords) {
   decide(3, Verdict::flag, {"surface 1 was not touched", ""});  // as version 0.1.0 stored it
   made.study().add_event(session, event_row(5, "session_stopped", phrase_of(Reason::as_asked)));
   made.study().add_event(session, event_row(6, "phase", "iti"));
+  made.study().add_event(session, event_row(7, "session_completed", Phrase()));  // without words
   const std::filesystem::path out = made.beside("out");
   export_to(made, out, tables_only());
   const Table attempts = table_in(out, "attempts.tsv");
@@ -413,6 +414,7 @@ TEST(Export, StatesReasonsByTheirCodesNextToTheirWords) {
   const Table events = table_in(out, "events.tsv");
   EXPECT_EQ(cell_of(events, 0, "text_code"), Cell{"stop_requested"});
   EXPECT_EQ(cell_of(events, 1, "text_code"), Cell{});
+  EXPECT_EQ(cell_of(events, 2, "text_code"), Cell{});
 
   ExportOptions options = tables_only();
   options.audience = ExportAudience::published;

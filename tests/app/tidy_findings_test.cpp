@@ -355,20 +355,33 @@ TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
   const auto [low, high] = interval_of("glmm.beta");
   EXPECT_NEAR(low, 1.200993899 - half, 1e-5);
   EXPECT_NEAR(high, 1.200993899 + half, 1e-5);
-  // t with the degrees of freedom of 4 items.
-  const double df = 3.0;
-  EXPECT_EQ(value_of(found, "glmm.t.df", "intercept"), df);
-  const double error = (1.200993899 + std::log(3.0)) / value_of(found, "glmm.t", "intercept");
-  const double half_of_t = *t_limit({.df = df}) * error;
-  EXPECT_GT(half_of_t, half);
-  EXPECT_EQ(value_of(found, "glmm.t.p", "intercept"),
-            *two_sided_tail({.value = value_of(found, "glmm.t", "intercept"), .df = df}));
   const auto [least, most] = interval_of("glmm.proportion");
-  EXPECT_NEAR(least, 1.0 / (1.0 + std::exp(-1.200993899 + half_of_t)), 1e-7);
-  EXPECT_NEAR(most, 1.0 / (1.0 + std::exp(-1.200993899 - half_of_t)), 1e-7);
+  EXPECT_NEAR(least, 1.0 / (1.0 + std::exp(-1.200993899 + half)), 1e-5);
+  EXPECT_NEAR(most, 1.0 / (1.0 + std::exp(-1.200993899 - half)), 1e-5);
   const auto probit = glmm_findings(
       input_of(table, R"({"fixed": {"condition": ["plain", "masked"]}, "link": "probit"})"));
   EXPECT_NEAR(value_of(probit, "glmm.beta", "intercept"), 0.718190575, 1e-7);
+}
+
+TEST(TidyFamilies, GiveTheAverageProportionOfOtherParticipantsAndItemsByT) {
+  std::string table = "subject,item,correct,trials\n";
+  const std::string hits = "12331223213312321133223313230233";
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    table += "P" + std::to_string(i / 4) + ",T" + std::to_string(i % 4) + ',' + hits[i] + ",3\n";
+  }
+  const auto found = glmm_findings(input_of(table, R"({"chance": 0.25, "random": ["item"]})"));
+  const double df = 3.0;  // of 4 items
+  EXPECT_EQ(value_of(found, "glmm.t.df", "intercept"), df);
+  const double t = value_of(found, "glmm.t", "intercept");
+  EXPECT_EQ(value_of(found, "glmm.t.p", "intercept"), *two_sided_tail({.value = t, .df = df}));
+  EXPECT_LT(t, value_of(found, "glmm.z", "intercept"));
+  const double intercept = value_of(found, "glmm.beta", "intercept");
+  const double half = *t_limit({.df = df}) * (intercept + std::log(3.0)) / t;
+  const auto proportion = std::find_if(found.begin(), found.end(), [](const Finding& finding) {
+    return finding.quantity == "glmm.proportion";
+  });
+  ASSERT_TRUE(proportion != found.end() && proportion->low);
+  EXPECT_NEAR(*proportion->low, 1.0 / (1.0 + std::exp(-intercept + half)), 1e-9);
 }
 
 TEST(TidyFamilies, ReferTheLikelihoodRatioOfTwoGroupsToF) {

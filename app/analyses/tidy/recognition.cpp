@@ -276,7 +276,8 @@ class Recognition final {
     const std::size_t drawn = test ? test->drawn : 0;
     Basis permuted = of_trials("permutation of each participant's responses over the trials, " +
                                (test ? way_of_counting(drawn) : std::string("random")));
-    permuted.undefined = "only one stimulus was presented or only one response was given";
+    permuted.undefined =
+        "no participant has both two different stimuli and two different responses";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);
     list_.count("G.perm.draws", "", drawn, of_trials("random permutations of the responses"));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
@@ -35,7 +36,10 @@ Phrase::LookUp language_of_windows() {
 }
 
 QString words_in_language(const std::string& tag, const Phrase& phrase) {
-  // Loaded once each: a picture of the participant is laid out many times a second.
+  // Loaded once each: a picture of the participant is laid out many times a second, and the thread of a session that
+  // fails needs them too.
+  static std::mutex mutex{};
+  const std::lock_guard lock(mutex);
   static std::map<std::string, QTranslator> texts_of{};
   const QLocale locale(QString::fromStdString(tag));
   const auto [texts, is_new] = texts_of.try_emplace(tag);

@@ -16,8 +16,7 @@ namespace asperity {
 /// What finds the words of the windows' language. Any thread.
 Phrase::LookUp language_of_windows();
 /// The words in the language of a BCP 47 tag ("de", "de-AT"), whatever that of the windows: what the program
-/// tells a participant follows the protocol. English where the program does not have the language. Thread of the
-/// windows.
+/// tells a participant follows the protocol. English where the program does not have the language. Any thread.
 QString words_in_language(const std::string& tag, const Phrase& phrase);
 
 /// Drivers speak to people at a terminal as well: where they name an option or a command, what is said here is the

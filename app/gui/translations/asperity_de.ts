@@ -1264,8 +1264,8 @@
         <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants, four or ten textures and SDs of 0.5 and 1 the 95 % CI contained the true value in 90 to 100 % of the studies with an estimate.</source>
-        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen, vier oder zehn Texturen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 90 bis 100 % der Studien mit einer Schätzung.</translation>
+        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
+        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
 </context>
 <context>
@@ -3410,7 +3410,7 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation>Tempo</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Force, N</source>
@@ -3465,11 +3465,11 @@
     </message>
     <message>
         <source>Please put on the eye mask.</source>
-        <translation>Bitte setzen Sie die Augenmaske auf.</translation>
+        <translation>Bitte setzen Sie die Augenbinde auf.</translation>
     </message>
     <message>
         <source>Please take off the eye mask.</source>
-        <translation>Bitte nehmen Sie die Augenmaske ab.</translation>
+        <translation>Bitte nehmen Sie die Augenbinde ab.</translation>
     </message>
     <message>
         <source>I cannot tell</source>
@@ -4379,7 +4379,7 @@
     </message>
     <message>
         <source>There is no sound output: a participant who wears an eye mask hears no cues.</source>
-        <translation>Es gibt keine Tonausgabe: Eine Versuchsperson mit Augenmaske hört keine Signale.</translation>
+        <translation>Es gibt keine Tonausgabe: Eine Versuchsperson mit Augenbinde hört keine Signale.</translation>
     </message>
     <message>
         <source>Connect headphones, then check again; or lead them by your voice.</source>
@@ -4731,8 +4731,8 @@
         <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, take another --seed. Nothing was written</source>
-        <translation>die Simulation von %1 Versuchspersonen mit dem Startwert %2 in %3 ist nicht abgeschlossen; mit --resume wird sie abgeschlossen, mit einem anderen --seed kommen weitere hinzu. Es wurde nichts geschrieben</translation>
+        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, take another --seed. No participant was added</source>
+        <translation>die Simulation von %1 Versuchspersonen mit dem Startwert %2 in %3 ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -9057,7 +9057,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>blindfold</source>
-        <translation>Augenmaske</translation>
+        <translation>Augenbinde</translation>
     </message>
     <message>
         <source>no masking noise</source>
