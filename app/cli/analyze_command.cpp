@@ -122,7 +122,11 @@ int analyze_answers(const AnalyzeOptions& options) {
     return 0;
   }
   if (outcomes.empty()) {
-    say("the study " + options.study + " has no sessions yet: there is nothing to analyse");
+    say("the study " + options.study +
+        (study.withdrawals().empty()
+             ? " has no sessions yet: there is nothing to analyse"
+             : " has no sessions of participants who have not withdrawn: there is nothing to "
+               "analyse"));
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (i > 0) std::cout << "\n\n";

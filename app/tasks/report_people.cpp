@@ -330,16 +330,14 @@ std::string late_text(const ReportedSession& session, const EventRow& event) {
       reading_number(hours("maximum_age_hours")) + " hours): " + phrase_of(event).english());
 }
 
-/// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
-/// kept first and deleted later has withdrawn twice.
-ReportText withdrawals_text(const ReportFacts& facts) {
+ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
   static const std::map<WithdrawalReason, std::string> kWords{
       {WithdrawalReason::consent_withdrawn, "consent withdrawn"},
       {WithdrawalReason::not_eligible, "not eligible"},
       {WithdrawalReason::other, "other reasons"}};
   std::map<std::string, std::size_t> counts{};
   std::size_t deleted = 0;
-  for (const WithdrawalRow& row : facts.withdrawals) {
+  for (const WithdrawalRow& row : withdrawals) {
     ++counts[kWords.at(row.reason)];
     if (row.data == WithdrawnData::deleted) ++deleted;
   }
@@ -347,7 +345,7 @@ ReportText withdrawals_text(const ReportFacts& facts) {
   for (const auto& [reason, count] : counts) {
     reasons.push_back(reason + (counts.size() > 1 ? " " + reading_count(count) : ""));
   }
-  const std::size_t count = facts.withdrawals.size();
+  const std::size_t count = withdrawals.size();
   const std::string data = deleted == count ? "deleted"
                            : deleted == 0   ? "kept"
                                             : "deleted in " + reading_count(deleted) + " of them";
@@ -386,7 +384,7 @@ ReportSection exclusions_section(const ReportFacts& facts) {
                    (count == 1 ? " session was excluded:" : " sessions were excluded:")});
     section.parts.emplace_back(std::move(excluded));
   }
-  if (!facts.withdrawals.empty()) section.parts.emplace_back(withdrawals_text(facts));
+  if (!facts.withdrawals.empty()) section.parts.emplace_back(withdrawals_text(facts.withdrawals));
   section.parts.emplace_back(attempts_text(facts));
   ReportTable fates = fates_table(facts);
   if (!fates.rows.empty()) section.parts.emplace_back(std::move(fates));

@@ -22,6 +22,9 @@ ReportSection conditions_section(const ReportFacts& facts);
 ReportSection participants_section(const ReportFacts& facts);
 /// What was left out and why, what was kept although something was noticed.
 ReportSection exclusions_section(const ReportFacts& facts);
+/// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
+/// kept first and deleted later has withdrawn twice.
+ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals);
 /// Whether the forces came in time and as they were meant.
 ReportSection presentation_section(const ReportFacts& facts);
 /// Whether hands did what they were asked to.

@@ -67,12 +67,20 @@ std::string dates_text(const std::vector<ReportFacts>& all) {
   return text + (made_up ? " (UTC), and of a simulated clock, which has no date" : " (UTC)");
 }
 
-ReportChapter overview_chapter(const std::vector<ReportFacts>& all) {
+ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
+                               const std::vector<WithdrawalRow>& withdrawals) {
   ReportChapter chapter{"What is in this study", {}, AnswerGroup::people, {}};
   ReportSection& section = chapter.sections.emplace_back(ReportSection{"Overview", {}});
   if (all.empty()) {
+    if (withdrawals.empty()) {
+      section.parts.emplace_back(
+          ReportText{"The study has no sessions yet: there is nothing to report."});
+      return chapter;
+    }
     section.parts.emplace_back(
-        ReportText{"The study has no sessions yet: there is nothing to report."});
+        ReportText{"The study has no sessions of participants who have not withdrawn: there are no "
+                   "results to report."});
+    section.parts.emplace_back(withdrawals_text(withdrawals));
     return chapter;
   }
   ReportTable table{};
@@ -204,7 +212,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
     if (!outcome.declares_sexes) outcome = without_sexes(std::move(outcome));
   }
   report.subtitle = dates_text(all);
-  report.chapters.push_back(overview_chapter(all));
+  report.chapters.push_back(overview_chapter(all, study.withdrawals()));
   // What is read comes first, what is looked up behind it.
   std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {
