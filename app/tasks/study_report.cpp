@@ -201,7 +201,9 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   report.program = version_line();
   std::vector<ReportFacts> all{};
   std::vector<AnalysisOutcome> outcomes{};
+  std::vector<WithdrawalRow> withdrawals{};
   study.read_at_one_moment([&] {
+    withdrawals = study.withdrawals();
     all = report_facts(study, protocol, stop, [&progress](double fraction) {
       if (progress) progress(kFactsShare * fraction);
     });
@@ -212,7 +214,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
     if (!outcome.declares_sexes) outcome = without_sexes(std::move(outcome));
   }
   report.subtitle = dates_text(all);
-  report.chapters.push_back(overview_chapter(all, study.withdrawals()));
+  report.chapters.push_back(overview_chapter(all, withdrawals));
   // What is read comes first, what is looked up behind it.
   std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {

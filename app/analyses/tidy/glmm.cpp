@@ -218,31 +218,34 @@ class CrossedFindings final {
   /// Of other participants and other items of the same kind: t instead of Wald's z, unless there are factors: the
   /// intercept is then that of the reference levels, of which fewer participants may have trials.
   void average_proportion(const CrossedFit& fit) {
-    const bool has_factors = !table_.factors.empty();
+    if (!table_.factors.empty()) {
+      proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
+      return;
+    }
     const SampledError error = intercept_error(fit, table_.participants, table_.items);
     const std::string method =
         "t with the degrees of freedom of the smaller sample, of participants or of items; "
-        "standard "
-        "error corrected for the bias of the variances";
-    const double half_width =
-        has_factors ? normal_limit(confidence_) * fit.standard_error(0)
-                    : error.standard_error *
-                          t_limit({.confidence = confidence_, .df = error.df}).value_or(kUndefined);
-    Basis shown = basis(
-        "proportion correct of a participant and an item of average intercept, at the reference "
-        "levels; interval: " +
-        (has_factors ? std::string("Wald's") : method));
-    shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
-                      .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
-    shown.confidence = confidence_;
-    list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
-    if (has_factors) return;
+        "standard error corrected for the bias of the variances";
+    const TLimit limit{.confidence = confidence_, .df = error.df};
+    proportion(fit, error.standard_error * t_limit(limit).value_or(kUndefined), method);
     const double t = (fit.beta(0) - null_) / error.standard_error;
     number("glmm.t", "intercept", t, method);
     number("glmm.t.df", "intercept", error.df, method);
     number("glmm.t.p", "intercept",
            two_sided_tail({.value = t, .df = error.df}).value_or(kUndefined),
            method + ", two-sided");
+  }
+
+  /// `half_width`: of the interval of the intercept.
+  void proportion(const CrossedFit& fit, double half_width, const std::string& interval) {
+    Basis shown = basis(
+        "proportion correct of a participant and an item of average intercept, at the reference "
+        "levels; interval: " +
+        interval);
+    shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
+                      .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
+    shown.confidence = confidence_;
+    list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
   }
 
   /// Against the model without the factor.
