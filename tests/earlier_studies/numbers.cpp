@@ -181,13 +181,24 @@ std::string_view between(std::string_view text, std::string_view begin, std::str
   return text.substr(first, last == std::string_view::npos ? last : last - first);
 }
 
+/// With a hyphen as its minus, as 0.1.0 printed it.
+std::string with_hyphens(std::string_view text) {
+  constexpr std::string_view kMinus = "−";
+  std::string made(text);
+  for (std::size_t at = 0; (at = made.find(kMinus, at)) != std::string::npos;) {
+    made.replace(at, kMinus.size(), "-");
+  }
+  return made;
+}
+
 /// "0.30 [0.05, 0.61]" → "0.30 0.05 0.61"; empty where there is none.
-std::string numbers_in(std::string_view cell) {
+std::string numbers_in(std::string_view text) {
   const auto is_digit = [](char sign) { return sign >= '0' && sign <= '9'; };
+  const std::string cell = with_hyphens(text);
   std::string numbers{};
   for (std::size_t i = 0; i < cell.size();) {
-    const bool begins = is_digit(cell[i]) || (i + 1 < cell.size() && is_digit(cell[i + 1]) &&
-                                              (cell[i] == '.' || cell[i] == '-'));
+    const std::size_t digit = cell.find_first_not_of(cell[i] == '-' ? "-." : ".", i);
+    const bool begins = digit - i <= 2 && digit < cell.size() && is_digit(cell[digit]);
     if (!begins) {
       ++i;
       continue;
@@ -213,12 +224,12 @@ bool agree(const std::string& stored, const std::string& now) {
              std::max(kRounding, kTolerance * std::max(std::abs(*a), std::abs(*b)));
 }
 
-/// Whether all numbers of a row of a report are in another, in the same order.
+/// Whether all numbers of a row of a report are in another, in the same order; ".33" is the number "0.33".
 bool holds_in_order(const std::string& now, const std::string& stored) {
   std::size_t found = 0;
   const std::vector<std::string> wanted = split(stored, ' ');
   for (const std::string& number : split(now, ' ')) {
-    if (found < wanted.size() && number == wanted[found]) ++found;
+    if (found < wanted.size() && agree(wanted[found], number)) ++found;
   }
   return found == wanted.size();
 }

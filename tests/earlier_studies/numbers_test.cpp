@@ -93,6 +93,9 @@ TEST(Numbers, OfAReportMayHaveOthersBetween) {
                                             "<tr><td class=\"n\">7</td></tr>"))
           .size(),
       1U);
+  EXPECT_THAT(differences(numbers_of_report("<tr><td class=\"n\">-0.30 [-0.05, 6]</td></tr>"),
+                          numbers_of_report("<tr><td class=\"n\">−.30 [−.05, 6]</td></tr>")),
+              IsEmpty());
 }
 
 TEST(Corrections, ChangeOneCellWithAReason) {
