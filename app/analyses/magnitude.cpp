@@ -364,12 +364,12 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   }
   const double low = std::pow(10.0, is_turned ? -*most->high : *most->low);
   const double high = std::pow(10.0, is_turned ? -*most->low : *most->high);
-  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 interval %5 to %6)")
+  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])")
       .with(names.first, names.second, ratio, percent(*most->confidence), fixed(low, 2),
             fixed(high, 2));
 }
 
-/// "F(1, 3) = 20.30, partial η² = 0.87, p = .020 after Holm"; with the ε by which p was corrected, if it
+/// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected"; with the ε by which p was corrected, if it
 /// was. Nothing where one of the numbers is absent.
 Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
                          const StudyTests::Test& test) {
@@ -380,13 +380,13 @@ Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
   if (!df1 || !df2 || !F || !pes) return {};
   if (found.find("p.GG", effect) == nullptr) {
     return phrase("Analysis", "F(%1, %2) = %3, partial η² = %4, %5")
-        .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), fixed(*pes, 2), p_text(test));
+        .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), reading_bounded(*pes), p_text(test));
   }
   const std::optional<double> epsilon = found.value("eps.GG", effect);
   if (!epsilon) return {};
   return phrase("Analysis", "F(%1, %2) = %3, ε = %4, partial η² = %5, %6")
-      .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), fixed(*epsilon, 2), fixed(*pes, 2),
-            p_text(test));
+      .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), reading_bounded(*epsilon),
+            reading_bounded(*pes), p_text(test));
 }
 
 Phrase method_of_effect(bool is_corrected, bool states_factor) {
@@ -448,12 +448,12 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
                     .with(condition);
     } else if (peak != nullptr && peak->value && peak->low && peak->high) {
       one = phrase("Analysis",
-                   "%1 at %2 (95 % CI %3 to %4; test for an interior maximum %5; "
+                   "%1 at %2 (95 % CI [%3, %4]; test for an interior maximum %5; "
                    "R² of the mean parabola %6)")
                 .with(condition, reading_quantity(*peak->value, "m"),
                       reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"),
                       reading_p(found.value("invU.p", condition).value_or(1.0)),
-                      fixed(found.value("pooled.quad.r2", condition).value_or(0.0), 2));
+                      reading_bounded(found.value("pooled.quad.r2", condition).value_or(0.0)));
     } else if (status->word == "outside_range") {
       one = phrase("Analysis", "%1 not within the tested spacings").with(condition);
     } else {
@@ -483,7 +483,7 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
     if (ratio == nullptr || !ratio->value || !ratio->low || !ratio->high) continue;
     const std::size_t bar = test.about.find('|');
     const Phrase numbers =
-        phrase("Analysis", "the peak of %1 is at %2 times the spacing of %3 (95 % CI %4 to %5)")
+        phrase("Analysis", "the peak of %1 is at %2 times the spacing of %3 (95 % CI [%4, %5])")
             .with(test.about.substr(0, bar), fixed(*ratio->value, 2), test.about.substr(bar + 1),
                   fixed(*ratio->low, 2), fixed(*ratio->high, 2));
     const Phrase one =

@@ -78,6 +78,13 @@ std::string reading_signed(double value, int decimals) {
   return (value < 0.0 && !is_nothing ? "−" : "") + text;
 }
 
+std::string reading_bounded(double value, int decimals) {
+  std::string text = reading_signed(value, decimals);
+  const std::size_t digits = text.find_first_of("0123456789");
+  if (text.compare(digits, 2, "0.") == 0) text.erase(digits, 1);
+  return text;
+}
+
 std::string reading_points(double difference) { return reading_signed(100.0 * difference, 1); }
 
 std::string reading_quantity(double value, const std::string& unit) {

@@ -23,6 +23,10 @@ std::string reading_percent(double share);
 /// So many decimals, with a minus that is as broad as a plus; what rounds to nothing has no sign.
 std::string reading_signed(double value, int decimals);
 
+/// So many decimals of what cannot exceed 1, such as a correlation: without the zero before the point, as the APA prints it:
+/// ".71", "−.10", "1.00".
+std::string reading_bounded(double value, int decimals = 2);
+
 /// A difference of proportions in percentage points, one decimal: "−16.7".
 std::string reading_points(double difference);
 

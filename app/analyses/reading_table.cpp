@@ -1,12 +1,12 @@
 #include "app/analyses/reading_table.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "analysis/number_text.h"
 #include "app/analyses/reading_number.h"
 
 namespace asperity {
@@ -16,13 +16,23 @@ namespace {
 constexpr std::string_view kLow = "_low";
 constexpr std::string_view kHigh = "_high";
 
-/// A share to two decimals, a force to a millinewton, a length to ten micrometres, a p as everywhere.
+/// Of which no number exceeds 1.
+bool is_bounded(const std::string& column) {
+  constexpr std::array<std::string_view, 5> kBounded{"chance_", "clopper_pearson", "r_squared",
+                                                     "share", "wilson"};
+  return std::any_of(kBounded.begin(), kBounded.end(),
+                     [&column](std::string_view each) { return column.starts_with(each); });
+}
+
+/// A proportion to two decimals, a force to a millinewton, a length to ten micrometres, a p as everywhere.
 std::string reading_cell_number(const std::string& column, double value) {
   if (column == "p" || column == "p_holm" || column == "p_smallest" || column == "p_interior")
     return reading_p_cell(value);
-  if (column == "chance" || column.ends_with("_N")) return fixed(value, 3);
-  if (column.ends_with("_m") || column.ends_with("_m_low")) return fixed(value, 5);
-  return fixed(value, 2);
+  if (column == "chance") return reading_bounded(value, 3);
+  if (is_bounded(column)) return reading_bounded(value);
+  if (column.ends_with("_N")) return reading_signed(value, 3);
+  if (column.ends_with("_m") || column.ends_with("_m_low")) return reading_signed(value, 5);
+  return reading_signed(value, 2);
 }
 
 std::string reading_cell(const std::string& column, const Cell& cell) {

@@ -356,12 +356,11 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const bool enough =
       found.find("IT.N.enough") != nullptr && found.find("IT.N.enough")->word == "TRUE";
   const double shown = std::clamp(*bits->value, 0.0, *of);
-  const Phrase sensitivity =
-      dprime != nullptr && dprime->value && dprime->low && dprime->high
-          ? phrase("Analysis", "d′ is %1 (95 % CI %2 to %3, n = %4 responses)")
-                .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2), fixed(*dprime->high, 2),
-                      std::to_string(dprime->n))
-          : phrase("Analysis", "d′ has no finite value");
+  const Phrase sensitivity = dprime != nullptr && dprime->value && dprime->low && dprime->high
+                                 ? phrase("Analysis", "d′ = %1, 95 % CI [%2, %3], n = %4 responses")
+                                       .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2),
+                                             fixed(*dprime->high, 2), std::to_string(dprime->n))
+                                 : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
       enough ? phrase("Analysis",
                       "The responses transmit %1 of %2 bits about the texture presented, "

@@ -43,14 +43,14 @@ std::vector<Finding> correlations_of(const Ratings& ratings) {
   return analysis_of(kReliability, "icc", std::move(input));
 }
 
-/// "ICC(3,1) = 0.71, 95 % CI [0.38, 0.91]", without the interval where there is none.
+/// "ICC(3,1) = .71, 95 % CI [.38, .91]", without the interval where there is none.
 Phrase correlation_text(const Phrase& name, const Finding& icc) {
   if (!icc.value) return phrase("Analysis", "%1 is not defined").with(name);
   if (!icc.low || !icc.high)
-    return phrase("Analysis", "%1 = %2").with(name, reading_signed(*icc.value, 2));
+    return phrase("Analysis", "%1 = %2").with(name, reading_bounded(*icc.value));
   return phrase("Analysis", "%1 = %2, 95 % CI [%3, %4]")
-      .with(name, reading_signed(*icc.value, 2), reading_signed(*icc.low, 2),
-            reading_signed(*icc.high, 2));
+      .with(name, reading_bounded(*icc.value), reading_bounded(*icc.low),
+            reading_bounded(*icc.high));
 }
 
 std::size_t repetitions_in(const Ratings& ratings) {

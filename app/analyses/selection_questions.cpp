@@ -74,11 +74,7 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
       .with(most.names.front(), share, interval_text(*most.mean), chance);
 }
 
-/// With a minus that is as broad as a plus.
-std::string log_worth(double value) {
-  const std::string text = fixed(std::abs(value), 2);
-  return (value < 0.0 && text != "0.00" ? "−" : "") + text;
-}
+std::string log_worth(double value) { return reading_signed(value, 2); }
 
 const char* scale_quantity(const Selection& selection) {
   return selection.two_offered ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";

@@ -35,10 +35,10 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
   return {};
 }
 
-/// "95 % CI 2.10 to 2.90" of what is not a proportion.
+/// "95 % CI [2.10, 2.90]" of what is not a proportion.
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
-    return phrase("Analysis", "95 % CI %1 to %2")
+    return phrase("Analysis", "95 % CI [%1, %2]")
         .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
@@ -47,7 +47,7 @@ Phrase plain_interval(const Finding& finding, int digits) {
 /// The same of a difference, whose p is of another method than its interval.
 Phrase interval_of_difference(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
-    return phrase("Analysis", "Welch 95 % CI %1 to %2")
+    return phrase("Analysis", "Welch 95 % CI [%1, %2]")
         .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
@@ -95,7 +95,7 @@ Phrase percent(double share) { return reading_percent(share); }
 
 Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
-    return phrase("Analysis", "95 % CI %1 to %2").with(percent(*share.low), percent(*share.high));
+    return phrase("Analysis", "95 % CI [%1, %2]").with(percent(*share.low), percent(*share.high));
   }
   return phrase("Analysis", "one participant has no interval");
 }

@@ -117,13 +117,6 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
           {"status", test.p ? Cell{} : Cell{test.status}}};
 }
 
-/// With a minus that is as broad as a plus.
-std::string with_minus(double value, int digits) {
-  const std::string text = fixed(std::abs(value), digits);
-  const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
-  return (value < 0.0 && !is_nothing ? "−" : "") + text;
-}
-
 /// A cell by the name of its column.
 class TestRow final {
  public:
@@ -178,17 +171,21 @@ Cell statistic_cell(const TestRow& row) {
   }
   const bool is_count = text == "k" || text == "D";
   if (!degrees.empty()) text += '(' + degrees + ')';
-  return text + " = " + with_minus(*value, is_count ? 0 : 2);
+  return text + " = " + reading_signed(*value, is_count ? 0 : 2);
 }
 
 /// "d = 2.74 [1.75, 3.71]"
 Cell effect_cell(const TestRow& row) {
   const std::optional<double> value = row.number("effect");
   if (!value) return {};
-  std::string text = row.text("effect_size") + " = " + with_minus(*value, 2);
+  const std::string symbol = row.text("effect_size");
+  const auto shown = [is_bounded = is_bounded_effect(symbol)](double number) {
+    return is_bounded ? reading_bounded(number) : reading_signed(number, 2);
+  };
+  std::string text = symbol + " = " + shown(*value);
   const std::optional<double> low = row.number("effect_low");
   const std::optional<double> high = row.number("effect_high");
-  if (low && high) text += " [" + with_minus(*low, 2) + ", " + with_minus(*high, 2) + ']';
+  if (low && high) text += " [" + shown(*low) + ", " + shown(*high) + ']';
   return text;
 }
 

@@ -67,7 +67,8 @@ std::span<const TestMethod> test_methods() {
                  .degrees = {"df1", "df2"},
                  .effect_symbol = "η²G",
                  .effect_name = generalised_eta_name(),
-                 .effect = "ges"},
+                 .effect = "ges",
+                 .effect_is_bounded = true},
       TestMethod{.p = "p.GG",
                  .code = "rm_anova_gg",
                  .name = phrase("TestMethods",
@@ -78,7 +79,8 @@ std::span<const TestMethod> test_methods() {
                  .degrees = {"df1", "df2"},
                  .effect_symbol = "η²G",
                  .effect_name = generalised_eta_name(),
-                 .effect = "ges"},
+                 .effect = "ges",
+                 .effect_is_bounded = true},
       TestMethod{.p = "p.greater",
                  .code = "binomial",
                  .name = binomial(),
@@ -143,6 +145,7 @@ std::span<const TestMethod> test_methods() {
                  .effect_symbol = "W",
                  .effect_name = phrase("TestMethods", "Kendall’s W"),
                  .effect = "relabel.W",
+                 .effect_is_bounded = true,
                  .coverage = coverage_of_w()},
       TestMethod{.p = "relabel.p.greater",
                  .code = "picture_permutation",
@@ -199,6 +202,13 @@ const TestMethod* test_method(std::string_view p) {
   const auto found = std::find_if(methods.begin(), methods.end(),
                                   [p](const TestMethod& each) { return each.p == p; });
   return found == methods.end() ? nullptr : &*found;
+}
+
+bool is_bounded_effect(std::string_view symbol) {
+  const auto methods = test_methods();
+  return std::any_of(methods.begin(), methods.end(), [symbol](const TestMethod& each) {
+    return each.effect_is_bounded && each.effect_symbol == symbol;
+  });
 }
 
 Phrase test_method_name(std::string_view code) {

@@ -29,6 +29,7 @@ struct TestMethod {
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval
+  bool effect_is_bounded = false;    ///< cannot exceed 1: printed as `reading_bounded`
   /// How often such intervals contained the true value in simulations (docs/analysis.md), where that is less than 93 %
   /// or more than 97 %; empty of others.
   Phrase coverage{};
@@ -39,6 +40,9 @@ std::span<const TestMethod> test_methods();
 
 /// Null where no test has such a p.
 const TestMethod* test_method(std::string_view p);
+
+/// Whether the effect size with this symbol cannot exceed 1.
+bool is_bounded_effect(std::string_view symbol);
 
 /// The name of the test with this code; empty where there is none.
 Phrase test_method_name(std::string_view code);

@@ -139,8 +139,8 @@ std::string number_in_form(double value, NumberForm form) {
   const double size = std::abs(value);
   constexpr double kRounding = 1e-12;  // sums that are nothing but for it
   if (size < kRounding) return fixed(0.0, 2);
-  if (size >= 0.095) return fixed(value, 2);
-  return size >= 0.0095 ? fixed(value, 3) : reading_number(value);
+  if (size >= 0.095) return reading_signed(value, 2);
+  return size >= 0.0095 ? reading_signed(value, 3) : reading_number(value);
 }
 
 /// " (90 %)"; nothing of the usual 95 %.

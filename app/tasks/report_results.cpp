@@ -66,9 +66,9 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
     // Names stay as the study has them.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
                   printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
-                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI " +
-                  reading_percent(number_of(row[*low]).value_or(0.0)) + " to " +
-                  reading_percent(number_of(row[*low + 1]).value_or(1.0)) + ')';
+                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI [" +
+                  reading_percent(number_of(row[*low]).value_or(0.0)) + ", " +
+                  reading_percent(number_of(row[*low + 1]).value_or(1.0)) + "])";
     if (chance) {
       if (const auto by_chance = number_of(row[*chance])) {
         answer.text += ", where the chance level is " + reading_percent(*by_chance);

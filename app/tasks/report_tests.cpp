@@ -196,8 +196,8 @@ std::string word_of_factor(const std::string& name) {
 /// As it stands in a sentence: two digits after the point, or as many as a small one needs.
 std::string said_number(double value) {
   const double size = std::abs(value);
-  if (size >= 0.095 && size < 1000.0) return fixed(value, 2);
-  return size >= 0.0095 && size < 0.095 ? fixed(value, 3) : reading_number(value);
+  if (size >= 0.095 && size < 1000.0) return reading_signed(value, 2);
+  return size >= 0.0095 && size < 0.095 ? reading_signed(value, 3) : reading_number(value);
 }
 
 /// "0.0005" of the level "5e-04"; a number that could not be read stays.
@@ -271,7 +271,7 @@ std::string statistic_of(const ReportedTest& test) {
             (degrees == std::round(degrees) ? fixed(degrees, 0) : fixed(degrees, 1));
   }
   if (!test.degrees.empty()) text += ')';
-  return text + " = " + fixed(*test.statistic->value, 2);
+  return text + " = " + reading_signed(*test.statistic->value, 2);
 }
 
 std::string sentence_of(const ReportedTest& test) {

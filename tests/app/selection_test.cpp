@@ -129,7 +129,7 @@ TEST(PairedSelection, AnswersByItsPairsThenItsScaleThenTheOrder) {
               StartsWith("Chosen more often: a over b (in 100 % of a participant's choices on "
                          "average, 95 % CI "));
   EXPECT_THAT(answer_of(all_pairs(), "pairs"),
-              testing::HasSubstr(" % to 100 %; p = .012, Holm-corrected"));
+              testing::HasSubstr(" %, 100 %]; p = .012, Holm-corrected"));
   EXPECT_THAT(answer_of(all_pairs(), "preference"),
               AllOf(StartsWith("Log-worths, in decreasing order: a "), HasSubstr("95 % CI [")));
   EXPECT_EQ(all_pairs().questions[1].finding.quantity, "bt.ability.sumzero.cluster");

@@ -113,7 +113,7 @@ TEST(ReliabilityOverRepetitions, TellsConsistencyFromAgreement) {
   EXPECT_NEAR(value_in(outcome, "reliability", "icc", "ICC2"), (10.0 / 3.0) / (10.0 / 3.0 + 1.0),
               1e-12);
   EXPECT_THAT(answer_of(outcome, "reliability"),
-              StartsWith("Of one repetition ICC(3,1) = 1.00 (consistency), ICC(2,1) = 0.77 "
+              StartsWith("Of one repetition ICC(3,1) = 1.00 (consistency), ICC(2,1) = .77 "
                          "(agreement); of the mean of the 2 repetitions ICC(3,k) = 1.00. N = 4 "
                          "participants."));
 }

@@ -416,10 +416,6 @@
         <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>d′ is %1 (95 % CI %2 to %3, n = %4 responses)</source>
-        <translation>d′ ist %1 (95-%-Konfidenzintervall %2 bis %3, n = %4 Antworten)</translation>
-    </message>
-    <message>
         <source>%1 Responses “cannot tell” are counted above and excluded here.</source>
         <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und hier ausgeschlossen.</translation>
     </message>
@@ -564,10 +560,6 @@
         <translation>Die Zellen der Versuchspersonen haben %1 bis %2 Schätzungen; jede wird zuerst gemittelt, sodass alle gleich viel wiegen.</translation>
     </message>
     <message>
-        <source>%1 was rougher than %2 by a factor of %3 (%4 interval %5 to %6)</source>
-        <translation>%1 war um den Faktor %3 rauer als %2 (%4-Intervall %5 bis %6)</translation>
-    </message>
-    <message>
         <source>F(%1, %2) = %3, ε = %4, partial η² = %5, %6</source>
         <translation>F(%1, %2) = %3, ε = %4, partielles η² = %5, %6</translation>
     </message>
@@ -633,7 +625,7 @@
     </message>
     <message>
         <source>%1, 95 % CI [%2, %3]</source>
-        <translation>%1, 95-%-KI [%2, %3]</translation>
+        <translation>%1, 95-%-KI [%2; %3]</translation>
     </message>
     <message>
         <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models.</source>
@@ -776,10 +768,6 @@
         <translation>%1 ohne Test auf ein inneres Maximum, weil sich die Versuchspersonen nicht unterscheiden</translation>
     </message>
     <message>
-        <source>%1 at %2 (95 % CI %3 to %4; test for an interior maximum %5; R² of the mean parabola %6)</source>
-        <translation>%1 bei %2 (95-%-Konfidenzintervall %3 bis %4; Test auf ein inneres Maximum %5; R² der mittleren Parabel %6)</translation>
-    </message>
-    <message>
         <source>The maximum of the mean of the participants&apos; parabolas, in logarithms; CI by the delta method. It is reported where the test for an interior maximum by Lind and Mehlum is significant: the mean curve rises at the smallest and falls at the largest spacing.</source>
         <translation>Das Maximum des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Konfidenzintervall nach der Delta-Methode. Es wird genannt, wo der Test auf ein inneres Maximum nach Lind und Mehlum signifikant ist: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand.</translation>
     </message>
@@ -852,16 +840,8 @@
         <translation>%1 Durchgänge</translation>
     </message>
     <message>
-        <source>95 % CI %1 to %2</source>
-        <translation>95-%-KI %1 bis %2</translation>
-    </message>
-    <message>
         <source>without a CI</source>
         <translation>ohne KI</translation>
-    </message>
-    <message>
-        <source>Welch 95 % CI %1 to %2</source>
-        <translation>95-%-KI nach Welch %1 bis %2</translation>
     </message>
     <message>
         <source>the mean proportion correct of women is %1, of men %2</source>
@@ -921,7 +901,7 @@
     </message>
     <message>
         <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
-        <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2, %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
+        <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
     <message>
         <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would support equivalence within ±%2 percentage points.</source>
@@ -941,7 +921,7 @@
     </message>
     <message>
         <source>%1 = %2, 95 % CI [%3, %4]</source>
-        <translation>%1 = %2, 95-%-KI [%3, %4]</translation>
+        <translation>%1 = %2, 95-%-KI [%3; %4]</translation>
     </message>
     <message>
         <source>Not defined: all participants have the same result in every repetition.</source>
@@ -978,10 +958,6 @@
     <message>
         <source>There are no responses yet.</source>
         <translation>Noch gibt es keine Antworten.</translation>
-    </message>
-    <message>
-        <source>the peak of %1 is at %2 times the spacing of %3 (95 % CI %4 to %5)</source>
-        <translation>das Maximum von %1 liegt beim %2-Fachen des Abstands von %3 (95-%-Konfidenzintervall %4 bis %5)</translation>
     </message>
     <message>
         <source>%1, t(%2) = %3, %4</source>
@@ -1266,6 +1242,30 @@
     <message>
         <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
         <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
+    </message>
+    <message>
+        <source>%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])</source>
+        <translation>%1 war um den Faktor %3 rauer als %2 (%4-KI [%5; %6])</translation>
+    </message>
+    <message>
+        <source>%1 at %2 (95 % CI [%3, %4]; test for an interior maximum %5; R² of the mean parabola %6)</source>
+        <translation>%1 bei %2 (95-%-KI [%3; %4]; Test auf ein inneres Maximum %5; R² der mittleren Parabel %6)</translation>
+    </message>
+    <message>
+        <source>the peak of %1 is at %2 times the spacing of %3 (95 % CI [%4, %5])</source>
+        <translation>das Maximum von %1 liegt beim %2-Fachen des Abstands von %3 (95-%-KI [%4; %5])</translation>
+    </message>
+    <message>
+        <source>d′ = %1, 95 % CI [%2, %3], n = %4 responses</source>
+        <translation>d′ = %1, 95-%-KI [%2; %3], n = %4 Antworten</translation>
+    </message>
+    <message>
+        <source>95 % CI [%1, %2]</source>
+        <translation>95-%-KI [%1; %2]</translation>
+    </message>
+    <message>
+        <source>Welch 95 % CI [%1, %2]</source>
+        <translation>Welch-95-%-KI [%1; %2]</translation>
     </message>
 </context>
 <context>
