@@ -43,6 +43,15 @@ struct AnsweredQuestion {
   Phrase counted{};     ///< what its n counts: "20 participants"; empty where there is none
 };
 
+/// What a test found, in English, as a paper prints it.
+struct TestSentence {
+  std::string test{};  ///< one of test_names()
+  bool is_confirmatory = false;
+  bool is_untested = false;
+  std::string text{};
+  std::vector<std::string> sources{};  ///< keys of references.h
+};
+
 /// What tells a finding of an outcome from its others.
 struct FindingName {
   std::string analysis{};
@@ -69,6 +78,7 @@ struct AnalysisOutcome {
   std::vector<NamedTable> tables{};
   std::vector<Finding> findings{};
   std::set<FindingName> tests_in_tables{};  ///< whose p stands in a table: told there
+  std::vector<TestSentence> test_sentences{};  ///< in the order of the table of tests
   std::vector<Phrase> remarks{};  ///< sentences, each to be read before believing a number
 };
 

@@ -11,6 +11,7 @@
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/reading_table.h"
+#include "app/analyses/test_sentences.h"
 
 namespace asperity {
 
@@ -162,31 +163,19 @@ Cell n_cell(const TestRow& row) {
 Cell statistic_cell(const TestRow& row) {
   const std::optional<double> value = row.number("value");
   if (!value) return {};
-  std::string text = row.text("statistic");
-  std::string degrees{};
+  std::vector<double> degrees{};
   for (const char* column : {"df1", "df2"}) {
-    const std::optional<double> df = row.number(column);
-    if (!df) continue;
-    degrees += (degrees.empty() ? "" : ", ") + fixed(*df, *df == std::round(*df) ? 0 : 1);
+    if (const std::optional<double> df = row.number(column)) degrees.push_back(*df);
   }
-  const bool is_count = text == "k" || text == "D";
-  if (!degrees.empty()) text += '(' + degrees + ')';
-  return text + " = " + reading_signed(*value, is_count ? 0 : 2);
+  return statistic_text(row.text("statistic"), degrees, *value);
 }
 
 /// "d = 2.74 [1.75, 3.71]"
 Cell effect_cell(const TestRow& row) {
   const std::optional<double> value = row.number("effect");
   if (!value) return {};
-  const std::string symbol = row.text("effect_size");
-  const auto shown = [is_bounded = is_bounded_effect(symbol)](double number) {
-    return is_bounded ? reading_bounded(number) : reading_signed(number, 2);
-  };
-  std::string text = symbol + " = " + shown(*value);
-  const std::optional<double> low = row.number("effect_low");
-  const std::optional<double> high = row.number("effect_high");
-  if (low && high) text += " [" + shown(*low) + ", " + shown(*high) + ']';
-  return text;
+  return effect_text(row.text("effect_size"), *value,
+                     {.low = row.number("effect_low"), .high = row.number("effect_high")});
 }
 
 /// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
@@ -218,7 +207,8 @@ void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
 
 }  // namespace
 
-StudyTests::StudyTests(const GatheredAnswers& gathered) : family_(gathered.declared.family) {
+StudyTests::StudyTests(const GatheredAnswers& gathered)
+    : kind_(gathered.kind), family_(gathered.declared.family) {
   is_declared_ = !family_.empty();
   for (const TestName& test : test_names()) {
     if (family_.empty() && test.kind == gathered.kind) family_.emplace_back(test.name);
@@ -264,6 +254,12 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   }
   test.effect = effect_in(found, by.effect, key);
   judge_effect(found, key, test);
+  if (by.estimate.empty()) return;
+  test.estimate = effect_in(found, by.estimate, key);
+  if (test.estimate && found.find(by.estimate, key)->n != test.n) {  // an interval of trials
+    test.estimate->low.reset();
+    test.estimate->high.reset();
+  }
 }
 
 void StudyTests::add_untested(const std::string& name, const std::string& about,
@@ -413,6 +409,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     Finding finding = finding_of(test);
     if (!test.p) finding.status = words_of_cell("status", test.status).english();
     outcome.findings.push_back(finding);
+    outcome.test_sentences.push_back(sentence_of_test(test, kind_, is_in_family(test.name)));
     if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
     if (!is_in_family(test.name)) continue;
     finding.quantity = "p.holm";

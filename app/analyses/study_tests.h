@@ -50,6 +50,7 @@ class StudyTests final {
       bool takes_trials_as_independent = false;  ///< in a test of participants
     };
     std::optional<Effect> effect{};
+    std::optional<Effect> estimate{};   ///< the proportion that is tested
     std::optional<double> adjusted{};   ///< within the family,
     bool is_only_confirmatory = false;  ///< of which it is the only one
     std::string status = "ok";
@@ -83,6 +84,7 @@ class StudyTests final {
   Phrase note_on_family(std::size_t tests) const;
   Phrase note_on_columns() const;
 
+  std::string kind_{};
   std::vector<std::string> family_{};
   std::string name_{};
   bool is_declared_ = false;

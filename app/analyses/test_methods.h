@@ -30,6 +30,10 @@ struct TestMethod {
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   std::string_view effect{};         ///< the effect size, whose finding has its interval
   bool effect_is_bounded = false;    ///< cannot exceed 1: printed as `reading_bounded`
+  std::string_view estimate{};       ///< the proportion that is tested; empty where there is none
+  std::string_view estimate_name{};  ///< "mean proportion correct"
+  std::array<std::string_view, 2>
+      sources{};  ///< keys of references.h, of the test and the effect size
   /// How often such intervals contained the true value in simulations (docs/analysis.md), where that is less than 93 %
   /// or more than 97 %; empty of others.
   Phrase coverage{};

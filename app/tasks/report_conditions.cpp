@@ -60,34 +60,8 @@ std::string requested_noise_text(const Protocol& protocol) {
 }
 
 std::string noise_text(const ReportFacts& facts) {
-  const auto share = [&facts](NoiseSource source) {
-    return share_of_sessions(
-        facts, [source](const RecordedStretch& stretch) { return stretch.noise.source == source; });
-  };
-  std::vector<std::string> sentences{};
-  if (const SessionShare played = share(NoiseSource::program); played.is_any()) {
-    sentences.push_back("The program played masking noise " + played.text() +
-                        played_level_text(facts, played) + '.');
-  }
-  if (const SessionShare elsewhere = share(NoiseSource::elsewhere); elsewhere.is_any()) {
-    sentences.push_back("Masking noise came from another source " + elsewhere.text() + ": " +
-                        attested_text(facts) + '.');
-  }
-  if (const SessionShare silent = share(NoiseSource::not_played); silent.is_any()) {
-    sentences.push_back("No masking noise was played " + silent.text_after_not() + '.');
-  }
-  if (const SessionShare unknown = share(NoiseSource::not_recorded); unknown.is_any()) {
-    sentences.push_back("Whether masking noise was played is not recorded " +
-                        unknown.text_after_not() + '.');
-  }
-  if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back(
-        "No masking noise is recorded " + unstored.text_after_not() +
-        "; the program that ran them stored nothing of it at a terminal, which plays none.");
-  }
-  std::string text = facts.file.protocol ? requested_noise_text(*facts.file.protocol) : "";
-  for (const std::string& sentence : sentences) text += (text.ends_with('.') ? " " : "") + sentence;
-  return text;
+  return (facts.file.protocol ? requested_noise_text(*facts.file.protocol) : "") +
+         recorded_noise_text(facts);
 }
 
 std::string vision_text(const ReportFacts& facts) {
@@ -112,24 +86,9 @@ std::string vision_text(const ReportFacts& facts) {
               : "");
 }
 
-/// "Device: falcon Novint Falcon (in 2 of 3 sessions); mouse pointer of a window (in 1 of 3 sessions)."
 std::string devices_text(const ReportFacts& facts) {
-  std::set<std::string> devices{};
-  for (const ReportedSession& session : facts.sessions) {
-    for (const RecordedStretch& stretch : session.stretches) {
-      if (stretch.device) devices.insert(stretch.device->text);
-    }
-  }
-  std::string text{};
-  for (const std::string& device : devices) {
-    const SessionShare share = share_of_sessions(facts, [&device](const RecordedStretch& stretch) {
-      return stretch.device && stretch.device->text == device;
-    });
-    const bool is_only = devices.size() == 1 && share.whole == share.all;
-    text +=
-        (text.empty() ? "Device: " : "; ") + device + (is_only ? "" : " (" + share.text() + ')');
-  }
-  if (!text.empty()) text += '.';
+  const std::string devices = devices_in(facts);
+  std::string text = devices.empty() ? "" : "Device: " + devices + '.';
   const SessionShare unknown = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
   if (unknown.is_any()) {
@@ -177,6 +136,55 @@ ReportList resumed_elsewhere(const ReportFacts& facts) {
 }
 
 }  // namespace
+
+std::string recorded_noise_text(const ReportFacts& facts) {
+  const auto share = [&facts](NoiseSource source) {
+    return share_of_sessions(
+        facts, [source](const RecordedStretch& stretch) { return stretch.noise.source == source; });
+  };
+  std::vector<std::string> sentences{};
+  if (const SessionShare played = share(NoiseSource::program); played.is_any()) {
+    sentences.push_back("The program played masking noise " + played.text() +
+                        played_level_text(facts, played) + '.');
+  }
+  if (const SessionShare elsewhere = share(NoiseSource::elsewhere); elsewhere.is_any()) {
+    sentences.push_back("Masking noise came from another source " + elsewhere.text() + ": " +
+                        attested_text(facts) + '.');
+  }
+  if (const SessionShare silent = share(NoiseSource::not_played); silent.is_any()) {
+    sentences.push_back("No masking noise was played " + silent.text_after_not() + '.');
+  }
+  if (const SessionShare unknown = share(NoiseSource::not_recorded); unknown.is_any()) {
+    sentences.push_back("Whether masking noise was played is not recorded " +
+                        unknown.text_after_not() + '.');
+  }
+  if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
+    sentences.push_back(
+        "No masking noise is recorded " + unstored.text_after_not() +
+        "; the program that ran them stored nothing of it at a terminal, which plays none.");
+  }
+  std::string text{};
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return text;
+}
+
+std::string devices_in(const ReportFacts& facts) {
+  std::set<std::string> devices{};
+  for (const ReportedSession& session : facts.sessions) {
+    for (const RecordedStretch& stretch : session.stretches) {
+      if (stretch.device) devices.insert(stretch.device->text);
+    }
+  }
+  std::string text{};
+  for (const std::string& device : devices) {
+    const SessionShare share = share_of_sessions(facts, [&device](const RecordedStretch& stretch) {
+      return stretch.device && stretch.device->text == device;
+    });
+    const bool is_only = devices.size() == 1 && share.whole == share.all;
+    text += (text.empty() ? "" : "; ") + device + (is_only ? "" : " (" + share.text() + ')');
+  }
+  return text;
+}
 
 bool is_moved_by_program(const RecordedStretch& stretch) {
   return stretch.device && !stretch.device->hand_of_program().empty();

@@ -256,16 +256,8 @@ const std::string kLastRepeat =
     std::string("; the last one is then flagged and included") + kUntouched;
 
 std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
-  std::vector<std::string> bands{};
-  add_band("normal force", exploration.normal_force_N, "N", bands);
-  add_band("speed", exploration.speed_m_per_s, "m/s", bands);
-  add_band("length of a stroke", exploration.stroke_length_m, "m", bands);
-  add_band("strokes", exploration.strokes, "", bands);
-  std::string text = "The protocol requests that each surface be explored for " +
-                     reading_quantity(exploration.minimum_contact_s, "s") + " to " +
-                     reading_quantity(exploration.maximum_contact_s, "s");
-  if (!bands.empty()) text += ", with " + listed(bands);
-  text += '.';
+  std::string text = "The protocol requests that each surface be explored " +
+                     instructed_exploration(exploration) + '.';
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.required_fraction_in_band > 0.0) {
     const std::string fraction = reading_percent(exploration.required_fraction_in_band);
@@ -382,6 +374,18 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
 }
 
 }  // namespace
+
+std::string instructed_exploration(const Exploration& exploration) {
+  std::vector<std::string> bands{};
+  add_band("normal force", exploration.normal_force_N, "N", bands);
+  add_band("speed", exploration.speed_m_per_s, "m/s", bands);
+  add_band("length of a stroke", exploration.stroke_length_m, "m", bands);
+  add_band("strokes", exploration.strokes, "", bands);
+  std::string text = "for " + reading_quantity(exploration.minimum_contact_s, "s") + " to " +
+                     reading_quantity(exploration.maximum_contact_s, "s");
+  if (!bands.empty()) text += ", with " + listed(bands);
+  return text;
+}
 
 ReportSection design_section(const ReportFacts& facts) {
   ReportSection section{"Design", {}};

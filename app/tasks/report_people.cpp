@@ -37,19 +37,19 @@ std::string ages_text(const ReportFacts& facts) {
     if (person.age_years) ages.push_back(*person.age_years);
   }
   const std::optional<Summary> summary = summary_of(ages);
-  if (!summary) return "No age is stored.";
-  std::string text = "Age: ";
+  if (!summary) return {};
+  std::string text{};
   if (summary->n == 1) {
-    text += reading_number(summary->mean) + " years";
+    text = reading_number(summary->mean) + " years";
   } else {
-    text += "mean " + fixed(summary->mean, 1) + " years, SD " + fixed(summary->sd, 1) + ", range " +
-            reading_number(summary->minimum) + " to " + reading_number(summary->maximum);
+    text = "M = " + fixed(summary->mean, 1) + " years, SD = " + fixed(summary->sd, 1) + ", range " +
+           reading_number(summary->minimum) + " to " + reading_number(summary->maximum);
   }
   if (summary->n < facts.participants.size()) {
     text += " (" + reading_count(summary->n) + " of " + reading_count(facts.participants.size()) +
             " reported)";
   }
-  return text + '.';
+  return text;
 }
 
 /// What excludes a session now, if anything does.
@@ -241,20 +241,30 @@ std::string stopped(std::string text) {
   return text;
 }
 
-ReportSection participants_section(const ReportFacts& facts) {
-  ReportSection section{"Participants", {}};
-  const std::size_t all = facts.participants.size();
+SampleTexts sample_texts(const ReportFacts& facts) {
   std::map<std::string, std::size_t> sexes{};
   std::map<std::string, std::size_t> hands{};
   for (const ParticipantRow& person : facts.participants) {
     if (person.sex) ++sexes[*person.sex];
     if (person.handedness) ++hands[*person.handedness];
   }
-  const auto told = [](const std::map<std::string, std::size_t>& counts) {
+  const auto counted = [all = facts.participants.size()](
+                           const std::map<std::string, std::size_t>& counts,
+                           const std::vector<std::pair<std::string, std::string>>& words) {
     std::size_t sum = 0;
     for (const auto& [answer, count] : counts) sum += count;
-    return sum;
+    return counts.empty() ? std::string() : counts_of(counts, words, sum, all);
   };
+  return {.sexes = counted(sexes, {{"F", "female"}, {"M", "male"}, {"X", "neither"}}),
+          .ages = ages_text(facts),
+          .hands = counted(hands, {{"right", "right-handed"},
+                                   {"left", "left-handed"},
+                                   {"ambidextrous", "ambidextrous"}})};
+}
+
+ReportSection participants_section(const ReportFacts& facts) {
+  ReportSection section{"Participants", {}};
+  const std::size_t all = facts.participants.size();
   std::string text{};
   const std::string who = capitalised(participants_text(facts.group, all));
   switch (facts.group) {
@@ -270,25 +280,10 @@ ReportSection participants_section(const ReportFacts& facts) {
              "took part.";
       break;
   }
-  if (!sexes.empty()) {
-    text += " Sex: " +
-            counts_of(sexes, {{"F", "female"}, {"M", "male"}, {"X", "neither"}}, told(sexes), all) +
-            '.';
-  } else {
-    text += " No sex is stored.";
-  }
-  text += ' ' + ages_text(facts);
-  if (!hands.empty()) {
-    text +=
-        " Handedness: " +
-        counts_of(
-            hands,
-            {{"right", "right-handed"}, {"left", "left-handed"}, {"ambidextrous", "ambidextrous"}},
-            told(hands), all) +
-        '.';
-  } else {
-    text += " No handedness is stored.";
-  }
+  const SampleTexts sample = sample_texts(facts);
+  text += sample.sexes.empty() ? " No sex is stored." : " Sex: " + sample.sexes + '.';
+  text += sample.ages.empty() ? " No age is stored." : " Age: " + sample.ages + '.';
+  text += sample.hands.empty() ? " No handedness is stored." : " Handedness: " + sample.hands + '.';
   section.parts.emplace_back(ReportText{text});
 
   if (facts.group != AnswerGroup::virtual_participants) {

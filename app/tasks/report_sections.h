@@ -43,6 +43,27 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
 /// To look up: tests and numbers that no table has, and where the rest is.
 ReportSection numbers_section(const AnalysisOutcome& outcome);
 
+/// Methods and results in paragraphs that a paper can print, with the publications that they cite. `outcome`: null where
+/// the results are held back or there are none.
+ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                            const StudyMetadata& metadata);
+
+/// What is stored of the participants, each empty where nothing is: "3 female and 3 male", "M = 22.3 years, SD = 2.0,
+/// range 20 to 25", "6 right-handed".
+struct SampleTexts {
+  std::string sexes{};
+  std::string ages{};
+  std::string hands{};
+};
+SampleTexts sample_texts(const ReportFacts& facts);
+/// "falcon Novint Falcon (in 2 of 3 sessions); mouse pointer of a window (in 1 of 3 sessions)"; empty where none is
+/// recorded.
+std::string devices_in(const ReportFacts& facts);
+/// What the rows support about masking noise, without what the protocol requests.
+std::string recorded_noise_text(const ReportFacts& facts);
+/// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (aiming at 1 N)"
+std::string instructed_exploration(const Exploration& exploration);
+
 /// In how many sessions something is so.
 struct SessionShare {
   std::size_t whole = 0;  ///< in all of their stretches

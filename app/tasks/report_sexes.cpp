@@ -51,6 +51,8 @@ AnalysisOutcome without_sexes(AnalysisOutcome outcome) {
   std::erase_if(outcome.questions,
                 [](const AnsweredQuestion& question) { return question.name.starts_with(kSexes); });
   std::erase_if(outcome.findings, compares_sexes);
+  std::erase_if(outcome.test_sentences,
+                [](const TestSentence& sentence) { return sentence.test == kSexes; });
   for (NamedTable& named : outcome.tables) {
     keep_everyone(named.table);
     if (named.name == StudyTests::kTable) drop_test_of_sexes(named.table);

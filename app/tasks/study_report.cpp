@@ -155,7 +155,7 @@ ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outco
 }
 
 ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
-                         std::span<const Figure> figures) {
+                         std::span<const Figure> figures, const StudyMetadata& metadata) {
   ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
   chapter.sections.push_back(design_section(facts));
   chapter.sections.push_back(conditions_section(facts));
@@ -172,6 +172,8 @@ ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcom
   }
   chapter.sections.push_back(exploration_section(facts));
   chapter.sections.push_back(presentation_section(facts));
+  chapter.sections.push_back(
+      paper_section(facts, is_held_back(facts) ? nullptr : outcome, metadata));
   chapter.sections.push_back(making_section(facts));
   return chapter;
 }
@@ -202,8 +204,10 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   std::vector<ReportFacts> all{};
   std::vector<AnalysisOutcome> outcomes{};
   std::vector<WithdrawalRow> withdrawals{};
+  StudyMetadata metadata{};
   study.read_at_one_moment([&] {
     withdrawals = study.withdrawals();
+    metadata = study.metadata();
     all = report_facts(study, protocol, stop, [&progress](double fraction) {
       if (progress) progress(kFactsShare * fraction);
     });
@@ -222,7 +226,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
     const AnalysisOutcome* outcome = outcome_of(outcomes, facts);
     const std::vector<Figure> figures =
         outcome != nullptr && figures_of ? figures_of(*outcome) : std::vector<Figure>{};
-    report.chapters.push_back(chapter_of(facts, outcome, figures));
+    report.chapters.push_back(chapter_of(facts, outcome, figures, metadata));
     appendices.push_back(appendix_of(facts, outcome, figures));
   }
   std::move(appendices.begin(), appendices.end(), std::back_inserter(report.chapters));

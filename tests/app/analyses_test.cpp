@@ -114,7 +114,7 @@ const std::vector<Cell>& row_of(const Table& table, const std::vector<std::strin
   throw std::runtime_error("no row " + keys.front());
 }
 
-const Cell& cell_of(const Table& table, const std::vector<std::string>& keys,
+const Cell& cell_named(const Table& table, const std::vector<std::string>& keys,
                     const std::string& column) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), column);
   if (found == table.columns.end()) throw std::runtime_error("no column " + column);
@@ -122,7 +122,7 @@ const Cell& cell_of(const Table& table, const std::vector<std::string>& keys,
 }
 
 double number(const Table& table, const std::vector<std::string>& keys, const std::string& column) {
-  const Cell& cell = cell_of(table, keys, column);
+  const Cell& cell = cell_named(table, keys, column);
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
   return std::get<double>(cell);
 }
@@ -292,7 +292,7 @@ TEST(Matching, JudgesItemsByThePermutationNull) {
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   const Table& items = table_of(outcome, "items").table;
   EXPECT_DOUBLE_EQ(number(items, {"all", "Total"}, "p"), 7.0 / 24.0);
-  EXPECT_EQ(cell_of(items, {"all", "Male"}, "share"), Cell{});
+  EXPECT_EQ(cell_named(items, {"all", "Male"}, "share"), Cell{});
 }
 
 TEST(Matching, ShowsWhichTexturesAreConfused) {
@@ -629,8 +629,8 @@ TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
   const double pair = number(tests.table, {"target_pairs", "new|old"}, "p");
   EXPECT_DOUBLE_EQ(pair, 2.0 / 32.0);
   EXPECT_DOUBLE_EQ(number(tests.table, {"target_pairs", "new|old"}, "p_holm"), 2.0 * pair);
-  EXPECT_EQ(cell_of(tests.table, {"preference"}, "p_holm"), Cell{});
-  EXPECT_EQ(cell_of(tests.table, {"position"}, "family"), Cell{"target_pairs, position"});
+  EXPECT_EQ(cell_named(tests.table, {"preference"}, "p_holm"), Cell{});
+  EXPECT_EQ(cell_named(tests.table, {"position"}, "family"), Cell{"target_pairs, position"});
   EXPECT_EQ(finding_of(outcome, "tests", "p.holm", "test=target_pairs about=new|old").value,
             2.0 * pair);
   EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr(", Holm-corrected"));
@@ -879,7 +879,7 @@ TEST(StudyTests, KeepADeclaredTestOfWhichThereIsNoAnswer) {
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   const Table& tests = table_of(outcome, "tests").table;
   EXPECT_DOUBLE_EQ(number(tests, {"whole"}, "p_holm"), 2.0 / 24.0);
-  EXPECT_EQ(cell_of(tests, {"sexes"}, "p"), Cell{});
+  EXPECT_EQ(cell_named(tests, {"sexes"}, "p"), Cell{});
   EXPECT_THAT(question_of(outcome, "items").answer.english(),
               testing::EndsWith("This test is exploratory."));
 }
@@ -963,14 +963,14 @@ TEST(StudyTests, SayWhatTheirNumbersCount) {
   const Table& matched = table_of(matchings_of_the_chapter(), "tests").table;
   for (const char* name : {"items", "whole", "textures", "sexes"}) {
     EXPECT_EQ(number(matched, {name}, "n"), 20) << name;
-    EXPECT_EQ(cell_of(matched, {name}, "unit"), Cell{"participants"}) << name;
+    EXPECT_EQ(cell_named(matched, {name}, "unit"), Cell{"participants"}) << name;
   }
   const AnalysisOutcome recognised = analyze_recognitions();
   const Table& tests = table_of(recognised, "tests").table;
   EXPECT_EQ(number(tests, {"information"}, "n"), 12);
-  EXPECT_EQ(cell_of(tests, {"information"}, "unit"), Cell{"answers"});
+  EXPECT_EQ(cell_named(tests, {"information"}, "unit"), Cell{"answers"});
   EXPECT_EQ(number(tests, {"textures", "wood"}, "n"), 2);
-  EXPECT_EQ(cell_of(tests, {"right"}, "unit"), Cell{"participants"});
+  EXPECT_EQ(cell_named(tests, {"right"}, "unit"), Cell{"participants"});
   EXPECT_EQ(question_of(recognised, "information").finding.n, 12U);
 }
 
@@ -1012,8 +1012,8 @@ TEST(StudyTests, StateTheSmallestPThatCouldBeAttained) {
   };
   const AnalysisOutcome one = outcome_of(1);
   const Table& tests = table_of(one, "tests").table;
-  EXPECT_EQ(cell_of(tests, {"preference"}, "p"), Cell{});
-  EXPECT_EQ(cell_of(tests, {"preference"}, "status"),
+  EXPECT_EQ(cell_named(tests, {"preference"}, "p"), Cell{});
+  EXPECT_EQ(cell_named(tests, {"preference"}, "status"),
             Cell{"cannot be tested with one participant"});
   for (const char* name : {"preference", "pairs", "position"}) {
     EXPECT_THAT(question_of(one, name).answer.english(),
@@ -1231,7 +1231,7 @@ TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
   for (const char* name : {"spacing", "interaction"}) {
     EXPECT_LT(number(tests, {name}, "p_holm"), 0.05) << name;
   }
-  EXPECT_EQ(cell_of(tests, {"condition"}, "p_holm"), Cell{});
+  EXPECT_EQ(cell_named(tests, {"condition"}, "p_holm"), Cell{});
   ASSERT_FALSE(outcome.questions.empty());
   EXPECT_EQ(outcome.questions[0].name, "spacing");
   // Degrees of freedom, size and direction beside F: a reader of the sentence needs no table.

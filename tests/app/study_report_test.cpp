@@ -155,7 +155,7 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   EXPECT_THAT(words, HasSubstr("Four participants took part."));
   EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not reported."));
   // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
-  EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 reported)."));
+  EXPECT_THAT(words, HasSubstr("Age: M = 24.0 years, SD = 4.0, range 20 to 28 (3 of 4 reported)."));
   EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not reported."));
   EXPECT_THAT(words, HasSubstr("No consent is stored of p1, p2, p3 and p4."));
 }

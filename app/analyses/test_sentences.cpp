@@ -1,0 +1,197 @@
+#include "app/analyses/test_sentences.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/number_text.h"
+#include "app/analyses/cell_words.h"
+#include "app/analyses/reading_number.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kAlpha5 = 0.05;
+constexpr std::string_view kUnitOfPeople = "participants";
+
+/// What a test of protocols of a kind found. %1 and %2: what it is about.
+struct Claim {
+  std::string_view kind{};
+  std::string_view test{};
+  std::string_view higher{};  ///< significant, the statistic positive or without a sign
+  std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
+  std::string_view nothing{};
+};
+
+constexpr std::array kClaims{
+    Claim{"selection", "pairs", "%1 was chosen significantly more often than %2",
+          "%1 was chosen significantly less often than %2",
+          "The numbers of choices of %1 and %2 were not significantly different"},
+    Claim{"selection", "target_pairs", "%1 was chosen significantly more often than %2",
+          "%1 was chosen significantly less often than %2",
+          "The numbers of choices of %1 and %2 were not significantly different"},
+    Claim{"selection", "preference",
+          "The numbers of choices of the items were significantly different", "",
+          "The numbers of choices of the items were not significantly different"},
+    Claim{"selection", "position",
+          "The numbers of choices of the positions in a trial were significantly different", "",
+          "The numbers of choices of the positions in a trial were not significantly different"},
+    Claim{"selection", "textures",
+          "The proportion of choices of the target differed significantly between the textures", "",
+          "The proportion of choices of the target did not differ significantly between the "
+          "textures"},
+    Claim{"matching", "items",
+          "The number of correctly matched items was significantly above the chance level", "",
+          "The number of correctly matched items was not significantly above the chance level"},
+    Claim{"matching", "whole",
+          "The number of trials with all items correct was significantly above the chance level",
+          "",
+          "The number of trials with all items correct was not significantly above the chance "
+          "level"},
+    Claim{"matching", "textures",
+          "The number of correct matches of %1 was significantly above the chance level", "",
+          "The number of correct matches of %1 was not significantly above the chance level"},
+    Claim{"matching", "sexes", "Women matched significantly more items correctly than men",
+          "Women matched significantly fewer items correctly than men",
+          "The numbers of correctly matched items of women and men were not significantly "
+          "different"},
+    Claim{"recognition", "right",
+          "The mean proportion correct was significantly above the chance level",
+          "The mean proportion correct was significantly below the chance level",
+          "The mean proportion correct was not significantly different from the chance level"},
+    Claim{"recognition", "textures",
+          "The number of correct responses to %1 was significantly above the chance level", "",
+          "The number of correct responses to %1 was not significantly above the chance level"},
+    Claim{"recognition", "information",
+          "The responses were significantly associated with the stimulus", "",
+          "The responses were not significantly associated with the stimulus"},
+    Claim{"recognition", "sexes",
+          "The mean proportion correct of women was significantly higher than that of men",
+          "The mean proportion correct of women was significantly lower than that of men",
+          "The mean proportions correct of women and men were not significantly different"},
+    Claim{"magnitude", "spacing",
+          "The roughness estimates differed significantly between the spacings", "",
+          "The roughness estimates did not differ significantly between the spacings"},
+    Claim{"magnitude", "interaction",
+          "The effect of spacing on the roughness estimates differed significantly between the "
+          "conditions",
+          "",
+          "The effect of spacing on the roughness estimates did not differ significantly between "
+          "the conditions"},
+    Claim{"magnitude", "condition",
+          "The roughness estimates differed significantly between the conditions", "",
+          "The roughness estimates did not differ significantly between the conditions"},
+    Claim{"magnitude", "peaks",
+          "The peak of %1 was at a significantly larger spacing than that of %2",
+          "The peak of %1 was at a significantly smaller spacing than that of %2",
+          "The spacings of the peaks of %1 and %2 were not significantly different"}};
+
+std::string with_places_filled(std::string_view words, std::string_view about) {
+  const std::size_t bar = about.find('|');
+  const std::string first(about.substr(0, bar));
+  const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
+  return Phrase(std::string(words)).with(first, second).english();
+}
+
+std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
+  const auto* const claim = std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& each) {
+    return each.kind == kind && each.test == test.name;
+  });
+  if (claim == kClaims.end()) return {};
+  const bool is_significant = test.adjusted ? test.shows() : *test.p < kAlpha5;
+  const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
+  return with_places_filled(!is_significant ? claim->nothing
+                            : is_negative   ? claim->lower
+                                            : claim->higher,
+                            test.about);
+}
+
+std::string size_text(const StudyTests::Test& test) {
+  const std::string n = reading_count(test.n);
+  if (test.unit == kUnitOfPeople) return "N = " + n;
+  return "n = " + n + ' ' + words_of_cell("n", n + '|' + test.unit).english().substr(n.size() + 1);
+}
+
+std::string estimate_text(const StudyTests::Test& test) {
+  if (!test.estimate) return {};
+  std::string text(test.made_by->estimate_name);
+  text += " = " + reading_percent(test.estimate->value);
+  if (test.estimate->low && test.estimate->high) {
+    text += ", 95 % CI [" + reading_percent(*test.estimate->low) + ", " +
+            reading_percent(*test.estimate->high) + ']';
+  }
+  return text + ", " + size_text(test) + "; ";
+}
+
+std::string method_text(const StudyTests::Test& test) {
+  std::string code(test.made_by->code);
+  if (test.random_permutations) {
+    code += '|' + (*test.random_permutations == 0 ? std::string("exact")
+                                                  : std::to_string(*test.random_permutations));
+  }
+  return words_of_cell("method", code).english();
+}
+
+}  // namespace
+
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value) {
+  std::string inner{};
+  for (const double df : degrees) {
+    inner += (inner.empty() ? "" : ", ") + fixed(df, df == std::round(df) ? 0 : 1);
+  }
+  const bool is_count = symbol == "k" || symbol == "D";
+  return std::string(symbol) + (inner.empty() ? "" : '(' + inner + ')') + " = " +
+         reading_signed(value, is_count ? 0 : 2);
+}
+
+std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval) {
+  const auto shown = [is_bounded = is_bounded_effect(symbol)](double number) {
+    return is_bounded ? reading_bounded(number) : reading_signed(number, 2);
+  };
+  std::string text = std::string(symbol) + " = " + shown(value);
+  if (!interval.low || !interval.high) return text;
+  return text + std::string(interval.before) + '[' + shown(*interval.low) + ", " +
+         shown(*interval.high) + ']';
+}
+
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind,
+                              bool is_confirmatory) {
+  TestSentence sentence{.test = test.name, .is_confirmatory = is_confirmatory};
+  if (!test.p || test.made_by == nullptr) {
+    sentence.is_untested = true;
+    const std::string about =
+        words_of_cell("test", test.about.empty() ? test.name : test.name + '|' + test.about)
+            .english();
+    sentence.text = Phrase("The test of %1 could not be made: %2")
+                        .with(about, words_of_cell("status", test.status))
+                        .as_sentence()
+                        .english();
+    return sentence;
+  }
+  const std::string estimate = estimate_text(test);
+  sentence.text = claim_of(test, kind) + ": " + estimate + method_text(test);
+  if (test.statistic) {
+    sentence.text += ", " + statistic_text(test.made_by->symbol, test.degrees, *test.statistic);
+  }
+  if (estimate.empty()) sentence.text += ", " + size_text(test);
+  sentence.text += ", " + p_text(test).english();
+  if (test.effect) {
+    const TestMethod& by = *test.made_by;
+    const EffectInterval interval{
+        .low = test.effect->low, .high = test.effect->high, .before = ", 95 % CI "};
+    const std::string text = effect_text(by.effect_symbol, test.effect->value, interval);
+    const std::string name = by.effect_name.english();
+    sentence.text += "; " + (name.empty() ? text : name + text.substr(by.effect_symbol.size()));
+    if (test.effect->takes_trials_as_independent) {
+      sentence.text += " (trials taken as independent)";
+    }
+  }
+  sentence.text += '.';
+  for (const std::string_view source : test.made_by->sources) {
+    if (!source.empty()) sentence.sources.emplace_back(source);
+  }
+  return sentence;
+}
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+// The tests of a study in words that a paper prints.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/analyses/analysis_outcome.h"
+#include "app/analyses/study_tests.h"
+
+namespace asperity {
+
+/// "F(2, 38) = 5.17"
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value);
+
+/// "d = 2.74 [1.75, 3.71]"; without an interval where an end is absent.
+struct EffectInterval {
+  std::optional<double> low{};
+  std::optional<double> high{};
+  std::string_view before = " ";  ///< between the value and the bracket
+};
+std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval);
+
+/// What a test of this kind of protocol found, with its numbers: "The mean proportion correct was
+/// significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %], N = 6; one-sample t test,
+/// t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI [1.56, 6.83]."
+/// Of a test that could not be made, that and why.
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind,
+                              bool is_confirmatory);
+
+}  // namespace asperity

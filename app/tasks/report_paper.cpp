@@ -1,0 +1,271 @@
+// Methods and results as a paper prints them, each sentence from what is stored.
+
+#include <algorithm>
+#include <set>
+
+#include "app/analyses/cell_words.h"
+#include "app/analyses/reading_number.h"
+#include "app/analyses/references.h"
+#include "app/program.h"
+#include "app/tasks/report_sections.h"
+#include "protocols/stored_protocol.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMostExploratory = 24;  // more are read in the table of tests
+
+/// The keys of what is cited.
+using Sources = std::set<std::string>;
+
+std::string cited(const std::string& key, Sources& sources) {
+  sources.insert(key);
+  return " (" + std::string(reference(key).cited) + ')';
+}
+
+std::string with_sentences(const std::vector<std::string>& sentences) {
+  std::string text{};
+  for (const std::string& sentence : sentences) {
+    if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+  }
+  return text;
+}
+
+std::string paper_participants(const ReportFacts& facts, const StudyMetadata& metadata) {
+  const SampleTexts sample = sample_texts(facts);
+  std::string brackets{};
+  for (const std::string& part :
+       {sample.sexes, sample.ages.empty() ? "" : "age: " + sample.ages, sample.hands}) {
+    if (!part.empty()) brackets += (brackets.empty() ? "" : "; ") + part;
+  }
+  std::string text = capitalised(participants_text(facts.group, facts.participants.size()));
+  if (!brackets.empty()) text += " (" + brackets + ')';
+  switch (facts.group) {
+    case AnswerGroup::people:
+      text += " took part.";
+      break;
+    case AnswerGroup::pilot:
+      text += " took part in pilot sessions.";
+      break;
+    case AnswerGroup::virtual_participants:
+      return text + (facts.participants.size() == 1 ? " was simulated" : " were simulated") +
+             "; no person took part.";
+  }
+  const auto consented = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [](const ReportedSession& each) { return each.row.consent_version.has_value(); }));
+  if (consented > 0) {
+    const SessionShare share{.whole = consented, .all = facts.sessions.size()};
+    text += " Consent was obtained beforehand" +
+            (share.whole == share.all ? "." : ' ' + share.text() + '.');
+  }
+  if (metadata.ethics_approval) text += " Ethics approval: " + stopped(*metadata.ethics_approval);
+  return text;
+}
+
+std::string paper_apparatus(const ReportFacts& facts) {
+  if (facts.models.empty()) return {};
+  std::vector<std::string> models{};
+  for (const std::string& model : facts.models) {  // "height_map 1"
+    const std::size_t blank = model.rfind(' ');
+    models.push_back(blank == std::string::npos
+                         ? model
+                         : model.substr(0, blank) + " (version " + model.substr(blank + 1) + ')');
+  }
+  std::string text = "Surfaces were rendered by Asperity with the " +
+                     std::string(facts.models.size() == 1 ? "force model " : "force models ") +
+                     listed(models);
+  std::set<double> rates_Hz{};
+  for (const ReportedSession& session : facts.sessions) rates_Hz.insert(session.row.rate_Hz);
+  if (rates_Hz.size() == 1) {
+    text += " at a servo rate of " + reading_quantity(*rates_Hz.begin(), "Hz");
+  }
+  const std::string devices = devices_in(facts);
+  if (!devices.empty()) text += "; device: " + devices;
+  text += '.';
+  if (facts.file.protocol) {
+    text += " The stiffness was " +
+            reading_quantity(facts.file.protocol->material.stiffness_N_per_m, "N/m") +
+            ", and forces were limited to " +
+            reading_quantity(facts.file.protocol->force_limit_N, "N") + '.';
+  }
+  if (facts.has_equal_force) {
+    text +=
+        " The force models were matched in the RMS of their texture force along a prescribed path.";
+  }
+  return text;
+}
+
+std::string paper_environment(const ReportFacts& facts) {
+  if (facts.group == AnswerGroup::virtual_participants) return {};
+  const SessionShare masked = share_of_sessions(
+      facts, [](const RecordedStretch& stretch) { return stretch.eye_mask_confirmed; });
+  const std::string noise = recorded_noise_text(facts);
+  return masked.is_any()
+             ? with_sentences({"Participants wore an eye mask while exploring (confirmed " +
+                                   masked.text() + ").",
+                               noise})
+             : noise;
+}
+
+/// "three textures were presented"; the number only where every answered trial had the same.
+std::string presented_text(const ReportFacts& facts, const std::string& one,
+                           const std::string& several) {
+  const std::string number =
+      facts.surfaces.size() == 1 ? count_in_words(*facts.surfaces.begin()) : "several";
+  const bool is_one = facts.surfaces == std::set<std::size_t>{1};
+  return "In each trial, " + number + ' ' + (is_one ? one + " was" : several + " were") +
+         " presented";
+}
+
+std::string paper_task(const ReportFacts& facts) {
+  const Protocol& protocol = *facts.file.protocol;
+  switch (protocol.kind) {
+    case ProtocolKind::selection: {
+      const auto parameter = stored_protocol(protocol.source).compared_parameter;
+      return presented_text(facts, "surface", "surfaces") +
+             (parameter ? " that differed in " + *parameter + " alone" : "") +
+             ", and one was to be chosen.";
+    }
+    case ProtocolKind::matching:
+      return presented_text(facts, "texture", "textures") +
+             ", and each was to be assigned to one of as many pictures.";
+    case ProtocolKind::recognition:
+      return presented_text(facts, "texture", "textures") +
+             ", and its picture was to be chosen among several.";
+    case ProtocolKind::magnitude:
+      return presented_text(facts, "surface", "surfaces") +
+             ", and its roughness was to be given a number (absolute magnitude estimation with "
+             "free "
+             "modulus).";
+  }
+  return {};
+}
+
+std::string paper_questions(const Protocol& protocol) {
+  std::vector<std::string> questions{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const std::string question = "“" + block.question.prompt + "”";
+    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
+    if (block.phase == Phase::main && is_new) questions.push_back(question);
+  }
+  if (questions.empty()) return {};
+  return (questions.size() == 1 ? "The question was " : "The questions were ") + listed(questions) +
+         (questions.back().ends_with("?”") ? "" : ".");
+}
+
+std::string paper_order(const ReportFacts& facts, Sources& sources) {
+  const Protocol& protocol = *facts.file.protocol;
+  std::set<int> trials{};
+  for (const ReportedSession& session : facts.sessions) trials.insert(session.main_trials);
+  std::string text{};
+  if (!trials.empty()) {
+    text = "A session was planned with " + std::to_string(*trials.begin()) +
+           (trials.size() == 1 ? "" : " to " + std::to_string(*trials.rbegin())) +
+           (trials == std::set<int>{1} ? " experimental trial." : " experimental trials.");
+  }
+  switch (protocol.counterbalance) {
+    case Protocol::Counterbalance::none:
+      break;
+    case Protocol::Counterbalance::latin:
+      text += " The order of the levels was counterbalanced by a Latin square.";
+      break;
+    case Protocol::Counterbalance::williams:
+      text += " The order of the levels was counterbalanced by a Williams square" +
+              cited("Williams 1949", sources) + '.';
+      break;
+  }
+  for (const auto& [name, exploration] : protocol.explorations) {
+    text += (protocol.explorations.size() == 1 ? " Each" : " Exploration “" + name + "”: each") +
+            std::string(" surface was to be explored ") + instructed_exploration(exploration) + '.';
+  }
+  return text;
+}
+
+std::string paper_data(const ReportFacts& facts, const AnalysisOutcome* outcome, Sources& sources) {
+  std::string text{};
+  if (facts.attempts > 0) {
+    const std::string all = facts.attempts == 1
+                                ? "the only attempt at a trial"
+                                : "the " + reading_count(facts.attempts) + " attempts at trials";
+    const bool is_all = facts.counted == facts.attempts;
+    text = (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
+           (facts.counted == 1 ? " was" : " were") + " analysed, with Asperity " +
+           program_version() + '.';
+  }
+  if (outcome == nullptr) return text;
+  const auto confirmatory =
+      std::count_if(outcome->test_sentences.begin(), outcome->test_sentences.end(),
+                    [](const TestSentence& each) { return each.is_confirmatory; });
+  if (confirmatory > 1) {
+    text += " The p values of the " + reading_count(static_cast<std::uint64_t>(confirmatory)) +
+            " confirmatory tests were Holm-corrected" + cited("Holm 1979", sources) + '.';
+  }
+  if (!outcome->test_sentences.empty()) text += " The level of significance was .05.";
+  Sources methods{};
+  for (const TestSentence& sentence : outcome->test_sentences) {
+    methods.insert(sentence.sources.begin(), sentence.sources.end());
+  }
+  std::string all{};
+  for (const std::string& key : methods) {
+    all += (all.empty() ? "" : "; ") + std::string(reference(key).cited);
+  }
+  if (!all.empty()) text += " Tests and effect sizes are those of the literature (" + all + ").";
+  sources.merge(methods);
+  return text;
+}
+
+std::string results_paragraph(const AnalysisOutcome& outcome) {
+  std::vector<std::string> sentences{};
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (each.is_confirmatory) sentences.push_back(each.text);
+  }
+  std::size_t exploratory = 0;
+  std::size_t left_out = 0;
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (each.is_confirmatory || each.is_untested) continue;
+    if (exploratory == kMostExploratory) {
+      ++left_out;
+      continue;
+    }
+    if (exploratory++ == 0) sentences.emplace_back("The following tests are exploratory.");
+    sentences.push_back(each.text);
+  }
+  if (left_out > 0) {
+    sentences.push_back("The table of tests has " + reading_count(left_out) + " more.");
+  }
+  return with_sentences(sentences);
+}
+
+}  // namespace
+
+ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                            const StudyMetadata& metadata) {
+  ReportSection section{"Text for a paper", {}};
+  Sources sources{};
+  std::vector<std::string> methods{paper_participants(facts, metadata), paper_apparatus(facts),
+                                   paper_environment(facts)};
+  if (facts.file.protocol) {
+    methods.push_back(paper_task(facts));
+    methods.push_back(paper_questions(*facts.file.protocol));
+    methods.push_back(paper_order(facts, sources));
+  }
+  methods.push_back(paper_data(facts, outcome, sources));
+  section.parts.emplace_back(ReportText{"Methods", ReportText::Tone::lead});
+  section.parts.emplace_back(ReportText{with_sentences(methods)});
+  const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome);
+  if (!results.empty()) {
+    section.parts.emplace_back(ReportText{"Results", ReportText::Tone::lead});
+    section.parts.emplace_back(ReportText{results});
+  }
+  if (!sources.empty()) {
+    ReportList entries{};
+    for (const std::string& key : sources) entries.items.emplace_back(reference(key).entry);
+    section.parts.emplace_back(ReportText{"References", ReportText::Tone::lead});
+    section.parts.emplace_back(std::move(entries));
+  }
+  return section;
+}
+
+}  // namespace asperity

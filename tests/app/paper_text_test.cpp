@@ -1,0 +1,121 @@
+// The paragraphs of a report that a paper prints.
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/references.h"
+#include "app/analyses/study_tests.h"
+#include "app/analyses/test_methods.h"
+#include "app/analyses/test_sentences.h"
+#include "app/tasks/study_report.h"
+#include "protocols/analysis_declaration.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// The paragraph under "Methods" or "Results"; empty where there is none.
+std::string paragraph(const Report& report, const std::string& heading) {
+  for (const ReportSection& section : report.chapters.at(1).sections) {
+    if (section.heading != "Text for a paper") continue;
+    for (std::size_t i = 0; i + 1 < section.parts.size(); ++i) {
+      const auto* text = std::get_if<ReportText>(&section.parts[i]);
+      if (text != nullptr && text->text == heading) {
+        return std::get<ReportText>(section.parts[i + 1]).text;
+      }
+    }
+  }
+  return {};
+}
+
+MadeUpTrial one_of_two(const std::string& chosen) {
+  MadeUpTrial trial{};
+  trial.options = {"height_map", "sinusoid"};
+  for (const std::string& model : trial.options) {
+    trial.surfaces.push_back(surface_of(model, model, "brick"));
+  }
+  trial.answers = {chosen};
+  return trial;
+}
+
+/// As many participants as entries, each of whom chose height_map so often in six trials.
+Report report_of_choices(const std::vector<int>& height_map) {
+  MadeUpStudy made;
+  made.study().set_metadata({.ethics_approval = "committee 12/2026"});
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  for (std::size_t i = 0; i < height_map.size(); ++i) {
+    const std::string label = "p" + std::to_string(i);
+    made.add_person(label, i % 2 == 0 ? "F" : "M");
+    std::vector<MadeUpTrial> trials{};
+    for (int k = 0; k < 6; ++k) {
+      trials.push_back(one_of_two(k < height_map[i] ? "height_map" : "sinusoid"));
+    }
+    made.add_session(label, protocol, trials);
+  }
+  return study_report(made.study(), {});
+}
+
+TEST(PaperText, StatesADifferenceWithItsTestOnce) {
+  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  // All of 8 participants chose the one more often: p = 2/2⁸. The differences sum to 6+4+6+4+2+6+4+6.
+  EXPECT_THAT(paragraph(report, "Results"),
+              StartsWith("height_map was chosen significantly more often than sinusoid: sign-flip "
+                         "(randomisation) test, exact, D = 38, N = 8, p = .008, the only "
+                         "confirmatory test; Cohen’s d of paired differences = "));
+  EXPECT_THAT(paragraph(report, "Results"), HasSubstr(" The following tests are exploratory. "));
+}
+
+TEST(PaperText, StatesTheDirectionOfADifference) {
+  EXPECT_THAT(paragraph(report_of_choices({0, 1, 0, 1, 2, 0, 1, 0}), "Results"),
+              StartsWith("height_map was chosen significantly less often than sinusoid: "));
+}
+
+TEST(PaperText, ClaimsNothingOfADifferenceThatIsNotSignificant) {
+  EXPECT_THAT(paragraph(report_of_choices({4, 2, 4, 2, 5, 1, 3, 3}), "Results"),
+              StartsWith("The numbers of choices of height_map and sinusoid were not significantly "
+                         "different: "));
+}
+
+TEST(PaperText, StatesWhyAConfirmatoryTestCouldNotBeMade) {
+  const std::string results = paragraph(report_of_choices({6}), "Results");
+  EXPECT_THAT(results, StartsWith("The test of pairs"));
+  EXPECT_THAT(results, HasSubstr(" could not be made: "));
+}
+
+TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
+  const std::string methods = paragraph(report_of_choices({6, 5, 6, 5}), "Methods");
+  EXPECT_THAT(methods, StartsWith("Four participants (2 female and 2 male) took part."));
+  EXPECT_THAT(methods, HasSubstr(" Ethics approval: committee 12/2026."));
+  EXPECT_THAT(methods, HasSubstr(" The 24 attempts at trials were analysed, with Asperity "));
+  EXPECT_THAT(methods, Not(HasSubstr("Consent")));  // of which nothing is stored
+}
+
+/// Every test that a study can report has words, and every work that is cited an entry.
+TEST(PaperText, HasWordsForEveryTestAndEntriesForEverySource) {
+  for (const TestName& name : test_names()) {
+    StudyTests::Test test{
+        .name = std::string(name.name), .about = "a|b", .made_by = test_method("p")};
+    test.n = 7;
+    for (const double p : {0.01, 0.5}) {
+      test.p = p;
+      EXPECT_THAT(sentence_of_test(test, name.kind, false).text, Not(StartsWith(":")))
+          << name.kind << ' ' << name.name;
+    }
+  }
+  for (const TestMethod& method : test_methods()) {
+    for (const std::string_view source : method.sources) {
+      if (source.empty()) continue;
+      EXPECT_NO_THROW(reference(source)) << source;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asperity
