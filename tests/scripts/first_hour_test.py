@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the README has a reader bake and render works as written, and its numbers are those that the program prints.
+"""What docs/first-hour.md has a reader bake and render works as written, and its numbers are those that the program prints.
 
 Argument: the program asperity.
 """
@@ -12,9 +12,9 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = shlex.quote(str(pathlib.Path(sys.argv[1]).resolve()))
-readme = (ROOT / "README.md").read_text(encoding="utf-8")
-commands = next(block for block in re.findall(r"```sh\n(.*?)```", readme, re.DOTALL) if "scripts/run bake" in block)
-told = readme.split(commands)[1].split("\n\n")[1]
+page = (ROOT / "docs/first-hour.md").read_text(encoding="utf-8")
+commands = next(block for block in re.findall(r"```sh\n(.*?)```", page, re.DOTALL) if "scripts/run bake" in block)
+stated = page.split(commands)[1].split("\n\n")[1]
 
 with tempfile.TemporaryDirectory() as folder:
     done = subprocess.run(["sh", "-e", "-c", commands.replace("scripts/run", PROGRAM)], cwd=folder, text=True,
@@ -28,5 +28,5 @@ up = rows[0].index("fz_N")
 pressed = [float(row[up]) for row in rows[501:]]
 force = f"{sum(pressed) / len(pressed):.2f} N"
 for number in (f"{before[:-3]} {before[-3:]}", f" {after} ", f"{without} µm", f"{textured} µm", f"{len(rows) - 1} rows", force):
-    assert number in told, (number, told)
+    assert number in stated, (number, stated)
 assert "limit" not in done.stdout + done.stderr, done
