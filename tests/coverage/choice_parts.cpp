@@ -332,8 +332,8 @@ std::span<const CoveragePart> choice_parts() {
   static const auto kOfAdvantages = all_designs(kAdvantages, kSpreads);
   static const std::array kParts{
       CoveragePart{.name = "recognition",
-                   .model = "one of four pictures; a participant's logit of a correct answer is "
-                            "normal, wrong answers are equally likely",
+                   .model = "one of four pictures; a participant's logit of a correct response is "
+                            "normal, incorrect responses are equally likely",
                    .effect = "mean proportion correct",
                    .spread = "SD of the logits",
                    .settings = kOfProportions,
@@ -363,8 +363,8 @@ std::span<const CoveragePart> choice_parts() {
                    .tests = tests_of_guessing},
       CoveragePart{.name = "selection",
                    .model = "the best of three; a participant's utilities are normal, and the "
-                            "choice follows Luce",
-                   .effect = "mean utility of the target above the others",
+                            "choice follows Luce's rule",
+                   .effect = "mean utility of the target minus that of the others",
                    .spread = "SD of the utilities",
                    .settings = kOfAdvantages,
                    .draw = draw_selection,
@@ -373,7 +373,7 @@ std::span<const CoveragePart> choice_parts() {
                    .tests = selection_tests},
       CoveragePart{.name = "choice_effects",
                    .model = "choices as in `selection`; the effect sizes of its tests",
-                   .effect = "mean utility of the target above the others",
+                   .effect = "mean utility of the target minus that of the others",
                    .spread = "SD of the utilities",
                    .settings = kOfAdvantages,
                    .draw = draw_selection,
@@ -382,8 +382,8 @@ std::span<const CoveragePart> choice_parts() {
                    .tests = no_tests,
                    .tables = 2000},
       CoveragePart{.name = "groups",
-                   .model = "two groups of half the participants each, alike; a participant's "
-                            "logit of a correct answer is normal",
+                   .model = "two identical groups of half the participants each; a participant's "
+                            "logit of a correct response is normal",
                    .effect = "mean proportion correct in both groups",
                    .spread = "SD of the logits",
                    .settings = kOfProportions,

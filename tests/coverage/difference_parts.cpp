@@ -174,7 +174,7 @@ std::span<const CoveragePart> difference_parts() {
       CoveragePart{.name = "equivalence",
                    .model = "proportions correct of two groups of half the participants each, "
                             "whose means differ by the margin of equivalence, .1; a participant's "
-                            "logit of a correct answer is normal",
+                            "logit of a correct response is normal",
                    .effect = "mean proportion correct in the first group",
                    .spread = "SD of the logits",
                    .settings = kOfProportions,

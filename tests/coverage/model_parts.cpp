@@ -172,7 +172,7 @@ std::span<const CoveragePart> model_parts() {
       CoveragePart{.name = "psychometric",
                    .model = "hits at equally spaced levels (as many as the design has "
                             "participants) by a logistic function with fixed guesses and 2 % "
-                            "lapses; two alike conditions",
+                            "lapses; two identical conditions",
                    .effect = "hits by guessing",
                    .spread = "one participant",
                    .settings = kOfGuessRates,
@@ -191,24 +191,24 @@ std::span<const CoveragePart> model_parts() {
                    .intervals = bootstrap_intervals,
                    .tests = bootstrap_tests,
                    .tables = 500},
-      CoveragePart{.name = "crossed_textures",
-                   .model = "correct responses to four textures in turn; logits of participants "
-                            "and of textures are normal; given to the function that the analysis "
-                            "of a study calls (`ask_other_textures`), which needs five "
-                            "participants",
-                   .effect = "proportion correct of an average participant with an average "
-                             "texture; .25 is chance",
-                   .spread = "SD of the logits of participants, and of textures",
-                   .settings = kCrossed,
-                   .draw = draw_crossed<4>,
-                   .findings = findings_of_other_textures,
-                   .intervals = crossed_intervals,
-                   .tests = crossed_tests,
-                   .tables = 1000},
+      CoveragePart{
+          .name = "crossed_textures",
+          .model = "correct responses to four textures in turn; logits of participants and of "
+                   "textures are normal; analysed by the function that the analysis of a study "
+                   "calls (`ask_other_textures`), which requires five participants",
+          .effect = "proportion correct of an average participant with an average "
+                    "texture; .25 is the chance level",
+          .spread = "SD of the logits of participants, and of textures",
+          .settings = kCrossed,
+          .draw = draw_crossed<4>,
+          .findings = findings_of_other_textures,
+          .intervals = crossed_intervals,
+          .tests = crossed_tests,
+          .tables = 1000},
       CoveragePart{.name = "crossed_ten_textures",
                    .model = "as `crossed_textures`, with ten textures",
                    .effect = "proportion correct of an average participant with an average "
-                             "texture; .25 is chance",
+                             "texture; .25 is the chance level",
                    .spread = "SD of the logits of participants, and of textures",
                    .settings = kCrossed,
                    .draw = draw_crossed<10>,

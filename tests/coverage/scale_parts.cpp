@@ -251,7 +251,7 @@ std::span<const CoveragePart> scale_parts() {
                    .tests = pair_tests},
       CoveragePart{.name = "worths",
                    .model = "the best of three items; a participant's utilities are normal, and "
-                            "the choice follows Luce",
+                            "the choice follows Luce's rule",
                    .effect = "difference of neighbouring mean utilities",
                    .spread = "SD of the utilities",
                    .settings = kOfUtilities,
