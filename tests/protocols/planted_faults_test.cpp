@@ -212,7 +212,7 @@ const Fault kForm[] = {
      "/device/force_limit_N", "at most 20"},
     {"negative_limit", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"friction_N": -0.2})", "-0.2", "/device/limits/friction_N",
-     "at least 0. Here stands: At most this friction"},
+     "at least 0. Here stands: Largest friction"},
     {"misspelt_limit", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"fricton_N": 0.2})", R"("fricton_N")",
      "/device/limits/fricton_N", R"(did you mean "friction_N"?)"},
