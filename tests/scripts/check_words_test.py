@@ -44,16 +44,19 @@ with tempfile.TemporaryDirectory() as folder:
         "app/earlier_wordings.cpp": f'const char* kText = "{planted}";\n',
         "protocols/library/a.json": f'{{"prompt": "{planted}"}}\n',
         "docs/page.md": f"It is `nobody`.\n\n```\n{planted}\n```\n\n    {planted}\n\n{planted}\n",
+        "app/README.md": f"{planted}\n",
+        "tests/README.md": f"{planted}\n",
         "tests/page.cpp": f'auto a = "{planted}";\n',
     }.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
     result = subprocess.run([sys.executable, SCRIPT, root], capture_output=True, text=True)
     places = {line.split(": ")[0] for line in result.stdout.splitlines() if "“" in line}
-    expected = {"app/gui/page.cpp:2", "app/cli/parts.cpp:2", "app/raw.cpp:1", "protocols/library/a.json:1", "docs/page.md:9"}
+    expected = {"app/gui/page.cpp:2", "app/cli/parts.cpp:2", "app/raw.cpp:1", "protocols/library/a.json:1", "docs/page.md:9",
+                "app/README.md:1", "tests/README.md:1"}
     assert result.returncode == 1 and places == expected, (result.returncode, places, result.stdout, result.stderr)
     counts = subprocess.run([sys.executable, SCRIPT, "--counts", root], capture_output=True, text=True).stdout
-    assert "     2 windows" in counts and "     2 documents" in counts, counts
+    assert "     2 windows" in counts and "     6 documents" in counts, counts
 
 with tempfile.TemporaryDirectory() as folder:
     assert subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True).returncode == 0
