@@ -382,23 +382,31 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
   outcome.tables.push_back(std::move(made));
 }
 
-/// `items`: of every go; nothing where goes differ in it, and chance with it.
-void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, const StudyTests& tests,
-               AnalysisOutcome& outcome) {
+/// `fewest`: items of a trial; `equal_size`: of every trial, and so the chance level of all.
+void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
+               const StudyTests& tests, AnalysisOutcome& outcome) {
   const Finding* mean = found.find("subj.mean");
   const StudyTests::Test* test = tests.find("items");
   if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
+  const double chance = 1.0 / static_cast<double>(fewest);
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(percent(*mean->value), interval_text(*mean),
-                      items ? percent(1.0 / static_cast<double>(*items))
-                            : phrase("Analysis", "different from trial to trial"),
-                      p_text(*test));
+    return words.with(
+        percent(*mean->value), interval_text(*mean),
+        equal_size ? percent(chance) : phrase("Analysis", "different from trial to trial"),
+        p_text(*test));
   };
   const Sayings sayings{
-      with_numbers(
-          phrase("Analysis",
-                 "Yes: on average %1 of a participant's items were matched correctly (%2), "
-                 "where the chance level is %3; permutation test over participants, %4.")),
+      holds_in_interval(*mean, chance)
+          ? with_numbers(
+                phrase("Analysis",
+                       "Not established: on average %1 of a participant's items were matched "
+                       "correctly (%2), where the chance level is %3; permutation test over "
+                       "participants, %4. The test is significant, but the CI contains the chance "
+                       "level; more participants are needed."))
+          : with_numbers(
+                phrase("Analysis",
+                       "Yes: on average %1 of a participant's items were matched correctly (%2), "
+                       "where the chance level is %3; permutation test over participants, %4.")),
       with_numbers(phrase("Analysis",
                           "Not significantly more often: on average %1 of a participant's items "
                           "were matched correctly (%2), where the chance level is %3; permutation "
@@ -508,9 +516,11 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
   const std::size_t items = assignments.front().items();
-  const bool equal_size =
-      std::all_of(assignments.begin(), assignments.end(),
-                  [items](const Assignment& assignment) { return assignment.items() == items; });
+  const auto [least, most] = std::minmax_element(
+      assignments.begin(), assignments.end(),
+      [](const Assignment& a, const Assignment& b) { return a.items() < b.items(); });
+  const std::size_t fewest = least->items();
+  const bool equal_size = fewest == most->items();
   std::set<std::string> felt{};
   for (const Finding& finding : findings) {
     if (finding.quantity == "texture.prop") felt.insert(finding.key);
@@ -537,7 +547,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
   }
   tests.finish(outcome);
-  ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);
+  ask_items(fewest, equal_size, found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confused_pairs(outcome, gathered.people.size(), outcome);
   const auto in_shares = [&](const char* quantity, const char* key) {

@@ -331,17 +331,24 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test));
   };
-  const Phrase nothing =
+  const double level = 1.0 / static_cast<double>(pictures);
+  const Sayings sayings{
+      *mean->value < level
+          ? with_numbers(phrase("Analysis",
+                                "No, less often than by chance: on average %1 of a participant's "
+                                "responses were correct (%2), where the chance level is %3; %4."))
+      : holds_in_interval(*mean, level)
+          ? with_numbers(phrase("Analysis",
+                                "Not established: on average %1 of a participant's responses were "
+                                "correct (%2), where the chance level is %3; %4. The test is "
+                                "significant, but the CI contains the chance level; more "
+                                "participants are needed."))
+          : with_numbers(phrase("Analysis",
+                                "Yes: on average %1 of a participant's responses were correct "
+                                "(%2), where the chance level is %3; %4.")),
       with_numbers(phrase("Analysis",
                           "Not significantly: on average %1 of a participant's responses were "
-                          "correct (%2), where the chance level is %3; %4."));
-  const bool above = *mean->value > 1.0 / static_cast<double>(pictures);
-  const Sayings sayings{
-      above ? with_numbers(phrase("Analysis",
-                                  "Yes: on average %1 of a participant's responses were correct "
-                                  "(%2), where the chance level is %3; %4."))
-            : nothing,
-      nothing,
+                          "correct (%2), where the chance level is %3; %4.")),
       with_numbers(phrase("Analysis",
                           "On average %1 of a participant's responses were correct (%2), where the "
                           "chance level is %3; %4."))};

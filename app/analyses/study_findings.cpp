@@ -100,6 +100,10 @@ Phrase interval_text(const Finding& share) {
   return phrase("Analysis", "one participant has no interval");
 }
 
+bool holds_in_interval(const Finding& estimate, double value) noexcept {
+  return estimate.low && estimate.high && *estimate.low <= value && value <= *estimate.high;
+}
+
 void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
                   Phrase method, const char* table, const Finding* finding, CountedUnit unit) {
   AnsweredQuestion& added = outcome.questions.emplace_back();
@@ -173,9 +177,14 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
     return words.with(means, difference, p_text(*test));
   };
   const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: %1; difference (women − men) %2. Permutation test of group "
-                          "labels: %3.")),
+      holds_in_interval(*sexes.difference, 0.0)
+          ? with_numbers(phrase("Analysis",
+                                "Not established: %1; difference (women − men) %2. Permutation "
+                                "test of group labels: %3. The test is significant, but the CI of "
+                                "the difference contains 0; more participants are needed."))
+          : with_numbers(phrase("Analysis",
+                                "Yes: %1; difference (women − men) %2. Permutation test of group "
+                                "labels: %3.")),
       with_numbers(phrase("Analysis",
                           "Not significantly: %1; difference (women − men) %2. Permutation test of "
                           "group labels: %3. This does not show that they are equal.")),

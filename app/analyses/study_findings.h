@@ -43,6 +43,10 @@ Phrase percent(double share);
 /// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
 Phrase interval_text(const Finding& share);
 
+/// Whether the 95 % CI of an estimate holds this value, so that the estimate establishes no difference from it; not
+/// without a CI.
+bool holds_in_interval(const Finding& estimate, double value) noexcept;
+
 /// What the n of a finding counts.
 enum class CountedUnit { participants, answers, goes };
 /// The answer of a question: `finding` is what the sentence rests on.

@@ -929,6 +929,57 @@ TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
               HasSubstr("where the chance level is different from trial to trial"));
 }
 
+// Two participants, of whom one matches everything and the other three of four on average: beyond chance by the test,
+// but their 95 % CI leaves everything open.
+TEST(Matching, ClaimsNothingWhereTheIntervalContainsChance) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("matching", "matching");
+  const std::vector<std::string> swapped{"stone", "metal", "wood", "brick"};
+  made.add_person("a", "F");
+  made.add_person("b", "F");
+  made.add_session("a", protocol, std::vector<MadeUpTrial>(6, made_up_matching(kTextures)));
+  std::vector<MadeUpTrial> half(3, made_up_matching(kTextures));
+  half.insert(half.end(), 3, made_up_matching(swapped));
+  made.add_session("b", protocol, half);
+  const std::string answer =
+      question_of(analyze_study(made.study()).front(), "items").answer.english();
+  EXPECT_THAT(answer, HasSubstr("the only confirmatory test"));
+  EXPECT_THAT(answer, testing::StartsWith("Not established: on average 88 %"));
+  EXPECT_THAT(answer, HasSubstr("the CI contains the chance level"));
+}
+
+// 5 and 6 of 6 are significant by t, and on the logit scale anything between 0 and 100 %.
+TEST(Recognition, ClaimsNothingWhereTheIntervalContainsChance) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  for (const auto& [label, right] : {std::pair("a", 20), std::pair("b", 19)}) {
+    made.add_person(label, "F");
+    std::vector<MadeUpTrial> trials{};
+    for (int i = 0; i < 20; ++i) {
+      trials.push_back(recognition("metal", i < right ? "metal" : "stone"));
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const std::string answer =
+      question_of(analyze_study(made.study()).front(), "right").answer.english();
+  EXPECT_THAT(answer, HasSubstr("the only confirmatory test"));
+  EXPECT_THAT(answer, testing::StartsWith("Not established: "));
+  EXPECT_THAT(answer, HasSubstr("the CI contains the chance level"));
+}
+
+TEST(Recognition, StatesThatResponsesAreCorrectLessOftenThanByChance) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  for (int i = 0; i < 8; ++i) {
+    made.add_person(person(i), "F");
+    std::vector<MadeUpTrial> trials(40, recognition("metal", "stone"));
+    trials.front() = recognition("metal", i % 2 == 0 ? "metal" : "brick");
+    made.add_session(person(i), protocol, trials);
+  }
+  EXPECT_THAT(question_of(analyze_study(made.study()).front(), "right").answer.english(),
+              testing::StartsWith("No, less often than by chance: on average 1 %"));
+}
+
 // Three participants keep one assignment each through six trials: everything right, one right, nothing right. Of one
 // relabelling each, 30 right items or more come from 4 and 1 or more right of any two (or 4 and 4), 2 and 4, ...:
 // counted out below. As 18 independent permutations they would be far beyond chance.

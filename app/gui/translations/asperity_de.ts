@@ -1267,6 +1267,22 @@
         <source>Welch 95 % CI [%1, %2]</source>
         <translation>Welch-95-%-KI [%1; %2]</translation>
     </message>
+    <message>
+        <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
+        <translation>Nicht gesichert: im Mittel wurden %1 der Items einer Versuchsperson richtig zugeordnet (%2), bei einer Ratewahrscheinlichkeit von %3; Permutationstest über Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält die Ratewahrscheinlichkeit; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <translation>Nein, seltener als durch Raten: im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einer Ratewahrscheinlichkeit von %3; %4.</translation>
+    </message>
+    <message>
+        <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
+        <translation>Nicht gesichert: im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einer Ratewahrscheinlichkeit von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält die Ratewahrscheinlichkeit; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>Not established: %1; difference (women − men) %2. Permutation test of group labels: %3. The test is significant, but the CI of the difference contains 0; more participants are needed.</source>
+        <translation>Nicht gesichert: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, doch das Konfidenzintervall der Differenz enthält 0; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
