@@ -392,6 +392,12 @@ void Study::add_participant(const ParticipantRow& participant) {
       .run();
 }
 
+void Study::add_participants(const std::vector<ParticipantRow>& participants) {
+  Transaction transaction(store_->writable());
+  for (const ParticipantRow& participant : participants) add_participant(participant);
+  transaction.commit();
+}
+
 std::vector<ParticipantRow> Study::participants() const {
   return store_->read([](Database& database) {
     Statement statement(database,

@@ -115,6 +115,7 @@ class Study final {
 
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);
+  void add_participants(const std::vector<ParticipantRow>& participants);  ///< all or none
   std::optional<ParticipantRow> participant(const std::string& label) const;
   std::vector<ParticipantRow> participants() const;  ///< by label
 

@@ -57,19 +57,29 @@ int number_in_label(const std::string& label) {
   return number;
 }
 
-/// The virtual participants that a study has already.
+/// The virtual participants that a study has already, or had.
 struct Batches {
   std::optional<Batch> begun{};  ///< the latest of the same seed and number of participants
-  int largest_number = 0;
+  int largest_number = 0;        ///< of a participant, or of the batch that one belongs to
   bool any_virtual = false;
+  bool any_deleted = false;
 };
 
 Batches batches_in(const Study& study, const SimulationInputs& inputs) {
   Batches there{};
+  for (const WithdrawalRow& withdrawal : study.withdrawals()) {
+    there.any_deleted = there.any_deleted ||
+                        (withdrawal.is_virtual && withdrawal.data == WithdrawnData::deleted);
+  }
+  there.any_virtual = there.any_deleted;
   for (const ParticipantRow& person : study.participants()) {
     there.largest_number = std::max(there.largest_number, number_in_label(person.label));
     there.any_virtual = there.any_virtual || person.is_virtual;
     const std::optional<Batch> batch = batch_of(person);
+    if (batch) {
+      there.largest_number =
+          std::max(there.largest_number, batch->first + batch->participants - 1);
+    }
     if (batch && batch->seed == inputs.seed && batch->participants == inputs.participants) {
       there.begun = batch;  // labels come in order
     }
@@ -106,6 +116,12 @@ bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& r
   return row.state == SessionState::completed || has_ended_by_rule(study, protocol, row);
 }
 
+/// In the study, and not withdrawn.
+bool takes_part(const Study& study, const std::string& label) {
+  const std::optional<ParticipantRow> person = study.participant(label);
+  return person && !person->withdrawn;
+}
+
 /// What all jobs share.
 class Simulation final {
  public:
@@ -133,6 +149,7 @@ class Simulation final {
   std::uint64_t seed_of(int number, int sitting) const;
   void work();
   void take_through(Study& study, int number);
+  void report_sessions(int done);
   void hold(Study& study, const ParticipantRow& person, const Protocol& protocol,
             std::int64_t calendar_index, std::uint64_t seed, std::optional<SessionRow> unfinished);
 
@@ -191,7 +208,8 @@ void Simulation::check_sessions(const Study& study) const {
   }
 }
 
-/// Whether a batch has begun with these protocols, or with nothing at all, and has not done all of their sessions.
+/// Whether a batch has begun with these protocols, or with nothing, and has not done all of their sessions. Who has
+/// withdrawn has nothing left to do.
 bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
   const std::vector<SessionRow> sessions = study.sessions();
   bool has_begun = false;
@@ -199,6 +217,7 @@ bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
   bool is_complete = true;
   for (int i = 0; i < batch.participants; ++i) {
     const std::string label = virtual_person(batch.first + i, random_, "").label;
+    if (!takes_part(study, label)) continue;
     has_sessions = has_sessions ||
                    std::any_of(sessions.begin(), sessions.end(), [&label](const SessionRow& row) {
                      return row.participant == label;
@@ -230,13 +249,18 @@ void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
+  // A batch is added at once. Whoever is missing in it was deleted, unless nobody ever was: then a program that adds
+  // participants one by one was interrupted.
+  if (there.begun == batch_ && there.any_deleted) return;
+  std::vector<ParticipantRow> missing{};
   for (int i = 0; i < batch_.participants; ++i) {
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
     ParticipantRow person =
         virtual_person(batch_.first + i, random_, SimulatedClock(first_sitting).utc());
     person.answers_json = with_batch(person.answers_json, batch_);
-    if (!study.participant(person.label)) study.add_participant(person);
+    if (!study.participant(person.label)) missing.push_back(std::move(person));
   }
+  study.add_participants(missing);
 }
 
 SimulationResult Simulation::run() {
@@ -279,8 +303,13 @@ void Simulation::work() {
 }
 
 void Simulation::take_through(Study& study, int number) {
-  const ParticipantRow person =
-      study.participant(virtual_person(number, random_, "").label).value();
+  const std::optional<ParticipantRow> found =
+      study.participant(virtual_person(number, random_, "").label);
+  if (!found || found->withdrawn) {
+    report_sessions(sessions_each_);
+    return;
+  }
+  const ParticipantRow& person = *found;
   int sitting = 0;
   for (const Protocol& protocol : protocols_) {
     const std::vector<SessionRow> before = sessions_with(study, person.label, protocol);
@@ -294,12 +323,16 @@ void Simulation::take_through(Study& study, int number) {
       if (!row || !has_ended(study, protocol, *row)) {
         hold(study, person, protocol, index, seed, row);
       }
-      const std::lock_guard lock(mutex_);
-      ++sessions_seen_;
-      if (progress_) {
-        progress_(static_cast<double>(sessions_seen_) / (batch_.participants * sessions_each_));
-      }
+      report_sessions(1);
     }
+  }
+}
+
+void Simulation::report_sessions(int done) {
+  const std::lock_guard lock(mutex_);
+  sessions_seen_ += done;
+  if (progress_) {
+    progress_(static_cast<double>(sessions_seen_) / (batch_.participants * sessions_each_));
   }
 }
 

@@ -106,5 +106,48 @@ TEST(Simulate, KeepsTheRecordingsThatWereAskedFor) {
   EXPECT_EQ(recorded_by("none"), 0U);
 }
 
+std::vector<std::string> with_resume(std::vector<std::string> arguments) {
+  arguments.emplace_back("--resume");
+  return arguments;
+}
+
+std::vector<std::string> participants_in(const fs::path& study, const fs::path& tables) {
+  return tsv(exported(study, tables).at("participants.tsv")).column("participant");
+}
+
+TEST(Simulate, IsCompleteWithoutParticipantsWhoWithdrew) {
+  const SmallStudy small(1);
+  const auto arguments = simulate_arguments(small, small.study(), 3, 7);
+  ASSERT_EQ(asperity(arguments).status, 0);
+  ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0001", "--by", "a test"}).status, 0);
+  ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0003", "--delete", "--confirm",
+                      "virtual0003", "--by", "a test"})
+                .status,
+            0);
+  const Outcome resumed = asperity(with_resume(arguments));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(stored_attempts_in(resumed.err), std::vector<std::string>{});
+  EXPECT_EQ(participants_in(small.study(), small.place() / "resumed"),
+            (std::vector<std::string>{"virtual0001", "virtual0002"}));
+
+  // The simulation is complete, so that its arguments add three others, and none under the label that was deleted.
+  const Outcome added = asperity(arguments);
+  EXPECT_EQ(added.status, 0) << added.err;
+  EXPECT_EQ(participants_in(small.study(), small.place() / "added"),
+            (std::vector<std::string>{"virtual0001", "virtual0002", "virtual0004", "virtual0005",
+                                      "virtual0006"}));
+}
+
+TEST(Simulate, DoesNotBeginAgainWhereAllParticipantsWereDeleted) {
+  const SmallStudy small(1);
+  const auto arguments = simulate_arguments(small, small.study(), 1, 7);
+  ASSERT_EQ(asperity(arguments).status, 0);
+  ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0001", "--delete", "--confirm",
+                      "virtual0001", "--by", "a test"})
+                .status,
+            0);
+  EXPECT_EQ(asperity(with_resume(arguments)).status, 1);
+}
+
 }  // namespace
 }  // namespace asperity::test
