@@ -1,5 +1,7 @@
 #include "protocols/stored_protocol.h"
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -128,6 +130,52 @@ std::optional<std::string> parameter_compared_in(const Json& protocol) {
   return are_alone && parameters.size() == 1 ? std::optional(*parameters.begin()) : std::nullopt;
 }
 
+/// Where a protocol has texts; "*" stands for every name and every place in a list.
+constexpr std::array kTextPlaces{
+    "/title",
+    "/language",
+    "/description",
+    "/instructions",
+    "/consent/statement",
+    "/textures/*/note",
+    "/factors/*/meaning",
+    "/questions/*/prompt",
+    "/questions/*/options/*/text",
+    "/blocks/*/question/prompt",
+    "/flow/*/screen",
+    "/flow/*/break/text",
+    "/flow/*/pause/text",
+    "/resume/screens",
+};
+
+/// Takes out what is at `place` below `value`.
+void remove_at(std::string_view place, Json& value) {
+  const std::size_t end = std::min(place.find('/', 1), place.size());
+  const std::string name(place.substr(1, end - 1));
+  const std::string_view rest = place.substr(end);
+  if (name == "*") {
+    if (!value.is_structured()) return;
+    for (Json& one : value) remove_at(rest, one);
+  } else if (value.is_object() && rest.empty()) {
+    value.erase(name);
+  } else if (value.is_object() && value.contains(name)) {
+    remove_at(rest, value.at(name));
+  }
+}
+
+/// An option that is shown as it is stored may be written as a text alone.
+void write_options_alike(Json& protocol) {
+  if (!member_of(protocol, "questions").is_object()) return;
+  for (Json& question : protocol.at("questions")) {
+    if (!member_of(question, "options").is_array()) continue;
+    for (Json& option : question.at("options")) {
+      if (option.is_object() && option.size() == 1 && option.contains("value")) {
+        option = Json(option.at("value"));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 AnalysisDeclaration analysis_declared_in(const Json& protocol) {
@@ -156,6 +204,14 @@ std::optional<EstimationDeclaration> estimation_declared_in(const Json& protocol
     if (spacing_m) declared.spacing_m.emplace(level, *spacing_m);
   }
   return declared;
+}
+
+std::string without_texts(const std::string& source) {
+  Json protocol = Json::parse(source, nullptr, false);
+  if (protocol.is_discarded()) return source;
+  for (const std::string_view place : kTextPlaces) remove_at(place, protocol);
+  write_options_alike(protocol);
+  return protocol.dump();
 }
 
 StoredProtocol stored_protocol(const std::string& source) {

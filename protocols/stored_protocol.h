@@ -48,4 +48,9 @@ struct StoredProtocol {
 /// Of any text, also of one that is not JSON: then nothing is specified.
 StoredProtocol stored_protocol(const std::string& source);
 
+/// The same for all protocols that differ in nothing but their language and their texts: what participants read
+/// (instructions, consent, screens, breaks, wording of questions and options) and what describes the protocol (title,
+/// description, meanings, notes). Two of them ask the same in the same plan. Of a text that is not JSON, the text.
+std::string without_texts(const std::string& source);
+
 }  // namespace asperity

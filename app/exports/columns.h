@@ -128,6 +128,9 @@ struct StudyVocabulary {
   std::map<std::string, AnswerMeaning> questions{};  ///< by name, whichever protocol asks it
   /// Those of questionnaires as each protocol file asks them, by its SHA-256 and their name.
   std::map<std::pair<std::string, std::string>, AnswerMeaning> questions_of_source{};
+  /// By the SHA-256 of a protocol file, that of the first which differs from it in nothing but texts: the file itself
+  /// where there is no such.
+  std::map<std::string, std::string> first_wording{};
   /// Questions of questionnaires whose answers the public gets, because somebody named them.
   std::set<std::string> for_public{};
 

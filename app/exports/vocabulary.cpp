@@ -1,6 +1,7 @@
 #include "app/exports/vocabulary.h"
 
 #include <algorithm>
+#include <tuple>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -135,7 +136,15 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
     const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
   }
-  for (const ProtocolRow& protocol : study.protocols()) learn_from_protocol(protocol, vocabulary);
+  std::map<std::tuple<std::string, std::string, std::string>, std::string> first_of{};
+  for (const ProtocolRow& protocol : study.protocols()) {
+    learn_from_protocol(protocol, vocabulary);
+    vocabulary.first_wording[protocol.source_sha256] =
+        first_of
+            .insert({{protocol.name, protocol.version, without_texts(protocol.source)},
+                     protocol.source_sha256})
+            .first->second;
+  }
   return vocabulary;
 }
 

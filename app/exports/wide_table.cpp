@@ -72,6 +72,11 @@ WideTable::WideTable(const StudyVocabulary& vocabulary, ExportAudience audience)
   std::erase_if(about_, [](const ExportColumn& column) { return !is_about_the_person(column); });
 }
 
+WideTable::Asked WideTable::asked_of(const ExportPlace& at) const {
+  return {at.protocol->name, at.protocol->version,
+          vocabulary_.first_wording.at(at.protocol->source_sha256), at.response->question};
+}
+
 void WideTable::begin_participant(const ExportPlace& at) {
   Person& person = people_.emplace_back();
   for (const ExportColumn& column : about_) {
@@ -103,8 +108,7 @@ void WideTable::add_answer(const ExportPlace& at) {
                                                                   : level.dump()});
   }
   const ResponseRow& response = *at.response;
-  Tally& tally = person.tallies[{at.protocol->name, at.protocol->version,
-                                 at.protocol->source_sha256, response.question}][condition];
+  Tally& tally = person.tallies[asked_of(at)][condition];
   ++tally.answers;
   ++tally.chosen[response.answer];
   if (response.answer_number) {
@@ -123,8 +127,7 @@ void WideTable::add_session_answer(const ExportPlace& at) {
     withheld_.insert(response.question);
     return;
   }
-  people_.back().said[{at.protocol->name, at.protocol->version, at.protocol->source_sha256,
-                       response.question}] =
+  people_.back().said[asked_of(at)] =
       response.answer_number ? Cell{*response.answer_number} : Cell{response.answer};
 }
 

@@ -25,7 +25,7 @@ namespace asperity {
 /// last one's.
 ///
 /// Versions of a protocol are never counted together, nor are two sources that call themselves the
-/// same version. Descriptions name the version; names of columns do only where there is more than
+/// same version, unless they differ in nothing but texts: those of two languages. Descriptions name the version; names of columns do only where there is more than
 /// one, and the beginning of the source's SHA-256 only where one version has two.
 class WideTable final {
  public:
@@ -53,11 +53,12 @@ class WideTable final {
   struct Asked {
     std::string protocol{};
     std::string version{};
-    std::string source_sha256{};
+    std::string source_sha256{};  ///< of the first that differs in nothing but texts
     std::string question{};
     auto operator<=>(const Asked&) const = default;
   };
   class ProtocolNames;
+  Asked asked_of(const ExportPlace& at) const;  ///< with a response
   struct Tally {
     std::int64_t answers = 0;
     std::int64_t numbers = 0;

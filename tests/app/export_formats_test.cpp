@@ -280,15 +280,15 @@ TEST(WideExport, HasTheProportionCorrectOfAllConditionsTogether) {
   EXPECT_EQ(anna.at("sessions_unfinished"), "1");
 }
 
-/// A session of anna's by a protocol of this version, whose source differs by `title`.
-void add_version(MadeUpStudy& made, const std::string& version, const std::string& title,
+/// A session of anna's by a protocol of this version, whose source differs by `texture`.
+void add_version(MadeUpStudy& made, const std::string& version, const std::string& texture,
                  const std::vector<MadeUpTrial>& trials) {
   ProtocolRow protocol{};
   protocol.name = "sorting";
   protocol.version = version;
   protocol.kind = "recognition";
   protocol.design = "chapter";
-  protocol.source = R"({"title": ")" + title + "\"}";
+  protocol.source = R"({"textures": {")" + texture + "\": {}}}";
   made.add_session("anna", made.study().add_protocol(protocol), trials);
 }
 
@@ -359,6 +359,33 @@ TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
   EXPECT_THAT(counts, ElementsAre("1", "2"));
   EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"),
               testing::ContainsRegex("answers of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
+}
+
+TEST(WideExport, CountsLanguagesOfOneVersionTogether) {
+  MadeUpStudy made;
+  fill(made);
+  const auto hold = [&made](const std::string& source, const std::string& feels) {
+    ProtocolRow protocol{};
+    protocol.name = "sorting";
+    protocol.version = "1.0.0";
+    protocol.kind = "recognition";
+    protocol.design = "chapter";
+    protocol.source = source;
+    const std::int64_t session =
+        made.add_session("anna", made.study().add_protocol(protocol), {some_trial()});
+    made.study().add_session_answer(session, session_answer("feel", feels));
+  };
+  hold(R"({"title": "Sorting", "questions": {"feel": {"form": "choice", "prompt": "Your hand?",
+           "options": ["good", "bad"]}}, "flow": [{"screen": "Hello."}]})",
+       "good");
+  hold(R"({"language": "de", "title": "Sortieren", "questions": {"feel": {"form": "choice",
+           "prompt": "Ihre Hand?", "options": [{"value": "good", "text": "gut"},
+           {"value": "bad", "text": "schlecht"}]}}, "flow": [{"screen": "Guten Tag."}]})",
+       "bad");
+  export_to(made, made.beside("out"));
+  const auto anna = only_row_of(made.beside("out") / "wide.csv");
+  EXPECT_EQ(anna.at("sorting_which_n"), "2");
+  EXPECT_EQ(anna.at("session_feel"), "bad");
 }
 
 // "It hurts" to another question than before, and to the same question of another protocol.

@@ -115,5 +115,22 @@ TEST(StoredProtocol, ReadsNothingOfWhatHasAnotherForm) {
   }
 }
 
+TEST(StoredProtocol, WithoutTextsIsTheSameInEveryLanguageAndInNothingElse) {
+  const auto rest = [](const char* language, const char* text, const char* value) {
+    return without_texts(std::string(R"({"language": ")") + language + R"(", "questions": {"title":
+        {"prompt": ")" + text + R"(", "options": [{"value": ")" + value + R"(", "text": ")" + text +
+                         R"("}]}}, "flow": [{"screen": ")" + text + R"("}, {"run": "main"}]})");
+  };
+  EXPECT_EQ(rest("en", "Hello", "yes"), rest("de", "Hallo", "yes"));
+  EXPECT_NE(rest("en", "Hello", "yes"), rest("en", "Hello", "no"));
+  EXPECT_EQ(without_texts(R"({"questions": {"a": {"options": ["x"]}}})"),
+            without_texts(R"({"questions": {"a": {"options": [{"value": "x", "text": "y"}]}}})"));
+  EXPECT_NE(without_texts(R"({"flow": [{"screen": "a"}]})"), without_texts(R"({"flow": []})"));
+  EXPECT_NE(without_texts(R"({"textures": {"note": {"code": "A"}}})"),
+            without_texts(R"({"textures": {"title": {"code": "A"}}})"))
+      << "a texture of that name";
+  EXPECT_EQ(without_texts("no JSON"), "no JSON");
+}
+
 }  // namespace
 }  // namespace asperity
