@@ -192,17 +192,6 @@ ReportTable report_table(const NamedTable& named) {
   return table;
 }
 
-/// What has no other words; both ends of an interval are one thing that is missing.
-std::string refused_quantity(std::string quantity) {
-  bool is_end = false;
-  for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
-    if (!quantity.ends_with(ending)) continue;
-    quantity.erase(quantity.rfind(ending));
-    is_end = true;
-  }
-  return (is_end ? "CI of the " : "") + words_of_quantity(quantity);
-}
-
 /// What a finding is about that can have no answer; the words of its name where it has no others.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
@@ -213,7 +202,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the scale of preference"},
       {"bt.status", "the scale of preference (Bradley–Terry)"},
       {"cochran.Q", "Cochran’s Q"},
-      {"dprime", "d′"},
+      {"dprime", "the sensitivity d′"},
       {"dprime.se", "the standard error of d′"},
       {"exponent.t", "the test of the exponent"},
       {"friedman.chisq", "Friedman’s test"},
@@ -256,6 +245,19 @@ std::string words_of_unanswered(const std::string& quantity) {
   if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
   if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();
   return words_of_number(quantity);
+}
+
+/// What has no other words; both ends of an interval are one thing that is missing.
+std::string refused_quantity(std::string quantity) {
+  bool is_end = false;
+  for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
+    if (!quantity.ends_with(ending)) continue;
+    quantity.erase(quantity.rfind(ending));
+    is_end = true;
+  }
+  std::string words = words_of_unanswered(quantity);
+  if (words.empty()) words = (is_end ? "the " : "") + words_of_quantity(quantity);
+  return (is_end ? "the CI of " : "") + words;
 }
 
 /// A whole analysis that could not be made.

@@ -48,8 +48,8 @@ std::string chapter_heading(const ReportFacts& facts) {
   return facts.protocol.name + ' ' + facts.protocol.version + ": " + group_text(facts.group);
 }
 
-/// "Data from 2026-03-02 to 2026-04-17 (UTC)." What a simulated clock says is no date.
-std::string dates_text(const std::vector<ReportFacts>& all) {
+/// "Data of 2026-03-02 to 2026-04-17 (UTC)". A simulated clock has no date.
+std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals) {
   std::set<std::string> days{};
   bool made_up = false;
   for (const ReportFacts& facts : all) {
@@ -61,7 +61,10 @@ std::string dates_text(const std::vector<ReportFacts>& all) {
       }
     }
   }
-  if (days.empty()) return made_up ? "Data of a simulated clock, which has no date" : "No data yet";
+  if (days.empty() && made_up) return "Data of a simulated clock, which has no date";
+  if (days.empty()) {
+    return has_withdrawals ? "No data of participants who have not withdrawn" : "No data yet";
+  }
   std::string text = days.size() == 1 ? "Data of " + *days.begin()
                                       : "Data of " + *days.begin() + " to " + *days.rbegin();
   return text + (made_up ? " (UTC), and of a simulated clock, which has no date" : " (UTC)");
@@ -217,7 +220,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   for (AnalysisOutcome& outcome : outcomes) {
     if (!outcome.declares_sexes) outcome = without_sexes(std::move(outcome));
   }
-  report.subtitle = dates_text(all);
+  report.subtitle = dates_text(all, !withdrawals.empty());
   report.chapters.push_back(overview_chapter(all, withdrawals));
   // What is read comes first, what is looked up behind it.
   std::vector<ReportChapter> appendices{};

@@ -898,11 +898,15 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
                       without("peak.se.log10.pooledOLS", "s3", "roughness", undefined),
                       without("bt.order.status", "first", "scale", "nobody felt both orders"),
                       without("cochran.Q", "1", "position", "nobody differs"),
+                      without("dprime", "", "recognition", "every response is correct"),
+                      without("dprime.lower", "", "recognition", "every response is correct"),
                       without("replicates", "", "anova", "A has 2 rows")};
   const std::string words = words_of(results_section(outcome, {}));
   EXPECT_THAT(words, HasSubstr("Whether the first of two is preferred, on the scale of preference: "
                                "nobody felt both orders.\n"));
   EXPECT_THAT(words, HasSubstr("Cochran’s Q of position 1: nobody differs.\n"));
+  EXPECT_THAT(words, HasSubstr("The sensitivity d′ and the CI of the sensitivity d′: every "
+                               "response is correct.\n"));
   EXPECT_THAT(words, HasSubstr("2 numbers of the appendix or of tables are not defined for these "
                                "data; asperity analyze STUDY --json has each by its name.\n"));
   EXPECT_THAT(words, Not(HasSubstr("pooledOLS")));
