@@ -267,11 +267,13 @@ bool may_follow_from(const Repair& repair, const std::string& pointer, const std
   const auto lies_in = [](const std::string& inner, const std::string& outer) {
     return inner == outer || inner.starts_with(outer + '/');
   };
+  // A level that names nothing does so whatever else the factor has.
+  const bool is_unknown_level = lies_in(pointer, "/factors") && message.starts_with("there is no ");
   return std::any_of(repair.places.begin(), repair.places.end(), [&](const std::string& place) {
     if (place.empty()) return true;
     const std::string object = place.substr(0, place.rfind('/'));
     const std::string name = place.substr(object.size() + 1);
-    const bool is_of_same_object = !object.empty() && lies_in(pointer, object);
+    const bool is_of_same_object = !is_unknown_level && !object.empty() && lies_in(pointer, object);
     const bool is_made_of_levels = lies_in(place, "/factors") && lies_in(pointer, "/blocks");
     return is_of_same_object || is_made_of_levels || lies_in(place, pointer) ||
            lies_in(pointer, place) || message.find(in_quotes(name)) != std::string::npos;

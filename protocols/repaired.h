@@ -24,7 +24,7 @@ Repair repaired(const JsonDocument& document);
 
 /// Whether a finding at `pointer` can be a consequence of the repair: it is about the same object as such a place, lies
 /// around it, or quotes its name; or it is about a block, whose trials are made of the levels of factors, one of which was
-/// repaired.
+/// repaired. A level that names nothing is wrong whatever else its factor has.
 bool may_follow_from(const Repair& repair, const std::string& pointer, const std::string& message);
 
 }  // namespace asperity

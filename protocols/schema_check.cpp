@@ -127,7 +127,7 @@ std::string sentence(const std::string& description, const json& schema, const j
   }
   if (starts("Object contains a property")) return {};  // check_keys tells more
   const std::string meaning = schema.value("description", std::string{});
-  const std::string purpose = meaning.empty() ? "" : ". Here stands: " + meaning;
+  const std::string purpose = meaning.empty() ? "" : ". Expected here: " + meaning;
   if (description.find("oneOf") != std::string::npos ||
       starts("Failed to validate against exactly one")) {
     std::vector<std::string> keys{};

@@ -212,7 +212,7 @@ const Fault kForm[] = {
      "/device/force_limit_N", "at most 20"},
     {"negative_limit", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"friction_N": -0.2})", "-0.2", "/device/limits/friction_N",
-     "at least 0. Here stands: Largest friction"},
+     "at least 0. Expected here: Largest friction"},
     {"misspelt_limit", R"("force_limit_N": 5)",
      R"("force_limit_N": 5, "limits": {"fricton_N": 0.2})", R"("fricton_N")",
      "/device/limits/fricton_N", R"(did you mean "friction_N"?)"},
@@ -633,6 +633,22 @@ TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
   EXPECT_TRUE(
       std::is_sorted(problems.begin(), problems.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; }));
+}
+
+TEST(Problems, HideNoLevelOfTheSameFactor) {
+  for (const auto& [from, to] :
+       {std::pair(R"("levels": ["metal", "stone"])", R"("levels": ["metal", "granite"], "x": 1)"),
+        std::pair(R"("levels": ["metal", "stone"])", R"("levels": [true, "granite"])")}) {
+    std::string text = test::example_selection();
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, std::string(from).size(), to);
+    std::vector<std::string> messages{};
+    for (const Diagnostic& problem : problems_of(text)) messages.push_back(problem.message);
+    EXPECT_EQ(messages.size(), 2U);
+    EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("there is no texture \"granite\"")))
+        << to;
+  }
 }
 
 TEST(Problems, OfABinaryFileSayThatItIsNoText) {
