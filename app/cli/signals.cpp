@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/cli/terminal.h"
+#include "app/conductor/unechoed_input.h"
 
 namespace asperity {
 
@@ -25,6 +26,7 @@ std::atomic<int> last_interrupt{SIGINT};
 std::atomic<int> interrupt_holds{0};
 
 void end_program(int number) noexcept {
+  restore_echo();
   std::signal(number, SIG_DFL);
   std::raise(number);
 }

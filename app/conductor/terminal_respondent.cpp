@@ -81,6 +81,7 @@ std::optional<std::string> TerminalRespondent::typed_line() {
 
 std::optional<std::string> TerminalRespondent::line(const Wait& wait,
                                                     const std::optional<double>& left_s) {
+  unechoed_.reset();
   for (;;) {
     const bool is_late = left_s && *left_s <= 0.0;
     if (is_late && buffer_.find('\n') == std::string::npos) return {};
@@ -90,6 +91,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
 }
 
 void TerminalRespondent::hear_of_fault(const std::string& what) {
+  unechoed_.reset();
   forget_typed();  // what was typed before is no answer to this
   output_ << "\n\n" << what << '\n' << kAfterFault << std::flush;
 }
@@ -128,6 +130,7 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
     output_ << "\nThe picture is in " << sheet_.string() << ".\n";
   }
   output_ << "\nFeel surface " << surface.code << " now." << std::endl;
+  if (!unechoed_) unechoed_.emplace(input_);
 }
 
 Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,

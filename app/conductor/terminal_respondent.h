@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "app/conductor/respondent.h"
+#include "app/conductor/unechoed_input.h"
 
 namespace asperity {
 
@@ -17,6 +19,9 @@ namespace asperity {
 /// Pictures, which a terminal cannot show, are put side by side into one file in the order of the
 /// options, made anew for each question; any viewer can keep it open beside the terminal. It has
 /// their colours, unless the protocol shows them in shades of grey.
+///
+/// From the announcement of a surface until something is asked, the terminal does not show what is typed, and it is
+/// discarded.
 ///
 /// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
 class TerminalRespondent final : public Respondent {
@@ -64,6 +69,7 @@ class TerminalRespondent final : public Respondent {
   std::filesystem::path sheet_{};
   bool in_grey_ = false;
   std::string buffer_{};
+  std::optional<UnechoedInput> unechoed_{};
 };
 
 }  // namespace asperity

@@ -3,12 +3,18 @@
 #include "app/conductor/terminal_respondent.h"
 
 #include <array>
+#include <csignal>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <termios.h>
 
 #include "app/height_field_files.h"
 #include "tests/support/temporary_folder.h"
@@ -105,6 +111,69 @@ ColorPlanes sheet_of_a_question(bool in_grey) {
   close(ends[0]);
   close(ends[1]);
   return load_color_picture(folder.path() / "sheet.png");
+}
+
+/// A terminal of which a test is the person: it types on one side, and the program reads the other.
+struct PseudoTerminal {
+  PseudoTerminal() { EXPECT_EQ(::openpty(&person, &program, nullptr, nullptr, nullptr), 0); }
+  ~PseudoTerminal() {
+    close(person);
+    close(program);
+  }
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  bool echoes() const {
+    termios now{};
+    EXPECT_EQ(::tcgetattr(program, &now), 0);
+    return (now.c_lflag & ECHO) != 0;
+  }
+  /// A line, and waits until the program could read it.
+  void type(const std::string& text) const {
+    EXPECT_EQ(write(person, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    pollfd typed{program, POLLIN, 0};
+    EXPECT_EQ(::poll(&typed, 1, 10'000), 1);
+  }
+
+  int person = -1;
+  int program = -1;
+};
+
+TEST(TerminalInContact, ShowsNothingOfWhatIsTypedAndDiscardsIt) {
+  const PseudoTerminal terminal{};
+  std::ostringstream said{};
+  {
+    TerminalRespondent person(terminal.program, said, {}, {});
+    EXPECT_TRUE(terminal.echoes());
+    person.announce({}, {});
+    EXPECT_FALSE(terminal.echoes());
+    terminal.type("typed in contact\n");
+    bool is_open = false;
+    person.read("Thank you.", 0.0, [&](double) {
+      if (std::exchange(is_open, true)) return;
+      EXPECT_TRUE(terminal.echoes());
+      terminal.type("\n");
+    });
+    EXPECT_TRUE(is_open) << "what was typed in contact was taken for a confirmation";
+    person.announce({}, {});
+  }
+  EXPECT_TRUE(terminal.echoes());
+}
+
+TEST(TerminalInContact, EchoesAgainAfterAnySignalThatEndsTheProgram) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGSEGV}) {
+    const PseudoTerminal terminal{};
+    const pid_t child = fork();
+    if (child == 0) {
+      const UnechoedInput unechoed(terminal.program);
+      if (!terminal.echoes()) raise(signal);
+      _exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_TRUE(terminal.echoes()) << signal;
+  }
 }
 
 TEST(PictureSheet, HasTheColoursOfThePictures) {

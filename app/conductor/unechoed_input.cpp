@@ -1,0 +1,61 @@
+#include "app/conductor/unechoed_input.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+
+#include <termios.h>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kNoTerminal = -1;
+constexpr std::array kEndingSignals{SIGINT,  SIGTERM, SIGQUIT, SIGHUP, SIGABRT,
+                                    SIGSEGV, SIGBUS,  SIGFPE,  SIGILL};
+
+// What a signal handler may touch; `echoing` is written before the terminal is named and not after.
+static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<int> silent_terminal{kNoTerminal};
+termios echoing{};
+
+extern "C" void restore_echo_and_end(int number) {
+  restore_echo();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+/// For the signals that would end the program: one that somebody else handles, or ignores, is theirs.
+void handle_ending_signals(void (*from)(int), void (*to)(int)) {
+  for (const int number : kEndingSignals) {
+    struct sigaction now {};
+    if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler == from) std::signal(number, to);
+  }
+}
+
+}  // namespace
+
+void restore_echo() noexcept {
+  const int terminal = silent_terminal.exchange(kNoTerminal);
+  if (terminal == kNoTerminal) return;
+  const int error = errno;
+  ::tcsetattr(terminal, TCSAFLUSH, &echoing);
+  errno = error;
+}
+
+UnechoedInput::UnechoedInput(int input) {
+  if (::tcgetattr(input, &echoing) != 0 || (echoing.c_lflag & ECHO) == 0) return;
+  termios silent = echoing;
+  silent.c_lflag &= ~static_cast<tcflag_t>(ECHO | ECHONL);
+  silent_terminal = input;
+  handle_ending_signals(SIG_DFL, restore_echo_and_end);
+  ::tcsetattr(input, TCSANOW, &silent);
+}
+
+UnechoedInput::~UnechoedInput() {
+  restore_echo();
+  handle_ending_signals(restore_echo_and_end, SIG_DFL);
+}
+
+}  // namespace asperity
