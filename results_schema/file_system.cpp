@@ -22,10 +22,10 @@ void refuse_lock_through_link(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::read_symlink(path, error);
   if (error) return;
-  throw ResultsError(path.string() + " is a symbolic link to " + target.string() +
-                         "; the locks of a study are files of its own. Remove the link, then try "
-                         "again",
-                     path, ELOOP);
+  throw ResultsError(
+      path.string() + " is a symbolic link to " + target.string() +
+          "; the locks of a study must be regular files. Remove the link, then try again",
+      path, ELOOP);
 }
 
 /// When this process was started, as UTC: the kernel dates /proc/self so.
@@ -54,8 +54,8 @@ void fail_on_file(const std::filesystem::path& path, const std::string& what, in
   std::string reason = std::strerror(error_number);
   if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG) {
     reason =
-        "the disk is full. Everything finished before this is safely stored; make room and "
-        "go on";
+        "the disk is full. Everything finished before is stored safely; free space on the disk, "
+        "then continue";
   }
   throw ResultsError("the file " + path.string() + " cannot be " + what + ": " + reason, path,
                      error_number);
@@ -273,7 +273,7 @@ std::filesystem::path path_in_study(const std::filesystem::path& study, const st
   bool inside = !path.empty() && relative.is_relative() && relative.has_filename();
   for (const auto& part : relative) inside = inside && part != ".." && part != ".";
   if (!inside) {
-    throw ResultsError("\"" + path + "\" is no path inside the study " + study.string() +
+    throw ResultsError("\"" + path + "\" is not a path inside the study " + study.string() +
                            "; it must be relative and without \"..\"",
                        study);
   }

@@ -97,18 +97,17 @@ void PartFolder::refuse_what_is_not_left_by_us() const {
     if (!fs::exists(fs::symlink_status(part_, error))) return;
     throw ResultsError(
         part_.string() +
-            " is in the way: it may have been left by an earlier version of Asperity "
-            "that was interrupted, and cannot be told from a folder of your own. "
-            "Remove it or give it another name, then try again",
+            " already exists: an interrupted earlier version of Asperity may have left it, or it "
+            "may be a folder of yours. Remove or rename it, then try again",
         part_, EEXIST);
   }
   const std::string network = network_file_system_at(part_);
   if (network.empty()) return;
   throw ResultsError(
       part_.string() +
-          " is in the way: an interrupted program left it, or another one is "
-          "writing to it now, which cannot be determined on a network file system, " +
-          network + ". If none is, remove it, then try again",
+          " already exists: an interrupted program left it, or another program is writing to it "
+          "now, which cannot be determined on a network file system, " +
+          network + ". If no program is writing to it, remove it, then try again",
       part_, EEXIST);
 }
 

@@ -87,7 +87,7 @@ void refuse_bad_header(const RecordingHeader& header) {
   }
   for (const RecordingColumn& column : header.columns) {
     if (column.name.empty() || column.name == "time_ns") {
-      throw std::invalid_argument("columns: each needs a name, and time_ns is there already");
+      throw std::invalid_argument("columns: each needs a name other than time_ns");
     }
   }
   if (!Json::accept(header.context_json)) {
@@ -260,14 +260,14 @@ class Reader {
     const std::string line = take_line();
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("format") || !json["format"].is_string()) {
-      fail("is none: its first line must be a JSON object with \"format\"");
+      fail("is not a recording: its first line must be a JSON object with \"format\"");
     }
     const auto format = json["format"].get<std::string>();
     if (format != kFormat) {
       fail("has the format \"" + format + "\"; this program reads \"" + kFormat + "\"");
     }
     if (take_line() != sha256_of(line)) {
-      fail("is damaged in its first line, whose SHA-256 is not the one of its second line");
+      fail("is damaged in its first line, whose SHA-256 differs from the one in its second line");
     }
     try {
       RecordingHeader header;
@@ -289,7 +289,7 @@ class Reader {
       header.context_json = json.at("context").dump();
       return header;
     } catch (const nlohmann::json::exception& error) {
-      fail(std::string("has a first line that is not as it should be: ") + error.what());
+      fail(std::string("has an invalid first line: ") + error.what());
     }
   }
 
@@ -298,7 +298,7 @@ class Reader {
     const std::size_t chunk = ++chunk_;
     const std::size_t start = offset_;
     if (content_.size() - start < kChunkHead_bytes) {
-      fail_at(chunk, start, "the file ends where the chunk's head should be");
+      fail_at(chunk, start, "the file ends before the header of the chunk");
     }
     ChunkHead head;
     std::array<unsigned char, kChecksum_bytes> checksum{};
@@ -310,7 +310,7 @@ class Reader {
       fail_at(chunk, start, "the file ends inside the chunk");
     }
     if (checksum_of(head, payload) != checksum) {
-      fail_at(chunk, start, "the checksum does not hold");
+      fail_at(chunk, start, "the checksum does not match");
     }
     offset_ = start + kChunkHead_bytes + head.bytes;
     if (head.records == 0) {
@@ -318,7 +318,7 @@ class Reader {
       return false;
     }
     if (head.records > largest_chunk_) {
-      fail_at(chunk, start, "it holds more records than a chunk may");
+      fail_at(chunk, start, "it holds more records than a chunk can have");
     }
     unpack(recording, head, payload, chunk, start);
     return true;
@@ -327,7 +327,7 @@ class Reader {
  private:
   std::string take_line() {
     const std::size_t end = content_.find('\n', offset_);
-    if (end == std::string::npos) fail("is none: it ends before its two lines of text do");
+    if (end == std::string::npos) fail("is not a recording: it ends within its two lines of text");
     std::string line = content_.substr(offset_, end - offset_);
     offset_ = end + 1;
     return line;
@@ -338,10 +338,10 @@ class Reader {
     std::uint64_t total = 0;
     if (head.bytes == sizeof total) std::memcpy(&total, payload, sizeof total);
     if (head.bytes != sizeof total || total != recording.time_ns.size()) {
-      fail_at(chunk, start, "the number of records is not the one stated at the end");
+      fail_at(chunk, start, "the number of records differs from the one stated at the end");
     }
     if (offset_ != content_.size()) {
-      fail_at(chunk + 1, offset_, "something follows the end of the recording");
+      fail_at(chunk + 1, offset_, "there is data after the end of the recording");
     }
   }
 
@@ -350,7 +350,7 @@ class Reader {
     std::vector<char> plain(head.records * record_bytes(recording.columns.size()));
     const std::size_t size = ZSTD_decompress(plain.data(), plain.size(), payload, head.bytes);
     if (ZSTD_isError(size) != 0 || size != plain.size()) {
-      fail_at(chunk, start, "it does not decompress to its number of records");
+      fail_at(chunk, start, "its decompressed size does not match its number of records");
     }
     const char* next = plain.data();
     const auto take_column = [&next, &head](auto& column) {

@@ -227,7 +227,7 @@ struct AttemptRow {
   std::vector<EventRow> events{};
 };
 
-/// What somebody decided about data: they stay, and the decision stands beside them.
+/// A decision about data: they stay, and the decision is stored next to them.
 enum class Verdict {
   set_aside,  ///< of an attempt: no longer the valid one of its trial, which is asked again; final
   flag,       ///< of an attempt: counts, but look at it

@@ -23,7 +23,7 @@ Sha256Stream::~Sha256Stream() { EVP_MD_CTX_free(context_); }
 
 void Sha256Stream::add(const void* bytes, std::size_t count) {
   if (EVP_DigestUpdate(context_, bytes, count) != 1) {
-    throw std::runtime_error("libcrypto could not go on with a SHA-256");
+    throw std::runtime_error("libcrypto could not continue a SHA-256");
   }
 }
 

@@ -30,30 +30,31 @@ std::string uri_of(const std::filesystem::path& file, const char* parameters) {
 std::string meaning_of(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "the disk is full. Everything finished before this is safely stored; make room and go "
-             "on";
+      return "the disk is full. Everything finished before is stored safely; free space on the "
+             "disk, then continue";
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return "another process has been writing to the study for more than a minute; close it and "
+      return "another program has been writing to the study for more than a minute; close it and "
              "try again";
     case SQLITE_READONLY:
-      return "it can only be read here; check the permissions of the folder and of study.sqlite";
+      return "it is read-only here; check the permissions of the folder and of study.sqlite";
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return "study.sqlite is broken; restore it from a copy";
+      return "study.sqlite is damaged; restore it from a copy";
     case SQLITE_CANTOPEN:
       return "study.sqlite cannot be opened; check the permissions of the folder and of its files";
     case SQLITE_IOERR:
-      return "the disk did not read or write. Everything finished before this is safely stored";
+      return "the disk could not be read or written. Everything finished before is stored safely; "
+             "check the disk, then continue";
     case SQLITE_PERM:
-      return "the system does not permit it";
+      return "the system denied access; check the permissions of the folder and of its files";
     case SQLITE_PROTOCOL:
-      return "the log next to study.sqlite does not fit its index; close the programs that use the "
-             "study, then try again where its folder can be written to";
+      return "the log next to study.sqlite does not match its index; close the programs that use "
+             "the study, then try again where its folder can be written to";
     case SQLITE_CONSTRAINT:
-      return "the row is not acceptable";
+      return "the row violates a rule of the table";
     default:
-      return "the database refused";
+      return "the database reported an error";
   }
 }
 
@@ -132,7 +133,7 @@ bool Statement::step() {
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
   database_.fail(code,
-                 sqlite3_stmt_readonly(handle_) != 0 ? "cannot be read" : "did not take a row");
+                 sqlite3_stmt_readonly(handle_) != 0 ? "cannot be read" : "did not accept a row");
 }
 
 void Statement::run() {

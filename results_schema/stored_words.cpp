@@ -51,8 +51,9 @@ StoredWords joined(const std::optional<StoredWords>& first, const StoredWords& s
 }
 
 StoredWords set_aside_because(const StoredWords& reason) {
-  return {"set aside: " + reason.text,
-          text_of_item({{kCodeKey, kTrialRepeatedCode}, {kArgumentsKey, Item::array({reason.item()})}})};
+  return {"repeated by the experimenter: " + reason.text,
+          text_of_item(
+              {{kCodeKey, kTrialRepeatedCode}, {kArgumentsKey, Item::array({reason.item()})}})};
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// A reason or a remark as a study stores it: codes with arguments, or what somebody typed.
+// A reason or a remark as a study stores it: codes with arguments, or typed text.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct StoredWords {
   std::string json{};
 
   StoredWords() = default;
-  /// What somebody typed. Implicit, so that it can be stored wherever the program's own reasons can.
+  /// Typed text. Implicit, so that it can be stored wherever the program's own reasons can.
   StoredWords(std::string typed);  // NOLINT(google-explicit-constructor)
   StoredWords(const char* typed) : StoredWords(std::string(typed)) {}
   StoredWords(std::string english, std::string json_text)

@@ -50,7 +50,7 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
   journal.run();
   if (mode != "wal") {
     throw ResultsError("a study cannot be made in " + folder.string() +
-                           ": its file system offers no write-ahead log; use a local disk",
+                           ": its file system does not support a write-ahead log; use a local disk",
                        folder);
   }
   Transaction transaction(database);
@@ -141,8 +141,8 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
   }
   if (!std::filesystem::is_regular_file(database_in(folder), error)) {
     throw ResultsError("the folder " + folder.string() +
-                           " is no study: it holds no study.sqlite. Name the folder of a study, or "
-                           "make a new one",
+                           " is not a study: it has no study.sqlite. Name the folder of a study, "
+                           "or make a new one",
                        folder, ENOENT);
   }
   connect();
@@ -237,7 +237,8 @@ void Study::Store::connect_for_reading() {
 void Study::Store::check_identity() {
   if (number_of(*database, "PRAGMA application_id") != kApplicationId) {
     throw ResultsError("the folder " + folder.string() +
-                           " is no study: its study.sqlite was made by another program",
+                           " is not a study: its study.sqlite was made by another program. Name "
+                           "the folder of a study",
                        folder);
   }
   const int version = number_of(*database, "PRAGMA user_version");
@@ -251,7 +252,7 @@ void Study::Store::check_identity() {
   schema_version = version;
   if (number_of(*database, "SELECT count(*) FROM study") != 1) {
     throw ResultsError("the study " + folder.string() +
-                           " is broken: its table study must have one row; restore it from a copy",
+                           " is damaged: its table study must have one row; restore it from a copy",
                        folder);
   }
 }
@@ -309,7 +310,7 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
   }
   if (!std::filesystem::is_empty(folder)) {
     throw ResultsError("a study cannot be made in " + folder.string() +
-                           ": it already holds something; name a new or an empty folder",
+                           ": it is not empty; name a new or an empty folder",
                        folder, EEXIST);
   }
   try {
@@ -376,10 +377,10 @@ void Study::add_participant(const ParticipantRow& participant) {
       label.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
       std::string::npos;
   if (label.empty() || label.size() > 32 || !is_plain) {
-    throw ResultsError("\"" + label +
-                           "\" is no participant label; it must be 1 to 32 letters and digits "
-                           "(0-9, A-Z, a-z)",
-                       store_->folder);
+    throw ResultsError(
+        "\"" + label +
+            "\" is not a participant label; it must be 1 to 32 letters and digits (0-9, A-Z, a-z)",
+        store_->folder);
   }
   Statement statement(database,
                       std::string("INSERT INTO participant (label, is_virtual, age_years, sex, "
@@ -466,7 +467,7 @@ ProtocolRow Study::protocol(std::int64_t id) const {
     if (row.id == id) return std::move(row);
   }
   throw ResultsError(
-      "the study " + store_->folder.string() + " has no protocol of the id " + std::to_string(id),
+      "the study " + store_->folder.string() + " has no protocol with the id " + std::to_string(id),
       store_->folder);
 }
 

@@ -72,7 +72,7 @@ void refuse_link(const std::filesystem::path& study, const std::filesystem::path
   if (error) return;
   throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
                          " is a symbolic link to " + target.string() +
-                         ", and a copy holds no links. Replace the link with what it leads to, or "
+                         ", and a copy cannot hold links. Replace the link with its target, or "
                          "remove it, then copy again",
                      study / relative, ELOOP);
 }
@@ -81,7 +81,7 @@ void refuse_link(const std::filesystem::path& study, const std::filesystem::path
 void refuse_special_file(const std::filesystem::path& study,
                          const std::filesystem::path& relative) {
   throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
-                         " is no regular file. Remove it, then copy again",
+                         " is not a regular file. Remove it, then copy again",
                      study / relative, EINVAL);
 }
 
@@ -100,9 +100,10 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   for (const auto& [path, sha256] : vouched) {
     refuse_links_on(from, path);
     if (!sha256.contains(copy_and_hash(path_in_study(from, path), path_in_study(to, path)))) {
-      throw ResultsError("the study " + from.string() + " cannot be copied: its file " + path +
-                             " is not what it was when it was used (its SHA-256 differs)",
-                         from / path);
+      throw ResultsError(
+          "the study " + from.string() + " cannot be copied: its file " + path +
+              " has changed since it was used (its SHA-256 differs); restore it, then copy again",
+          from / path);
     }
   }
   for (const auto& entry : std::filesystem::recursive_directory_iterator(from)) {
@@ -146,13 +147,12 @@ void Study::copy_to(const std::filesystem::path& folder) const {
                        EINVAL);
   }
   if (seal_of(from) == Seal::broken) {
-    throw ResultsError(
-        "the study " + from.string() +
-            " cannot be copied: its study.sqlite is not what it was when Asperity "
-            "last closed it (its SHA-256 is not that in study.sqlite.sha256); what that "
-            "can mean is said by \"asperity verify\". Once it is known to be right, "
-            "remove study.sqlite.sha256 and copy again",
-        from);
+    throw ResultsError("the study " + from.string() +
+                           " cannot be copied: its study.sqlite has changed since Asperity last "
+                           "closed it (its SHA-256 differs from that in study.sqlite.sha256). "
+                           "\"asperity verify\" lists the possible causes; if the change was "
+                           "intended, remove study.sqlite.sha256 and copy again",
+                       from);
   }
   refuse_link(from, database_in(from).filename());
   PartFolder part(to, kOwnersFolder);

@@ -22,13 +22,13 @@ constexpr std::array kStates{SessionState::open, SessionState::completed, Sessio
 }
 
 std::string named(std::int64_t session_id) {
-  return "the session of the id " + std::to_string(session_id);
+  return "the session with the id " + std::to_string(session_id);
 }
 
 SessionState state_of(Database& database, std::int64_t session_id) {
   Statement statement(database, "SELECT state FROM session WHERE id = ?");
   if (!statement.bind(session_id).step()) {
-    refuse(database.folder(), "has no session of the id " + std::to_string(session_id));
+    refuse(database.folder(), "has no session with the id " + std::to_string(session_id));
   }
   std::string state;
   statement.read(state);
@@ -47,8 +47,8 @@ void refuse_network(const std::filesystem::path& folder) {
   const std::string network = network_file_system_at(folder);
   if (!network.empty()) {
     refuse(folder, "lies on a network file system, " + network +
-                       ", where a session cannot be kept safely; run it on a local disk and copy "
-                       "the study afterwards. Reading it here is fine");
+                       ", where a session cannot be stored safely; run it on a local disk and copy "
+                       "the study afterwards. The study can be read here");
   }
 }
 
@@ -116,7 +116,7 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   }
   participant.read(participant_id, has_withdrawn);
   if (has_withdrawn) {
-    refuse(database.folder(), "begins no session of participant " + session.participant +
+    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
                                   ", who has withdrawn; use another label");
   }
   Statement last(database,
@@ -195,7 +195,7 @@ std::int64_t Study::add_session(
   Transaction transaction(database);
   Statement protocol_name(database, "SELECT name FROM protocol WHERE id = ?");
   if (!protocol_name.bind(session.protocol_id).step()) {
-    refuse(store_->folder, "has no protocol of the id " + std::to_string(session.protocol_id));
+    refuse(store_->folder, "has no protocol with the id " + std::to_string(session.protocol_id));
   }
   std::string name;
   protocol_name.read(name);
@@ -212,7 +212,7 @@ SessionRow Study::session(std::int64_t id) const {
   return store_->read([id](Database& database) {
     Statement statement(database, std::string(kSelectSessions) + "WHERE session.id = ?");
     if (!statement.bind(id).step()) {
-      refuse(database.folder(), "has no session of the id " + std::to_string(id));
+      refuse(database.folder(), "has no session with the id " + std::to_string(id));
     }
     SessionRow row;
     read_session(statement, row);
@@ -265,7 +265,7 @@ int Study::begin_segment(std::int64_t session_id, std::int64_t time_ns) {
   refuse_network(store_->folder);
   Transaction transaction(database);
   if (state_of(database, session_id) != SessionState::open) {
-    refuse(store_->folder, "does not go on with " + named(session_id) + ", which is " +
+    refuse(store_->folder, "cannot continue " + named(session_id) + ", which is " +
                                text_of(state_of(database, session_id)) + "; reopen it first");
   }
   Statement last(database,
@@ -315,7 +315,7 @@ void Study::reopen_session(std::int64_t session_id) {
   const SessionState state = state_of(database, session_id);
   if (state != SessionState::stopped && state != SessionState::crashed) {
     refuse(store_->folder, "cannot reopen " + named(session_id) + ", which is " + text_of(state) +
-                               "; only a stopped or crashed session goes on");
+                               "; only a stopped or crashed session can be resumed");
   }
   set_state(database, session_id, SessionState::open, std::nullopt);
   transaction.commit();

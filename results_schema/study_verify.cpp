@@ -65,26 +65,24 @@ void check_references(Database& database, Findings& findings) {
     std::string parent;
     keys.read(table, row, parent);
     findings.push_back("study.sqlite: a row of " + table + " refers to a row of " + parent +
-                       " that is not there");
+                       " that does not exist");
   }
 }
 
 void check_seal(const std::filesystem::path& study, const SealWatch& watch, Findings& findings) {
   if (seal_of(study, watch) != Seal::broken) return;
   findings.emplace_back(
-      "study.sqlite: it is not what it was when Asperity last closed it (its SHA-256 is not that "
-      "in "
-      "study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if the study "
-      "was "
-      "changed on purpose: by another tool, by an older Asperity, by a copy laid over it, or by "
-      "somebody who may not remove that file");
+      "study.sqlite: it has changed since Asperity last closed it (its SHA-256 differs from that "
+      "in study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if the "
+      "study was changed on purpose: by another tool, by an older Asperity, by copying another "
+      "file over it, or by a user who may not remove that file");
 }
 
 void check_protocols(const Study& study, Findings& findings) {
   for (const ProtocolRow& row : study.protocols()) {
     if (sha256_of(row.source) != row.source_sha256) {
       findings.push_back("protocol " + row.name + " " + row.version +
-                         ": its source does not have its SHA-256");
+                         ": the SHA-256 of its source differs from the stored one");
     }
   }
 }
@@ -237,11 +235,10 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
     if (!std::filesystem::is_regular_file(path, error)) {
       const bool is_absent = !error || error == std::errc::no_such_file_or_directory ||
                              error == std::errc::not_a_directory;
-      findings.push_back(start + (is_absent ? "the file is not there"
+      findings.push_back(start + (is_absent ? "the file is missing"
                                             : "the file cannot be read: " + error.message()));
     } else if (sha256_of_file(path) != file.sha256) {
-      findings.push_back(start +
-                         "it is not what it was when its row was written (its SHA-256 differs)" +
+      findings.push_back(start + "it has changed since its row was written (its SHA-256 differs)" +
                          (file.is_recording ? place_of_damage(path) : ""));
     }
   } catch (const ResultsError& error) {
@@ -408,20 +405,19 @@ std::vector<std::string> Study::leftovers() const {
     const std::filesystem::path relative = std::filesystem::relative(entry.path(), study);
     const std::string path = relative.string();
     if (relative.extension() == ".part" || relative.extension() == ".tmp") {
-      leftovers.push_back(path +
-                          ": an unfinished file, being written now or left by a program that "
-                          "died");
+      leftovers.push_back(
+          path + ": an unfinished file, being written now or left by a program that crashed");
     } else if (*relative.begin() == "recordings" && !known.contains(path)) {
       leftovers.push_back(path +
-                          ": a recording that belongs to no attempt, being written now or "
-                          "left by a program that died");
+                          ": a recording that belongs to no attempt, being written now or left by "
+                          "a program that crashed");
     }
   }
   if (!has_seal(study)) {
     leftovers.push_back(
-        "study.sqlite: no checksum vouches for the whole file: it is being written, was left by a "
-        "program that died, or was changed by another tool. Whoever writes to the study next "
-        "leaves one");
+        "study.sqlite: there is no checksum of the whole file: it is being written, was left by a "
+        "program that crashed, or was changed by another tool. The next program that writes to the "
+        "study stores one");
   }
   std::sort(leftovers.begin(), leftovers.end());
   return leftovers;

@@ -44,7 +44,7 @@ WithdrawalRow count_rows(Database& database, const std::string& label) {
   if (!participant.bind(label).step()) {
     refuse_withdrawal(database.folder(), "has no participant " + label +
                                              "; the page Participants and participants.tsv of an "
-                                             "export list those that there are");
+                                             "export list the study's participants");
   }
   participant.read(counts.is_virtual);
   Statement count(database,
@@ -161,9 +161,10 @@ void delete_orphans(Database& database) {
 void refuse_orphans(Database& database) {
   Statement orphans(database, "PRAGMA foreign_key_check");
   if (!orphans.step()) return;
-  refuse_withdrawal(database.folder(),
-                    "is damaged: rows of it hang on rows that are not there, and a deletion could "
-                    "not tell them from the participant's. \"asperity verify\" says more");
+  refuse_withdrawal(
+      database.folder(),
+      "is damaged: some of its rows refer to rows that do not exist, and a deletion could not "
+      "distinguish them from the participant's. \"asperity verify\" lists them");
 }
 
 void remove_file(const std::filesystem::path& path) {
@@ -251,9 +252,9 @@ WithdrawalRow Study::counts_of_participant(const std::string& label) const {
 WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& withdrawal) {
   Database& database = store_->writable();
   if (withdrawal.decided_by.empty()) {
-    refuse_withdrawal(store_->folder,
-                      "stores a withdrawal with the name of the one who decided it; "
-                      "that name is missing");
+    refuse_withdrawal(
+        store_->folder,
+        "cannot store a withdrawal without the name of the person who decided it; enter that name");
   }
   WithdrawalRow row = withdrawal;
   count_rows(database, label);  // before a lock is made for a label that is not there

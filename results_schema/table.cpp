@@ -91,7 +91,7 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
         }
         if (!seen.insert(cells[i]).second) {
           throw ResultsError(place + std::to_string(i + 1) + ": the column name \"" +
-                                 std::string(cells[i]) + "\" stands twice",
+                                 std::string(cells[i]) + "\" occurs twice",
                              file_name);
         }
         table.columns.emplace_back(cells[i]);

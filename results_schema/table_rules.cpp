@@ -152,7 +152,7 @@ std::vector<std::string> broken_checks(Database& database) {
       if (rows[i] == 0.0) continue;
       broken.push_back(std::to_string(static_cast<std::int64_t>(rows[i])) +
                        (rows[i] == 1.0 ? " row of " : " rows of ") + name +
-                       " against the rule CHECK (" + checks[i] + ')');
+                       " contrary to the rule CHECK (" + checks[i] + ')');
     }
   }
   return broken;
@@ -165,14 +165,15 @@ std::vector<std::string> changed_objects(Database& database, Database& made) {
   for (const auto& [name, sql] : should) {
     const auto found = has.find(name);
     if (found == has.end()) {
-      changed.push_back("the " + name + " of every study is not there");
+      changed.push_back("the " + name + " of every study is missing");
     } else if (found->second != sql) {
-      changed.push_back("the " + name + " is not as Asperity makes it: " + found->second);
+      changed.push_back("the " + name +
+                        " differs from the one that Asperity makes: " + found->second);
     }
   }
   for (const auto& [name, sql] : has) {
     if (should.contains(name) || restrains_nothing(name, sql)) continue;
-    changed.push_back("the " + name + " is none of Asperity's: " + sql);
+    changed.push_back("the " + name + " was not made by Asperity: " + sql);
   }
   return changed;
 }

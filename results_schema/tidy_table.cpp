@@ -170,7 +170,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
     const auto place = name_ + ":1:" + std::to_string(reader.column()) + ": ";
     if (cell.empty()) throw ResultsError(place + "the column has no name", name_);
     if (has(cell)) {
-      throw ResultsError(place + "the column name \"" + std::string(cell) + "\" stands twice",
+      throw ResultsError(place + "the column name \"" + std::string(cell) + "\" occurs twice",
                          name_);
     }
     add_column(std::string(cell));
@@ -281,7 +281,7 @@ std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) c
     if (numbers[row] && std::isfinite(*numbers[row])) continue;
     const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
     if (has_decimal_comma(text)) refuse(row, column, of + "a decimal comma; write a point");
-    refuse(row, column, of + "no number; leave the cell empty where there is none");
+    refuse(row, column, of + "which is not a number; leave the cell empty where there is none");
   }
   return numbers;
 }
@@ -357,7 +357,7 @@ LabelColumn TidyTable::labels(std::string_view column, std::vector<std::string> 
     if (code == LabelColumn::kMissing) continue;
     if (code_of[code] == LabelColumn::kMissing) {
       std::string sentence =
-          std::string(column) + " is \"" + found.names[code] + "\", which is none of";
+          std::string(column) + " is \"" + found.names[code] + "\", which is not one of";
       for (std::size_t i = 0; i < labels.names.size(); ++i) {
         sentence += (i > 0 ? ", " : " ") + labels.names[i];
       }

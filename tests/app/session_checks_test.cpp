@@ -211,7 +211,7 @@ TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
   inputs.resume = true;
   inputs.mode = SessionMode::pilot;
   inputs.resumed_session = ids[0];
-  EXPECT_NE(check("participant").text.english().find("Session 1 is free"), std::string::npos)
+  EXPECT_NE(check("participant").text.english().find("Session 1 can be resumed"), std::string::npos)
       << check("participant").text.english();
 }
 

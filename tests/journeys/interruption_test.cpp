@@ -58,7 +58,7 @@ void expect_sound(const fs::path& study) {
   std::istringstream lines(asperity({"verify", study}).err);
   for (std::string line{}; std::getline(lines, line);) {
     if (line.rfind("asperity: ", 0) != 0) continue;  // progress
-    EXPECT_NE(line.find("left by a program that died"), std::string::npos) << line;
+    EXPECT_NE(line.find("left by a program that crashed"), std::string::npos) << line;
   }
 }
 

@@ -40,7 +40,8 @@ TEST(Decision, SetsAnAttemptAsideSoThatItsTrialCanBeAskedAgain) {
   EXPECT_THROW(study.add_attempt(session, some_attempt(1, 2)), ResultsError);
   study.set_aside(session, 1, 1, "the door opened");
   EXPECT_FALSE(of(study, session, 1).valid);
-  EXPECT_EQ(of(study, session, 1).invalid_reason.value().text, "set aside: the door opened");
+  EXPECT_EQ(of(study, session, 1).invalid_reason.value().text,
+            "repeated by the experimenter: the door opened");
   EXPECT_EQ(cell(folder / "s", "SELECT invalid_reason FROM tidy_attempt"),
             "set aside: the door opened");
   study.add_attempt(session, some_attempt(1, 2));

@@ -85,8 +85,8 @@ TEST(PartFolder, TouchesNothingThatItMayNotHaveMade) {
   std::filesystem::create_directory_symlink(folder / "a.part", folder / "c.part");
   for (const char* const name : {"a", "b", "c"}) {
     EXPECT_THAT(refusal_of<ResultsError>([&] { PartFolder(folder / name, 0700); }),
-                AllOf(HasSubstr((folder / name).string() + ".part is in the way"),
-                      HasSubstr("Remove it or give it another name")));
+                AllOf(HasSubstr((folder / name).string() + ".part already exists"),
+                      HasSubstr("Remove or rename it")));
   }
   EXPECT_EQ(read_file(folder / "a.part/study.sqlite"), "mine");
   EXPECT_EQ(read_file(folder / "b.part"), "mine");

@@ -174,7 +174,7 @@ TEST(Recording, NoticesEveryTruncation) {
               HasSubstr("chunk 4, at byte " + std::to_string(whole.size() - 24) +
                         ": the file ends inside the chunk"));
   put(study / "cut", whole + "x");
-  EXPECT_THAT(refusal_to_read(study / "cut"), HasSubstr("something follows"));
+  EXPECT_THAT(refusal_to_read(study / "cut"), HasSubstr("there is data after the end"));
 }
 
 TEST(Recording, NoticesEveryFlippedByte) {
@@ -204,7 +204,7 @@ TEST(Recording, SaysInWhichChunkItIsDamaged) {
   put(study / "damaged", content);
   EXPECT_THAT(refusal_to_read(study / "damaged"),
               HasSubstr("damaged in chunk 2, at byte " + std::to_string(second) +
-                        ": the checksum does not hold"));
+                        ": the checksum does not match"));
 }
 
 TEST(Recording, IsRefusedInAnotherFormat) {
@@ -212,7 +212,7 @@ TEST(Recording, IsRefusedInAnotherFormat) {
   put(study / "a", "{\"format\":\"asperity.recording/2\"}\n\n");
   EXPECT_THAT(refusal_to_read(study / "a"), HasSubstr("asperity.recording/2"));
   put(study / "b", "PNG\n\n");
-  EXPECT_THAT(refusal_to_read(study / "b"), HasSubstr("is none"));
+  EXPECT_THAT(refusal_to_read(study / "b"), HasSubstr("is not a recording"));
   EXPECT_THAT(refusal_to_read(study / "absent"), HasSubstr("No such file"));
 }
 

@@ -66,7 +66,7 @@ TEST(StoredWords, ArePutTogetherByTheirCodes) {
   EXPECT_EQ(
       read.flag_reason->json,
       R"({"code":"list","arguments":[{"code":"force_limited","arguments":["7"]},"a cough"]})");
-  EXPECT_EQ(read.invalid_reason->text, "set aside: a sneeze");
+  EXPECT_EQ(read.invalid_reason->text, "repeated by the experimenter: a sneeze");
   EXPECT_EQ(read.invalid_reason->json, R"({"code":"trial_repeated","arguments":["a sneeze"]})");
 }
 

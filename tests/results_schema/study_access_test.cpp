@@ -221,7 +221,7 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
       EXPECT_FALSE(Study::can_be_written(folder / "s"));
       read_everything(Study::open(folder / "s", Access::read_only));
       EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
-                  HasSubstr("can only be read here"));
+                  HasSubstr("is read-only here"));
       EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder / "s" / "new", "x"); }),
                   HasSubstr("Permission denied"));
     }
@@ -245,7 +245,7 @@ TEST(StudyOnReadOnlyDisk, IsReadWhenAnOlderProgramMadeIt) {
     EXPECT_EQ(study.name(), "fixture");
     EXPECT_EQ(study.sessions().size(), 1U);
     EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
-                HasSubstr("can only be read here"));
+                HasSubstr("is read-only here"));
   }
   make_writable(folder / "s");
 }
@@ -337,14 +337,14 @@ TEST(StudyOpening, RefusesWhatIsNoStudy) {
   };
   refused("there is no folder");
   std::filesystem::create_directory(folder / "s");
-  refused("is no study: it holds no study.sqlite");
+  refused("is not a study: it has no study.sqlite");
   EXPECT_FALSE(Study::exists(folder / "s"));
   const std::filesystem::path file = folder / "s" / "study.sqlite";
   write_file(file, "", Overwrite::allow);
   refused("made by another program");
   write_file(file, "this is a letter, not a database, and it is long enough to look like one",
              Overwrite::allow);
-  refused("is broken");
+  refused("is damaged");
   std::filesystem::remove(file);
   run_sql(file, "PRAGMA application_id = 7; CREATE TABLE study (x);");
   refused("made by another program");
@@ -372,7 +372,7 @@ TEST(StudyOpening, RefusesABrokenDatabase) {
   write_file(file, broken, Overwrite::allow);
   for (const Access access : {Access::read_only, Access::read_write}) {
     EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
-                HasSubstr("is broken; restore it from a copy"));
+                HasSubstr("is damaged; restore it from a copy"));
   }
 }
 

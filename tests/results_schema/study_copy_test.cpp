@@ -210,7 +210,7 @@ TEST(StudyCopy, RefusesAStudyWhoseFilesDoNotHold) {
   const auto [study, session_id] = recorded_study(folder / "s");
   write_file(folder / "s" / "stimuli" / "metal.png", "other", Overwrite::allow);
   EXPECT_THAT(refusal_of<ResultsError>([&, &s = study] { s.copy_to(folder / "copy"); }),
-              HasSubstr("stimuli/metal.png is not what it was"));
+              HasSubstr("stimuli/metal.png has changed since it was"));
   std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
   EXPECT_THAT(refusal_of<ResultsError>([&, &s = study] { s.copy_to(folder / "copy"); }),
               HasSubstr("metal.png"));
@@ -278,7 +278,7 @@ TEST(StudyCopy, RefusesWhatItCannotCopy) {
   ASSERT_EQ(::mkfifo((study / "stimuli/pipe").c_str(), 0600), 0);
   EXPECT_THAT(refusal_of<ResultsError>(
                   [&] { Study::open(study, Access::read_only).copy_to(folder / "copy"); }),
-              AllOf(HasSubstr("its stimuli/pipe is no regular file"), HasSubstr("Remove it")));
+              AllOf(HasSubstr("its stimuli/pipe is not a regular file"), HasSubstr("Remove it")));
   EXPECT_FALSE(std::filesystem::exists(folder / "copy"));
 }
 
@@ -324,7 +324,7 @@ TEST(StudyVerify, ReadsALargeDatabaseForItsChecksumOnceUnlessItIsStopped) {
   const Study study = Study::open(folder / "s", Access::read_only);
   const std::uint64_t before = bytes_read_by_this_process();
   if (before == 0) GTEST_SKIP() << "the kernel does not count what is read";
-  EXPECT_THAT(study.verify({}), Contains(HasSubstr("it is not what it was")));
+  EXPECT_THAT(study.verify({}), Contains(HasSubstr("it has changed since")));
   const std::uint64_t once = bytes_read_by_this_process();
   EXPECT_GE(once - before, kBytes);
   EXPECT_LT(once - before, kBytes * 3 / 2);
@@ -362,11 +362,11 @@ TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
   std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
   EXPECT_THAT(
       study.verify({}),
-      ElementsAre(AllOf(HasSubstr("recordings/P01/a.asprec (the recording of attempt P01/1/1/1): "
-                                  "it is not what it was"),
-                        HasSubstr("is damaged in chunk 4")),
-                  HasSubstr("stimuli/metal.png (a stimulus of session P01/1): the file is not "
-                            "there")));
+      ElementsAre(
+          AllOf(HasSubstr("recordings/P01/a.asprec (the recording of attempt P01/1/1/1): it has "
+                          "changed since"),
+                HasSubstr("is damaged in chunk 4")),
+          HasSubstr("stimuli/metal.png (a stimulus of session P01/1): the file is missing")));
 }
 
 // What cannot be asked after is one finding, and no end of the others.
@@ -381,7 +381,7 @@ TEST(StudyVerify, GoesOnWhereAFileCannotBeAskedAfter) {
               ElementsAre(AllOf(HasSubstr("recordings/P01/a.asprec (the recording of attempt "
                                           "P01/1/1/1): "),
                                 HasSubstr("symbolic links")),
-                          HasSubstr("the file is not there")));
+                          HasSubstr("the file is missing")));
 }
 
 /// With so much in it that SQLite takes a while to look at it.
@@ -433,11 +433,13 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
                         "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;");
   for (const Access access : {Access::read_only, Access::read_write}) {
     const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
-    EXPECT_THAT(findings, Contains("study.sqlite: 3 rows of trial against the rule CHECK "
-                                   "(json_valid(plan_json))"));
-    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt against the rule CHECK "
+    EXPECT_THAT(
+        findings,
+        Contains(
+            "study.sqlite: 3 rows of trial contrary to the rule CHECK (json_valid(plan_json))"));
+    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt contrary to the rule CHECK "
                                    "((valid = 1) = (invalid_reason IS NULL))"));
-    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation against the rule"),
+    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation contrary to the rule"),
                                          HasSubstr("length(surface_sha256) = 64"))));
   }
 }
@@ -459,33 +461,31 @@ TEST(StudyVerify, FindsRulesThatAreGoneOrAreNotTheProgramsOwn) {
   };
   EXPECT_THAT(findings_after("SELECT 1"), IsEmpty());
   EXPECT_THAT(findings_after("ANALYZE"), IsEmpty()) << "what SQLite keeps for itself";
-  EXPECT_THAT(
-      findings_after("DROP TRIGGER attempt_no_update"),
-      ElementsAre("study.sqlite: the trigger attempt_no_update of every study is not there"));
+  EXPECT_THAT(findings_after("DROP TRIGGER attempt_no_update"),
+              ElementsAre("study.sqlite: the trigger attempt_no_update of every study is missing"));
   EXPECT_THAT(findings_after("DROP INDEX decision_attempt"),
-              ElementsAre("study.sqlite: the index decision_attempt of every study is not there"));
+              ElementsAre("study.sqlite: the index decision_attempt of every study is missing"));
   EXPECT_THAT(findings_after("DROP VIEW tidy_response"),
-              ElementsAre("study.sqlite: the view tidy_response of every study is not there"));
+              ElementsAre("study.sqlite: the view tidy_response of every study is missing"));
+  EXPECT_THAT(findings_after("DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update "
+                             "BEFORE UPDATE ON attempt WHEN 0 BEGIN SELECT 1; END"),
+              ElementsAre(HasSubstr(
+                  "the trigger attempt_no_update differs from the one that Asperity makes: CREATE "
+                  "TRIGGER attempt_no_update BEFORE UPDATE ON attempt WHEN 0 ")));
   EXPECT_THAT(
-      findings_after("DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update "
-                     "BEFORE UPDATE ON attempt WHEN 0 BEGIN SELECT 1; END"),
-      ElementsAre(HasSubstr("the trigger attempt_no_update is not as Asperity makes it: "
-                            "CREATE TRIGGER attempt_no_update BEFORE UPDATE ON attempt WHEN "
-                            "0 ")));
-  EXPECT_THAT(findings_after("ALTER TABLE attempt ADD COLUMN mood TEXT"),
-              ElementsAre(AllOf(HasSubstr("the table attempt is not as Asperity makes it"),
-                                HasSubstr("mood TEXT"))));
+      findings_after("ALTER TABLE attempt ADD COLUMN mood TEXT"),
+      ElementsAre(AllOf(HasSubstr("the table attempt differs from the one that Asperity makes"),
+                        HasSubstr("mood TEXT"))));
   EXPECT_THAT(
       findings_after(
           "CREATE VIEW mine AS SELECT * FROM event; CREATE INDEX my_events ON event (kind)"),
       IsEmpty())
       << "whoever looks in their own way";
   EXPECT_THAT(findings_after("CREATE UNIQUE INDEX once ON participant (label)"),
-              ElementsAre(HasSubstr("the index once is none of Asperity's")));
-  EXPECT_THAT(
-      findings_after("CREATE TRIGGER more AFTER INSERT ON event BEGIN SELECT 1; END"),
-      ElementsAre("study.sqlite: the trigger more is none of Asperity's: CREATE TRIGGER more "
-                  "AFTER INSERT ON event BEGIN SELECT 1; END"));
+              ElementsAre(HasSubstr("the index once was not made by Asperity")));
+  EXPECT_THAT(findings_after("CREATE TRIGGER more AFTER INSERT ON event BEGIN SELECT 1; END"),
+              ElementsAre("study.sqlite: the trigger more was not made by Asperity: CREATE TRIGGER "
+                          "more AFTER INSERT ON event BEGIN SELECT 1; END"));
 }
 
 TEST(StudyVerify, ComparesRulesWithoutTheirCommentsAndBlanks) {
@@ -504,7 +504,8 @@ TEST(StudyVerify, ComparesRulesWithoutTheirCommentsAndBlanks) {
       SQLITE_OK);
   sqlite3_close(handle);
   EXPECT_THAT(Study::open(folder / "s", Access::read_only).verify({}, {}, {StudyPart::rows}),
-              ElementsAre(HasSubstr("the trigger event_no_update is not as Asperity makes it")));
+              ElementsAre(HasSubstr(
+                  "the trigger event_no_update differs from the one that Asperity makes")));
 }
 
 TEST(TableRules, AreFoundInWhateverSurroundsThem) {
@@ -552,7 +553,7 @@ TEST(StudyVerify, FindsWhatACrashLeft) {
               ElementsAre(HasSubstr("recordings/P01/b.asprec: a recording that belongs to no"),
                           HasSubstr("recordings/c.asprec.part: an unfinished file"),
                           HasSubstr("stimuli/d.png.1-0.tmp: an unfinished file"),
-                          HasSubstr("study.sqlite: no checksum vouches for the whole file")));
+                          HasSubstr("study.sqlite: there is no checksum of the whole file")));
 }
 
 TEST(StudyVerify, FindsRowsThatContradictEachOther) {
@@ -582,9 +583,10 @@ TEST(StudyVerify, FindsWhatWasChangedByHand) {
                         "DROP TRIGGER protocol_no_update; UPDATE protocol SET source = 'x';"
                         "DROP TRIGGER attempt_no_delete; DELETE FROM attempt;");
   const std::vector<std::string> findings = study.verify({});
-  EXPECT_THAT(findings, Contains(HasSubstr("its source does not have its SHA-256")));
-  EXPECT_THAT(findings, Contains(HasSubstr("a row of response refers to a row of attempt that is "
-                                           "not there")));
+  EXPECT_THAT(findings, Contains(HasSubstr("the SHA-256 of its source differs")));
+  EXPECT_THAT(
+      findings,
+      Contains(HasSubstr("a row of response refers to a row of attempt that does not exist")));
 }
 
 // What can neither be read nor taken away must not keep a participant waiting.
@@ -594,7 +596,7 @@ TEST(StudyVerify, LetsNoChecksumThatIsInTheWayKeepAnybodyFromWriting) {
   { recorded_study(path); }
   const std::filesystem::path seal = path / "study.sqlite.sha256";
   std::filesystem::remove(seal);
-  std::filesystem::create_directories(seal / "in the way");
+  std::filesystem::create_directories(seal / "already exists");
   {
     Study study = Study::open(path, Access::read_write);
     ParticipantRow person = some_participant();
@@ -611,7 +613,7 @@ TEST(StudyVerify, FindsAChecksumRenewedThatCouldNotBeTakenAway) {
   const std::filesystem::path seal = study / "study.sqlite.sha256";
   // What cannot be removed when the writer comes can be when it goes, as after an error of the disk.
   std::filesystem::rename(seal, folder / "aside");
-  std::filesystem::create_directories(seal / "in the way");
+  std::filesystem::create_directories(seal / "already exists");
   {
     Study writer = Study::open(study, Access::read_write);
     std::filesystem::remove_all(seal);

@@ -79,7 +79,7 @@ TEST_P(StudyOnAFailingDisk, HoldsTheFinishedAttemptsWhicheverWriteFails) {
       continue;
     }
     ++failures;
-    ASSERT_THAT(message, HasSubstr("safely stored")) << n;
+    ASSERT_THAT(message, HasSubstr("stored safely")) << n;
     if (count < kTrials) study.add_attempt(1, some_attempt(count + 1));  // and it goes on
     ASSERT_LT(n, 2000);
   }

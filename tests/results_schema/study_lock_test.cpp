@@ -72,7 +72,7 @@ TEST(StudyLock, StaysInItsFolder) {
   const TemporaryFolder folder;
   for (const char* const name : {"", "../x", "a/b", "a.b", "ä"}) {
     EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), name); }),
-                HasSubstr("no name for a lock"));
+                HasSubstr("not a name for a lock"));
   }
 }
 

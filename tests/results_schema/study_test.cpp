@@ -34,7 +34,7 @@ TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
   const TemporaryFolder folder;
   std::ofstream(folder / "letter.txt") << "dear";
   EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder.path(), "x"); }),
-              HasSubstr("holds something"));
+              HasSubstr("is not empty"));
   EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder / "letter.txt", "x"); }),
               HasSubstr("it is a file"));
   EXPECT_FALSE(Study::exists(folder.path()));
@@ -189,7 +189,7 @@ TEST(Study, AddsASessionWithItsWholePlanOrNotAtAll) {
   SessionRow outside = session;
   outside.files = {{.path = "../a.png", .sha256 = sha256_of("a"), .bytes = 1}};
   EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(outside, {}); }),
-              HasSubstr("no path inside"));
+              HasSubstr("not a path inside"));
   EXPECT_TRUE(study.sessions().empty());
 }
 

@@ -57,7 +57,7 @@ TEST(TidyTable, ReadsQuotedCells) {
             (std::vector<std::string_view>{"she said \"no\"\nand left", "d"}));
   EXPECT_EQ(
       table_refusal("id,k\n\"a\nb\",1\nc,x\n", [](const TidyTable& read) { read.numbers("k"); }),
-      "file.csv:4:2: k is \"x\", no number; leave the cell empty where there is none");
+      "file.csv:4:2: k is \"x\", which is not a number; leave the cell empty where there is none");
 }
 
 TEST(TidyTable, ReadsTabs) {
@@ -78,7 +78,7 @@ TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
 
 TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(table_refusal(""), "file.csv:1:0: the line of column names is missing");
-  EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" stands twice");
+  EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" occurs twice");
   EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name");
   EXPECT_EQ(table_refusal("a,b\n1,2\n1\n"),
             "file.csv:3:2: the row has 1 cells, the header names 2 columns");
@@ -144,7 +144,7 @@ TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {
                           [](const TidyTable& read) {
                             read.labels("choice", {"metal", "wood"});
                           }),
-            "file.csv:3:1: choice is \"metl\", which is none of metal, wood");
+            "file.csv:3:1: choice is \"metl\", which is not one of metal, wood");
 }
 
 TEST(TidyTable, MayBeMovedWithItsCells) {

@@ -118,7 +118,7 @@ TEST(OutcomeWords, ShowWhatEarlierStudiesStoredInBothLanguages) {
       {"Sicherheit der Versuchsperson", "Safety of the participant"}};
   std::map<std::string, std::string> german{
       {"agreement seen by AB", "Einwilligung bezeugt von AB"},
-      {"as asked, after the trial", "wie gewünscht, nach dem Durchgang"},
+      {"as asked, after the trial", "auf Wunsch, nach dem Durchgang"},
       {"the emergency stop was pressed", "der NOT-HALT wurde gedrückt"},
       {"not explored as asked: normal_force_N of surface 1, normal_force_N of surface 2, "
        "normal_force_N of surface 3",
