@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// What somebody may tell of a device, or measure. What device-test finds of each stands in docs/formats/device_profile.md.
+/// A property of a device that can be declared or measured. docs/formats/device_profile.md has what device-test measures of each.
 enum class DeviceTrait {
   workspace,
   peak_force,

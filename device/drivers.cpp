@@ -33,7 +33,8 @@ bool is_driver_id(const std::string& id) {
 Driver simulated_driver() {
   return {.id = "simulated",
           .name = "Simulated device",
-          .summary = "A probe held by a virtual hand, for rehearsal and tests: nobody feels it.",
+          .summary =
+              "A probe held by a virtual hand, for rehearsal and tests: no participant feels it.",
           .find =
               [](const DriverOptions&) {
                 std::string names;
@@ -42,13 +43,13 @@ Driver simulated_driver() {
                 }
                 return DriverSurvey{
                     .attached = {{.model = "simulated hand and probe",
-                                  .remark = "It can stand for a real device: " + names + "."}}};
+                                  .remark = "It can simulate these devices: " + names + "."}}};
               },
           .open = [](const std::string& model,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             if (options.hand == nullptr) {
               throw std::invalid_argument(
-                  "the simulated device is held by a virtual hand, and there is none");
+                  "the simulated device needs a virtual hand to hold it, and there is none");
             }
             return std::make_unique<SimulatedDevice>(
                 *options.hand,
@@ -109,7 +110,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
   }
   std::unique_lock alone = alone_until(options.stop);
   if (!alone.owns_lock()) {
-    throw OpeningStopped("no device was opened: the opening was stopped, as asked");
+    throw OpeningStopped("no device was opened: opening was stopped on request");
   }
   DriverOptions told = options;
   told.alone = &alone;
@@ -117,7 +118,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
       driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), told);
   if (options.stop.stop_requested()) {
     throw OpeningStopped("the device \"" + name +
-                         "\" was let go of: its opening was stopped, as asked");
+                         "\" was closed: opening it was stopped on request");
   }
   return device;
 }
@@ -128,8 +129,8 @@ DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& o
   if (alone.owns_lock()) survey = driver.find(options);
   // What a driver found by then may be half of what is there, or a service that was not waited for.
   if (options.stop.stop_requested()) {
-    throw LookStopped("the look for devices of the driver \"" + driver.id +
-                      "\" was stopped, as asked");
+    throw LookStopped("the search for devices of the driver \"" + driver.id +
+                      "\" was stopped on request");
   }
   return survey;
 }
@@ -159,7 +160,7 @@ AttachedDevice choose_attached(const std::string& product,
                                const std::string& which) {
   if (attached.empty()) {
     throw std::runtime_error("no " + product +
-                             " is attached: plug it in, and see that it has power");
+                             " is attached: plug it in, and check that it has power");
   }
   std::vector<AttachedDevice> fitting;
   std::copy_if(attached.begin(), attached.end(), std::back_inserter(fitting),
@@ -172,7 +173,7 @@ AttachedDevice choose_attached(const std::string& product,
   }
   if (fitting.size() > 1) {
     throw std::runtime_error("there are " + std::to_string(fitting.size()) + " of " + product +
-                             "; say which by its serial number or place: " + tags_of(fitting));
+                             "; name one by its serial number or place: " + tags_of(fitting));
   }
   if (!fitting.front().is_usable()) throw std::runtime_error(fitting.front().hindrance);
   return fitting.front();

@@ -21,11 +21,11 @@
 
 namespace asperity {
 
-/// Somebody asked to stop while a device was opened. It was let go of.
+/// Opening a device was stopped on request. The device was closed.
 class OpeningStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// Somebody asked to stop while drivers looked for devices. What they had found by then is not told.
+/// The search for devices was stopped on request. What was found by then is not reported.
 class LookStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

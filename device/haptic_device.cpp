@@ -103,15 +103,15 @@ std::string HapticDevice::complaint() const {
   std::string told = trouble();
   if (!is_frozen_.load(std::memory_order_relaxed)) return told;
   return capability_.model + (capability_.serial.empty() ? "" : " " + capability_.serial) +
-         " tells the same position again and again although it is pushed or says that it moves, "
-         "and is "
-         "not believed. Move its handle; if that does not help, see that its cable sits, and open "
-         "it anew." +
+         " reports the same position repeatedly although a force acts on it or it reports a "
+         "velocity; its positions are not used. Move its handle; if that does not help, check its "
+         "cable, and open it again." +
          (told.empty() ? "" : " ") + told;
 }
 
 void HapticDevice::start_calls(const TickCall&) {
-  throw std::logic_error("the device " + capability_.name + " does not call; it is called");
+  throw std::logic_error("the device " + capability_.name +
+                         " does not run the loop itself; the program does");
 }
 
 }  // namespace asperity

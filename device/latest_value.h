@@ -1,4 +1,4 @@
-// A one-slot mailbox: the newest value of one thread for another, and nobody waits.
+// A one-slot mailbox: the newest value of one thread for another, without waiting.
 
 #pragma once
 

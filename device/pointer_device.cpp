@@ -25,8 +25,8 @@ DeviceCapability pointer_capability(const PointerSettings& settings) {
           .workspace_minimum_m = {-corner_m.x, -corner_m.y, -settings.deepest_m},
           .workspace_maximum_m = {corner_m.x, corner_m.y, settings.lift_m},
           .remarks =
-              "It has no motors: nobody feels anything. The probe trails the pointer by 25 ms; "
-              "its depth is the pressure of a pen, or fixed while a mouse's button is held."};
+              "It has no motors: no force is felt. The probe trails the pointer by 25 ms; its "
+              "depth is the pressure of a pen, or fixed while a mouse's button is held."};
 }
 
 void check_pointer(const PointerSettings& settings) {
@@ -87,13 +87,13 @@ bool PointerDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 Driver pointer_driver() {
   return {.id = "mouse",
           .name = "Mouse or tablet",
-          .summary = "Mouse or tablet in a window: moves and presses, and gives no force.",
+          .summary = "Mouse or tablet in a window: moves and presses; it exerts no force.",
           .has_motors = false,
           .find =
               [](const DriverOptions& options) {
                 DriverSurvey survey{};
                 if (options.pointer == nullptr) {
-                  survey.hindrance = "It is fed by a window that asks for it; there is none here.";
+                  survey.hindrance = "It receives its input from a window, and there is none here.";
                 } else {
                   survey.attached.push_back({.model = "pointer of a window"});
                 }
@@ -103,8 +103,8 @@ Driver pointer_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             if (options.pointer == nullptr) {
               throw std::runtime_error(
-                  "the device \"mouse\" is fed by a window, and there is none; choose another "
-                  "device");
+                  "the device \"mouse\" receives its input from a window, and there is none; "
+                  "choose another device");
             }
             return std::make_unique<PointerDevice>(*options.pointer);
           }};

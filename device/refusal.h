@@ -9,7 +9,7 @@ namespace asperity {
 /// Throws std::invalid_argument with the field's name and value unless it is positive and finite.
 void require_positive(std::string_view field, double value);
 
-/// Likewise, but zero is welcome.
+/// The same, but zero is allowed.
 void require_not_negative(std::string_view field, double value);
 
 /// Throws std::invalid_argument: "`field` is `value`; it has to be `right`."

@@ -16,13 +16,13 @@ namespace {
 DeviceCapability recorded_capability(const std::vector<ProbeState>& states,
                                      const std::string& source) {
   if (states.empty())
-    throw std::invalid_argument("states of a replayed hand are none; it needs at least one");
+    throw std::invalid_argument("the replayed hand has no states; it needs at least one");
   DeviceCapability capability{
       .name = "replay", .model = "recording", .actuated_degrees_of_freedom = 0};
   capability.sensed_degrees_of_freedom = 6;
   capability.maximum_rate_Hz = 10'000.0;
   capability.remarks =
-      "It has no motors: nobody feels anything. The hand is that of " +
+      "It has no motors: no force is felt. The hand is that of " +
       (source.empty() ? "a recording" : "the recording " + source) +
       ", from its first tick on in each attempt; it rests where the recording ends.";
   capability.workspace_minimum_m = states.front().position_m;
@@ -77,12 +77,11 @@ Driver replay_driver() {
   return {
       .id = "replay",
       .name = "Recorded hand",
-      .summary = "A recorded hand: moves as somebody once moved, and gives no force.",
+      .summary = "A recorded hand: repeats recorded movements; it exerts no force.",
       .has_motors = false,
       .find =
           [](const DriverOptions&) {
-            return DriverSurvey{.hindrance =
-                                    "It is made of a recording: name its file, replay:FILE."};
+            return DriverSurvey{.hindrance = "It replays a recording: name its file, replay:FILE."};
           },
       .open = [](const std::string& file,
                  const DriverOptions& options) -> std::unique_ptr<HapticDevice> {

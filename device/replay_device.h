@@ -1,4 +1,4 @@
-// A recording as a hand: it moves as somebody once moved, and feels nothing.
+// A recording as a hand: it repeats recorded movements, and feels nothing.
 
 #pragma once
 

@@ -31,8 +31,8 @@ std::string remarks_on(const Model& model) {
     missing += (missing.empty() ? "" : ", ") + std::string(name_of(trait));
   }
   std::replace(missing.begin(), missing.end(), '_', ' ');
-  return model.sources + " Of a real one are not known to this program: " + missing +
-         ". The simulated one has none of these, or those of its virtual hand.";
+  return model.sources + " Unknown to this program of the real device: " + missing +
+         ". The simulated device has none of these, or those of its virtual hand.";
 }
 
 // A Falcon's reading waits for one frame each way, at most one period of its rate.
@@ -102,8 +102,8 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
     settings.sensor.velocity = model.velocity;
     return settings;
   }
-  throw std::runtime_error("the simulated device cannot stand for \"" + std::string(name) +
-                           "\"; it can for: " + names);
+  throw std::runtime_error("the simulated device has no model \"" + std::string(name) +
+                           "\"; it has: " + names);
 }
 
 std::string_view model_stood_for(std::string_view in_place_of) noexcept {

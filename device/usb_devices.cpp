@@ -30,7 +30,7 @@ std::vector<std::uint8_t> text_descriptor(libusb_device_handle* handle, std::uin
 
 UsbSession::UsbSession() {
   if (const int error = libusb_init(&context_); error != LIBUSB_SUCCESS) {
-    throw std::runtime_error(std::string("USB devices cannot be looked for: ") +
+    throw std::runtime_error(std::string("USB devices cannot be listed: ") +
                              libusb_strerror(error));
   }
 }
@@ -92,7 +92,7 @@ std::string usb_hindrance(int error, const std::string& product, const std::stri
     case LIBUSB_ERROR_BUSY:
       return it + " is used by another program or session; end that one first";
     case LIBUSB_ERROR_NO_DEVICE:
-      return it + " was unplugged while it was opened; plug it in again";
+      return it + " was unplugged while it was being opened; plug it in again";
     default:
       return it + " cannot be opened (" + libusb_strerror(error) +
              "); unplug it and plug it in again";

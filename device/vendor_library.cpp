@@ -40,7 +40,7 @@ class UntranslatedMessages final {
 
 std::string last_words() {
   const char* words = dlerror();
-  return words == nullptr ? "no reason given" : words;
+  return words == nullptr ? "no reason reported" : words;
 }
 
 // What an ELF file says of the machine that it is for.
@@ -92,7 +92,7 @@ std::string refusal_of(const std::string& product, const std::filesystem::path& 
   const std::optional<Architecture> theirs = architecture_of(file);
   const std::optional<Architecture> ours = architecture_of("/proc/self/exe");
   const std::string beginning = product + " cannot be loaded from " + file.string() + ": ";
-  if (!theirs) return beginning + "this is no shared library";
+  if (!theirs) return beginning + "this is not a shared library";
   if (ours && *theirs != *ours) {
     return beginning + "it is for another architecture (" + name_of(*theirs) +
            "); install the one for " + name_of(*ours);
@@ -157,7 +157,8 @@ void* VendorLibrary::address_of(const char* name) const {
   void* address = address_or_null(name);
   if (address == nullptr) {
     throw std::runtime_error(product_ + " in " + file_.string() + " has no function " + name +
-                             ": it is another version than the one that this program knows.");
+                             ": it is another version than the one that this program needs. "
+                             "Install that version, or name its library with --library FILE.");
   }
   return address;
 }

@@ -41,19 +41,19 @@ DeviceCapability falcon_capability() {
   // direction be pushed; it is sold as 4 by 4 by 4 inches and 2 lbf.
   constexpr double kHalf_m = 0.040;
   constexpr double kAnyDirectionInTheMiddle_N = 6.6;
-  return {
-      .name = "falcon",
-      .model = "Novint Falcon",
-      .workspace_minimum_m = glm::dvec3(-kHalf_m),
-      .workspace_maximum_m = glm::dvec3(kHalf_m),
-      .peak_force_N = kAnyDirectionInTheMiddle_N,
-      .position_resolution_m = 38e-6,
-      .maximum_rate_Hz = kFullRate_Hz,
-      .buttons = 4,
-      .remarks =
-          "Workspace and force follow from the lengths and the motor constant that free drivers "
-          "use: the largest cube that its legs fill, and what any direction has in the middle; at "
-          "the corners of the cube that is 3.8 N. It is sold as ±51 mm and 8.9 N."};
+  return {.name = "falcon",
+          .model = "Novint Falcon",
+          .workspace_minimum_m = glm::dvec3(-kHalf_m),
+          .workspace_maximum_m = glm::dvec3(kHalf_m),
+          .peak_force_N = kAnyDirectionInTheMiddle_N,
+          .position_resolution_m = 38e-6,
+          .maximum_rate_Hz = kFullRate_Hz,
+          .buttons = 4,
+          .remarks =
+              "Workspace and force follow from the lengths and the motor constant that free "
+              "drivers use: the largest cube that its legs can reach, and the force available in "
+              "every direction in its middle; at the corners of the cube that is 3.8 N. It is sold "
+              "as ±51 mm and 8.9 N."};
 }
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {
@@ -83,7 +83,7 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
       }
       if (!told && settings.tell) {
         settings.tell(
-            "The Falcon looks for its zero: pull the grip out all the way, then push it in all the "
+            "The Falcon has to be homed: pull the grip out all the way, then push it in all the "
             "way, until its lamp turns from red to green.");
       }
       told = true;
@@ -139,15 +139,17 @@ std::string FalconDevice::trouble() const {
       return {};
     case State::unwatched:
       return it + " gets no force: " + kWatchdogIsGone +
-             ". Unplug the Falcon and plug it in again, or end the session and open it anew.";
+             ". Unplug the Falcon and plug it in again, or end the session and open the device "
+             "again.";
     case State::unplugged:
-      return it + " is unplugged: plug it in again where it was, and see that it has power.";
+      return it +
+             " is unplugged: plug it in again at the same socket, and check that it has power.";
     case State::silent:
-      return it + " has not answered for 50 ms: see that its cable sits.";
+      return it + " has not answered for 50 ms: check its cable.";
     case State::not_homed:
       return it +
-             " looks for its zero: pull the grip out all the way, then push it in all the way, "
-             "until its lamp turns from red to green.";
+             " has to be homed: pull the grip out all the way, then push it in all the way, until "
+             "its lamp turns from red to green.";
   }
   return {};
 }

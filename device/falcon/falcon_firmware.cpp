@@ -66,33 +66,33 @@ bool reaches_boot_loader(FalconPort& port, const std::stop_token& stop) {
 std::optional<std::string> complaint_of_load(FalconPort& port,
                                              std::span<const std::uint8_t> firmware,
                                              const std::stop_token& stop) {
-  if (port.begin_boot_loader() != Transfer::done) return "its serial chip takes no settings";
+  if (port.begin_boot_loader() != Transfer::done) return "its serial chip rejects settings";
   if (!reaches_boot_loader(port, stop)) return "its boot loader does not answer";
-  if (port.begin_firmware() != Transfer::done) return "its serial chip takes no settings";
+  if (port.begin_firmware() != Transfer::done) return "its serial chip rejects settings";
   std::vector<std::uint8_t> echo;
   if (port.write(kStart, kAnswerPatience) != Transfer::done ||
       // Before it may come what the loader still had to say to earlier calls.
       read_until(port, echo, stop, [&] {
         return !echo.empty() && echo.back() == kStart.front();
       }) != Transfer::done) {
-    return "its boot loader does not begin to load";
+    return "its boot loader does not start loading";
   }
   for (std::size_t at = 0; at < firmware.size() && !stop.stop_requested(); at += kPiece_bytes) {
     const auto piece = firmware.subspan(at, std::min(kPiece_bytes, firmware.size() - at));
     if (port.write(piece, kAnswerPatience) != Transfer::done ||
         read_until(port, echo, stop, [&] { return echo.size() >= piece.size(); }) !=
             Transfer::done) {
-      return "it stopped taking the firmware at byte " + std::to_string(at);
+      return "it stopped accepting the firmware at byte " + std::to_string(at);
     }
     const auto [sent, came] = std::mismatch(piece.begin(), piece.end(), echo.begin(), echo.end());
     if (sent != piece.end() || came != echo.end()) {
       return "byte " + std::to_string(at + static_cast<std::size_t>(sent - piece.begin())) +
-             " of the firmware came back as another one";
+             " of the firmware was read back with another value";
     }
   }
-  if (port.begin_frames() != Transfer::done) return "its serial chip takes no settings";
+  if (port.begin_frames() != Transfer::done) return "its serial chip rejects settings";
   if (!speaks_frames(port, stop)) {
-    return "the firmware was loaded and does not answer, so it may be for something else";
+    return "the firmware was loaded and does not answer, so it may be that of another device";
   }
   return {};
 }
@@ -106,19 +106,22 @@ Firmware read_firmware(const std::filesystem::path& file) {
   if (is_file) stream.open(file, std::ios::binary);
   if (!is_file || !stream) {
     throw std::runtime_error("the Falcon's firmware " + file.string() +
-                             " cannot be read: give the file that came with the device's software");
+                             " cannot be read: name the file that came with the device's software");
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (error || bytes == 0 || bytes > kLargest_bytes) {
     throw std::runtime_error(file.string() + " has " + std::to_string(error ? 0 : bytes) +
-                             " bytes and is no firmware of a Falcon, which has about 8000");
+                             " bytes and is not a firmware of a Falcon, which has about 8000; name "
+                             "the file that came with the device's software");
   }
   const Firmware firmware{std::istreambuf_iterator<char>(stream), {}};
   const auto is_of_text = [](std::uint8_t byte) {
     return (byte >= 0x20 && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t';
   };
   if (std::all_of(firmware.begin(), firmware.end(), is_of_text)) {
-    throw std::runtime_error(file.string() + " is text and no firmware of a Falcon");
+    throw std::runtime_error(file.string() +
+                             " is a text, not a firmware of a Falcon; name the file that came with "
+                             "the device's software");
   }
   return firmware;
 }
@@ -152,9 +155,8 @@ bool runs_firmware(const UsbSession& usb, const std::string& place, const std::s
 
 std::string no_firmware_sentence(const std::string& place) {
   return "the Novint Falcon at " + place +
-         " has no firmware loaded, which it forgets when it is switched off: name the file that "
-         "came "
-         "with the device's software (--firmware FILE)";
+         " has no firmware, which it loses when it is switched off: name the file that came with "
+         "the device's software (--firmware FILE)";
 }
 
 bool load_firmware(FalconPort& port, std::span<const std::uint8_t> firmware,
@@ -167,8 +169,8 @@ bool load_firmware(FalconPort& port, std::span<const std::uint8_t> firmware,
   }
   throw std::runtime_error(
       "the Falcon's firmware could not be loaded in three tries: " + *complaint +
-      ". Switch the Falcon off and on, plug it into another socket without a "
-      "hub, and see that the file is its firmware");
+      ". Switch the Falcon off and on, plug it into another socket without a hub, and check that "
+      "the file is its firmware");
 }
 
 }  // namespace asperity::falcon

@@ -60,7 +60,7 @@ std::array<std::int16_t, 3> unpacked(std::uint64_t bits) noexcept {
 
 void require_no_stop(const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
-  throw OpeningStopped("the Novint Falcon was let go of: its opening was stopped, as asked");
+  throw OpeningStopped("the Novint Falcon was closed: opening it was stopped on request");
 }
 
 FalconLine::FalconLine(LineSettings settings, const std::stop_token& stop)
@@ -95,9 +95,9 @@ void FalconLine::begin_watch() {
   if (last_words_.file < 0) {
     throw std::runtime_error(
         "the Novint Falcon at " + settings_.place +
-        " is given no force: libusb does not tell through which file it speaks to the device, and "
-        "nobody could set its motors to zero while this program stands still; use the libusb of "
-        "your Linux distribution");
+        " gets no force: libusb does not report through which file it communicates with the "
+        "device, so that its motors could not be set to zero if this program hangs; use the libusb "
+        "of your Linux distribution");
   }
   watchdog_ = std::make_unique<WatchdogProcess>(&say_last_words, &last_words_, last_words_.file);
   watched_.store(true, std::memory_order_release);

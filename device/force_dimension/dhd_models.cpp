@@ -34,8 +34,8 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
   capability.buttons = gripper == Gripper::yes ? 2 : 1;
   capability.remarks =
       "Force and workspace are CHAI3D's figures for this model, not measured; resolution and "
-      "continuous force are not told. The maker's software adds what holds the handle's own "
-      "weight." +
+      "continuous force are unknown. The maker's software adds the force that supports the weight "
+      "of the handle." +
       more;
   model.has_wrist = turns != Turns::no;
   model.has_gripper = gripper == Gripper::yes;
@@ -66,9 +66,8 @@ std::optional<DhdModel> dhd_model_of(int system_type) {
       return model_of({"sigma.6+", 12.0, 0.09}, Turns::actuated, Gripper::no);
     case 108:
     case 109:
-      return model_of(
-          {"lambda.7", 12.0, 0.075}, Turns::actuated, Gripper::yes,
-          " No figures for lambda.7 were at hand: it is driven within those of sigma.7.");
+      return model_of({"lambda.7", 12.0, 0.075}, Turns::actuated, Gripper::yes,
+                      " No figures for lambda.7 were available: the limits of sigma.7 are used.");
     case 60:
       return model_of({"Falcon", 8.0, 0.04}, Turns::no, Gripper::no);
     default:

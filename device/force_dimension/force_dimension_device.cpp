@@ -61,21 +61,21 @@ std::string cause_of(int cause) {
              "Press the force "
              "button";
     case 3:
-      return "its watchdog has tripped: no force came for too long. Press the force button";
+      return "its watchdog has tripped: it received no force for too long. Press the force button";
     case 4:
       return "a program has switched it off. Press the force button";
     case 5:
-      return "its USB connection broke. See that the cable sits";
+      return "its USB connection was lost. Check its cable";
     case kByDeadman:
-      return "nobody holds its handle. Hold it";
+      return "its handle is not held. Hold it";
     default:
-      return "the device does not say why. Press the force button";
+      return "the device does not report the cause. Press the force button";
   }
 }
 
 std::string last_error_of(const DhdFunctions& sdk) {
   const char* words = sdk.dhdErrorGetLastStr();
-  return words == nullptr ? "the SDK gives no reason" : words;
+  return words == nullptr ? "the SDK states no reason" : words;
 }
 
 // What the SDK says of the device with this index while it is open; its own number for it.
@@ -112,11 +112,10 @@ Identity identity_of(const DhdFunctions& sdk, int index, int id) {
 Identity open_index(const DhdFunctions& sdk, int index) {
   const int id = sdk.dhdOpenID(static_cast<char>(index));
   if (id < 0) {
-    throw std::runtime_error(
-        "The device of Force Dimension at " + place_of(index) +
-        " cannot be opened: " + last_error_of(sdk) +
-        ". See that no other program uses it and that this user may open it (udev rule for "
-        "USB vendor 1451).");
+    throw std::runtime_error("The device of Force Dimension at " + place_of(index) +
+                             " cannot be opened: " + last_error_of(sdk) +
+                             ". Check that no other program uses it and that this user may open it "
+                             "(udev rule for USB vendor 1451).");
   }
   return identity_of(sdk, index, id);
 }
@@ -222,14 +221,13 @@ void require_let_go(const DhdFunctions& sdk, char id, const std::string& who, bo
   // What the ender has switched off already may be nothing to switch off.
   if (sdk.drdIsRunning != nullptr && !sdk.drdIsRunning(id)) return;
   if (is_stopped && sdk.drdIsRunning == nullptr) {
-    throw std::runtime_error(who +
-                             " was stopped while it moved to find its zero, as asked, and the SDK "
-                             "did not confirm that it lets go of it (" +
-                             words +
-                             "). See from a distance that its handle stands still; should it not, "
-                             "switch the device off.");
+    throw std::runtime_error(
+        who +
+        " was stopped on request while it moved to find its zero, and the SDK did not confirm that "
+        "it stopped (" +
+        words + "). Watch the handle from a distance; if it moves, switch the device off.");
   }
-  throw std::runtime_error("The SDK does not let go of " + who + " (" + words +
+  throw std::runtime_error("The SDK does not release " + who + " (" + words +
                            ") and may still move it: switch the device off.");
 }
 
@@ -242,22 +240,22 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   if (!sdk.has_robotics()) {
     throw std::runtime_error(
         who +
-        " does not know its zero, and libdhd alone cannot find it: install libdrd of the same "
-        "SDK, or calibrate the device with its maker's program.");
+        " is not calibrated, and libdhd alone cannot calibrate it: install libdrd of the same SDK, "
+        "or calibrate the device with its maker's program.");
   }
   if (!may_move) {
-    throw std::runtime_error(
-        who +
-        " has lost its zero, as after it was switched off, and has to move by itself to find it. "
-        "It was not moved, because nobody can be asked here. Do it first with \"asperity "
-        "device-test force_dimension" +
-        (identity.serial.empty() ? "" : ":" + identity.serial) + sdk.library_option() +
-        "\", which asks before anything moves, or calibrate the device as its maker's manual "
-        "says.");
+    throw std::runtime_error(who +
+                             " has lost its zero, as after it was switched off, and has to move by "
+                             "itself to find it. It was not moved, because the user cannot be "
+                             "asked here. First run \"asperity device-test force_dimension" +
+                             (identity.serial.empty() ? "" : ":" + identity.serial) +
+                             sdk.library_option() +
+                             "\", which asks before anything moves, or calibrate the device as its "
+                             "maker's manual describes.");
   }
   const auto require_no_stop = [&] {
     if (!stop.stop_requested()) return;
-    throw OpeningStopped(who + " was let go of, unmoved: its opening was stopped, as asked");
+    throw OpeningStopped(who + " was closed and not moved: opening it was stopped on request");
   };
   // Others may look for devices while somebody thinks.
   const UnitInUse asked_about(
@@ -266,12 +264,14 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   const bool is_agreed =
       may_move("the handle of " + who +
                " will move by itself, through its workspace and for some seconds, to find its "
-               "zero.\n  Let it hang free, keep hands and hair away, and let nobody hold it. "
-               "Should something be in its way, switch the device off.");
+               "zero.\n  Let it hang free, keep hands and hair away, and make sure that it is not "
+               "held. If something is in its way, switch the device off.");
   require_no_stop();
   if (!is_agreed) {
-    throw std::runtime_error(who +
-                             " has lost its zero and was not moved, because nobody agreed to it.");
+    throw std::runtime_error(
+        who +
+        " has lost its zero and was not moved, because the movement was not confirmed. Open it "
+        "again and confirm, or calibrate it with its maker's program.");
   }
   // By its index: the SDK's pages hand out the ID of a device that is open already.
   const int id = sdk.drdOpenID(identity.index);
@@ -279,7 +279,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   if (!identity.is_robotic) {
     if (id >= 0) sdk.drdClose(static_cast<char>(id));
     throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
-                             ". It was not moved; see that no other program uses it.");
+                             ". It was not moved; check that no other program uses it.");
   }
   require_no_stop();
   bool found = false;
@@ -288,8 +288,8 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   {
     const OverdueStop overdue(stop, [&who, &tell] {
       if (!tell) return;
-      tell("The SDK goes on with " + who +
-           " although it was told to stop: switch the device off, and keep away from its handle.");
+      tell("The SDK still moves " + who +
+           " after a request to stop: switch the device off, and keep away from its handle.");
     });
     {
       const MovementEnder ender(sdk, identity.id, stop);
@@ -301,9 +301,10 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     require_let_go(sdk, identity.id, who, is_stopped);
   }
   if (is_stopped) {
-    throw OpeningStopped(who +
-                         " was stopped while it moved to find its zero, as asked: its force is "
-                         "off, and its handle sinks slowly. Opened again, it asks again.");
+    throw OpeningStopped(
+        who +
+        " was stopped on request while it moved to find its zero: its force is off, and its handle "
+        "sinks slowly. Open it again to repeat the movement; it asks first.");
   }
   if (!found) {
     throw std::runtime_error(who + " did not find its zero: " + words +
@@ -326,8 +327,8 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
           if (!is_at_zero(*sdk, opened.identity.id) ||
               sdk->dhdEnableForce(1, opened.identity.id) < 0) {
             throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
-                                     " does not switch its force on: " + last_error_of(*sdk) +
-                                     ". See that it has power.");
+                                     " cannot switch its force on: " + last_error_of(*sdk) +
+                                     ". Check that it has power.");
           }
         } catch (...) {
           if (opened.identity.is_robotic) sdk->dhdStop(opened.identity.id);
@@ -446,7 +447,7 @@ bool ForceDimensionDevice::take(int answer, const char* function) noexcept {
     };
     append(function);
     append(": ");
-    append(words == nullptr ? "no reason given" : words);
+    append(words == nullptr ? "no reason reported" : words);
     has_failed_.store(true, std::memory_order_release);
   }
   answers_.store(false, std::memory_order_relaxed);
@@ -557,15 +558,15 @@ std::string ForceDimensionDevice::trouble() const {
   } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);
     tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
-         ". See that it has power and that its cable sits.");
+         ". Check its power and its cable.");
   } else if (is_stale_.load()) {
-    tell(who + " has sent nothing new for 50 ms. See that its cable sits.");
+    tell(who + " has sent nothing new for 50 ms. Check its cable.");
   }
   const int cause = force_off_cause_.load();
   if (cause >= 0) tell("The force of " + who + " is off: " + cause_of(cause) + ".");
   const std::uint64_t saturated = saturated_.load();
   if (saturated > 0) {
-    tell("The motors of " + who + " gave less force than was asked for " +
+    tell("The motors of " + who + " exerted less force than requested " +
          std::to_string(saturated) + " times.");
   }
   return told;
@@ -589,7 +590,7 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
     }
     if (one_is_used) {
       device.hindrance =
-          "A device of Force Dimension is in use; which one this is can be asked when it is free.";
+          "A device of Force Dimension is in use; its model can be read when it is free.";
       survey.attached.push_back(device);
       continue;
     }
@@ -598,10 +599,10 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
       device.serial = identity.serial;
       if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
         device.model = model->capability.model;
-        device.remark = sdk.has_robotics() ? "After it was switched off it has to move by itself, "
-                                             "for some seconds, to find its "
-                                             "zero; somebody is asked before it does."
-                                           : "";
+        device.remark = sdk.has_robotics()
+                            ? "After it was switched off it has to move by itself, for some "
+                              "seconds, to find its zero; it asks before it moves."
+                            : "";
       } else {
         device.hindrance = unknown_type(identity.type);
       }
@@ -627,8 +628,8 @@ bool agrees_now(const DriverOptions& options, const std::string& sentence) {
   const auto waited = std::chrono::steady_clock::now() - answered;
   if (is_agreed && !options.stop.stop_requested() && waited > kLongestAfterYes) {
     throw std::runtime_error(
-        "The device was not moved: another look for devices kept it waiting for more than a second "
-        "after the yes. Open it again, and answer again.");
+        "The device was not moved: another search for devices delayed it by more than a second "
+        "after the confirmation. Open it again, and confirm again.");
   }
   return is_agreed;
 }
@@ -655,7 +656,7 @@ Driver force_dimension_driver() {
             const std::vector<AttachedDevice> attached = survey_of(*sdk, options.stop).attached;
             if (options.stop.stop_requested()) {
               throw OpeningStopped(
-                  "no device of Force Dimension was opened: the opening was stopped, as asked");
+                  "no device of Force Dimension was opened: opening was stopped on request");
             }
             ForceDimensionDevice::MayMove may_move{};
             if (options.may_move) {
@@ -670,7 +671,8 @@ Driver force_dimension_driver() {
               return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
                                                             may_move, options.stop, options.tell);
             }
-            throw std::logic_error("the chosen device is not among those attached");
+            throw std::logic_error(
+                "the chosen device is not attached; plug it in, or choose another device");
           }};
 }
 

@@ -58,7 +58,7 @@ struct Lookup {
 std::string look_up(const std::string& host) {
   const Addresses found = addresses_of(host, 0);
   if (found.error != 0) {
-    throw std::runtime_error("The host \"" + host + "\" is not known to this computer (" +
+    throw std::runtime_error("The host \"" + host + "\" cannot be found (" +
                              ::gai_strerror(found.error) + ").");
   }
   return found.first;

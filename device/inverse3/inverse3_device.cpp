@@ -40,7 +40,7 @@ constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 void require_no_stop_at(const InverseServicePlace& place, const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
   throw OpeningStopped("The Inverse Service at " + place.text() +
-                       " was not waited for any longer: its opening was stopped, as asked.");
+                       " was no longer waited for: opening the device was stopped on request.");
 }
 
 std::unique_ptr<WebSocket> connection_to(const InverseServicePlace& place,
@@ -98,8 +98,8 @@ double told_force_N(const Inquiry& at, ForceSpelling spelling, double force_N,
     require_no_stop_at(at.place, at.stop);
     const std::optional<Inverse3State> state = message ? state_from(*message, id) : std::nullopt;
     if (!state) {
-      throw std::runtime_error("The Inverse Service does not tell where the Inverse3 " + id +
-                               " is. See that it has power and that no other program holds it.");
+      throw std::runtime_error("The Inverse Service does not report the position of the Inverse3 " +
+                               id + ". Check that it has power and that no other program uses it.");
     }
     told_N = state->force_N.z;
   }
@@ -136,27 +136,26 @@ FoundSpelling spelling_of(const Inquiry& at, const Inverse3Inventory& inventory)
 glm::dvec3 origin_of(const Inverse3Entry& entry) {
   const std::string remedy =
       " Set it to the preset \"defaults\" and the basis \"XYZ\", in Haply's Device Manager or as "
-      "the service's documents say, and open it again.";
+      "the service's documents describe, and open it again.";
   const std::string who = "The Inverse3 " + entry.id;
   if (!entry.axes.empty() && entry.axes != "XYZ") {
-    throw std::runtime_error(who + " tells its axes as \"" + entry.axes +
-                             "\"; this program knows x to the right, y away, z up, \"XYZ\"." +
+    throw std::runtime_error(who + " reports its axes as \"" + entry.axes +
+                             "\"; this program needs x to the right, y away, z up, \"XYZ\"." +
                              remedy);
   }
   if (entry.is_transformed) {
     throw std::runtime_error(who +
-                             " tells its positions moved, turned or scaled by a mount or a "
-                             "workspace transform; forces and sizes would not be those of the "
-                             "hand." +
+                             " reports positions that a mount or a workspace transform moves, "
+                             "turns or scales; forces and sizes would not be those at the hand." +
                              remedy);
   }
   if (entry.preset.empty() || entry.preset == "defaults" || entry.preset == "arm_front") {
     return kRestFromBase_m;
   }
   if (entry.preset == "arm_front_centered") return glm::dvec3(0.0);
-  throw std::runtime_error(who + " has the workspace preset \"" + entry.preset +
-                           "\", with which this program does not know where its axes point." +
-                           remedy);
+  throw std::runtime_error(
+      who + " has the workspace preset \"" + entry.preset +
+      "\", with which the directions of its axes are unknown to this program." + remedy);
 }
 
 bool has_origin(const Inverse3Entry& entry, const glm::dvec3& origin_m) {
@@ -169,10 +168,10 @@ bool has_origin(const Inverse3Entry& entry, const glm::dvec3& origin_m) {
 
 std::string remark_on(const FoundSpelling& found) {
   const std::string name = found.spelling == ForceSpelling::vector ? "vector" : "values";
-  if (found.is_confirmed) return "Forces are spelt \"" + name + "\".";
-  return "Forces are spelt \"" + name +
-         "\", as the documents of its version have it: the service did not confirm that it "
-         "applies them. Feel for a force before the first participant does.";
+  if (found.is_confirmed) return "The format of forces is \"" + name + "\".";
+  return "The format of forces is \"" + name +
+         "\", as documented for its version: the service did not confirm that it applies them. "
+         "Check by hand that a force can be felt before the first session.";
 }
 
 }  // namespace
@@ -185,7 +184,7 @@ InverseServicePlace InverseServicePlace::of(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, place.port);
   if (error != std::errc() || stopped != end || place.port < 1 || place.port > 65535) {
-    throw std::runtime_error("The Inverse Service's place is \"" + text +
+    throw std::runtime_error("The address of the Inverse Service is \"" + text +
                              "\"; it has to be HOST:PORT, with a port from 1 to 65535.");
   }
   return place;
@@ -351,8 +350,8 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
     if (candidate.id == device_id) entry = &candidate;
   }
   if (entry == nullptr) {
-    throw std::runtime_error("The Inverse Service at " + place.text() + " knows no Inverse3 \"" +
-                             device_id + "\": see that it has power and that its cable sits.");
+    throw std::runtime_error("The Inverse Service at " + place.text() + " has no Inverse3 \"" +
+                             device_id + "\": check its power and its cable.");
   }
   opened->origin_m = origin_of(*entry);
   const FoundSpelling found = spelling_of({.socket = *opened->socket,
@@ -380,15 +379,15 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
   capability.buttons = has_grip ? 3 : 0;
   capability.pacing = Pacing::theirs;
   capability.remarks =
-      filters_of(*entry) + " Its axes are " + (entry->axes.empty() ? "not told" : entry->axes) +
-      ", its workspace preset is " + (entry->preset.empty() ? "not told" : entry->preset) +
-      ". The service tells neither its peak force nor its workspace: 5 N and a box of 24 cm are "
-      "this program's own bounds. " +
+      filters_of(*entry) + " Its axes are " + (entry->axes.empty() ? "not reported" : entry->axes) +
+      ", its workspace preset is " + (entry->preset.empty() ? "not reported" : entry->preset) +
+      ". The service reports neither its peak force nor its workspace: 5 N and a box of 24 cm are "
+      "limits set by this program. " +
       remark_on(found) + " Velocity is the slope of the last five positions.";
   if (!has_grip && !inventory.grips.empty()) {
     capability.remarks +=
         " Its grip is not read: with more than one device or more than one grip, the service does "
-        "not tell which belongs to which.";
+        "not report which belongs to which.";
   }
   return opened;
 }
@@ -442,27 +441,26 @@ bool Inverse3Device::do_send(const Wrench& limited) noexcept {
 std::string Inverse3Device::trouble() const {
   const std::string who = "the Inverse3 " + capability().serial;
   if (!line_->knows_device.load()) {
-    return "The Inverse Service does not see " + who +
-           " any more: see that it has power and that its cable sits.";
+    return "The Inverse Service does not see " + who + " any more: check its power and its cable.";
   }
   if (line_->is_elsewhere.load()) {
-    return "The Inverse Service is back and tells " + who +
-           " in other axes or from another origin than when it was opened: it gets no force. Set "
-           "them as they were, in Haply's Device Manager, or end the session and open it anew.";
+    return "The Inverse Service is back and reports " + who +
+           " in other axes or from another origin than when it was opened: it gets no force. "
+           "Restore them in Haply's Device Manager, or end the session and open the device again.";
   }
   if (!line_->is_connected.load()) {
     return "The connection to the Inverse Service at " + line_->place.text() +
-           " is gone: see that the service runs. This program tries to have it back.";
+           " was lost: check that the service runs. This program tries to connect again.";
   }
   if (!line_->is_watched.load()) {
     return "The Inverse3 " + capability().serial + " gets no force: " + kWatchdogIsGone +
-           ". End the session and open the device anew.";
+           ". End the session and open the device again.";
   }
   if (has_fallen_silent()) {
-    return "The Inverse Service at " + line_->place.text() + " told nothing of " + who +
+    return "The Inverse Service at " + line_->place.text() + " has reported nothing of " + who +
            " for more than " + std::to_string(kLongestSilence_ns / 1'000'000) +
-           " ms: see that the service runs, that this computer is not busy with something else, "
-           "and that the device has power.";
+           " ms: check that the service runs, that no other program keeps this computer busy, and "
+           "that the device has power.";
   }
   return "";
 }
@@ -493,7 +491,7 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
     if (place) {
       survey.hindrance +=
           " Install Haply's Inverse Service and start it (systemctl start haply-inverse-service), "
-          "or say where it listens with --service HOST:PORT.";
+          "or name its address with --service HOST:PORT.";
     }
   }
   return survey;

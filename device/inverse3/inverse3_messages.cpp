@@ -97,11 +97,11 @@ Inverse3Entry entry_of(const json& device) {
 }
 
 std::string told(const std::optional<double>& number) {
-  return number ? number_text(*number) : "not told";
+  return number ? number_text(*number) : "not reported";
 }
 
 std::string told(const std::optional<bool>& flag) {
-  if (!flag) return "not told";
+  if (!flag) return "not reported";
   return *flag ? "on" : "off";
 }
 
@@ -166,8 +166,8 @@ std::string force_command(const std::string& device_id, ForceSpelling spelling,
 
 std::string filters_of(const Inverse3Entry& entry) {
   const bool is_compensating = entry.compensates_gravity.value_or(false);
-  return "The service shapes the force: force gate " + told(entry.force_gate_gain) + ", damping " +
-         told(entry.damping) + ", gravity compensation " +
+  return "The service modifies the force: force gate " + told(entry.force_gate_gain) +
+         ", damping " + told(entry.damping) + ", gravity compensation " +
          (is_compensating ? told(entry.gravity_scale) : told(entry.compensates_gravity)) +
          ", torque scaling " + told(entry.scales_torque) + ".";
 }

@@ -148,7 +148,7 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   }
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;
-    throw std::runtime_error("Nobody answers at " + place +
+    throw std::runtime_error("No service answers at " + place +
                              (failure.empty() ? "" : " (" + failure + ")") + ".");
   }
 }

@@ -61,7 +61,7 @@ std::string HdFunctions::name_of(const Error& error) const {
     case 0x0200:
       return "HD_WARM_MOTORS (its motors are warm: let it rest)";
     case 0x0201:
-      return "HD_EXCEEDED_MAX_FORCE (it was asked for more force than it has)";
+      return "HD_EXCEEDED_MAX_FORCE (more force was requested than it can exert)";
     case 0x0202:
       return "HD_EXCEEDED_MAX_FORCE_IMPULSE (the force changed too fast for it)";
     case 0x0203:
@@ -73,7 +73,7 @@ std::string HdFunctions::name_of(const Error& error) const {
     case 0x0301:
       return "HD_DEVICE_ALREADY_INITIATED (another session or program uses it)";
     case 0x0302:
-      return "HD_COMM_ERROR (it does not answer: see that it has power and that its cable sits)";
+      return "HD_COMM_ERROR (it does not answer: check its power and its cable)";
     case 0x0304:
       return "HD_TIMER_ERROR (its clock failed)";
     default: {

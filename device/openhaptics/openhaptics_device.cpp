@@ -157,7 +157,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   if (opened.handle == HdFunctions::kNoDevice || error.code != 0) {
     throw std::runtime_error(
         "Cannot open " + who + ": " + hd.name_of(error) +
-        ". See that it is configured under this name with its maker's setup program.");
+        ". Check that it is configured under this name with its maker's setup program.");
   }
   hd.hdMakeCurrentDevice(opened.handle);
   DeviceCapability& capability = opened.capability;
@@ -179,11 +179,9 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   capability.workspace_minimum_m = glm::min(one, other) - opened.centre_m;
   capability.workspace_maximum_m = glm::max(one, other) - opened.centre_m;
   capability.remarks =
-      "Forces and workspace are what the device says of itself; resolution is not told. The "
-      "position is that of the "
-      "gimbal's centre. Velocity is the slope of the last five positions. The maker's scheduler "
-      "keeps the time, and its "
-      "clamping of forces is on.";
+      "Forces and workspace are those that the device reports; its resolution is unknown. The "
+      "position is that of the gimbal's centre. Velocity is the slope of the last five positions. "
+      "The maker's scheduler keeps the time, and its clamping of forces is on.";
 
   unsigned int calibration = hd.hdCheckCalibration();
   int styles = 0;
@@ -202,7 +200,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
         "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its maker's "
         "program";
   } else if (!(std::isfinite(capability.peak_force_N) && capability.peak_force_N > 0.0)) {
-    refusal = "it does not tell its peak force, and nobody may be pushed without a limit";
+    refusal = "it does not report its peak force, without which forces cannot be limited";
   }
   if (!refusal.empty()) {
     hd.hdDisableDevice(opened.handle);
@@ -336,8 +334,8 @@ std::string OpenHapticsDevice::trouble() const {
   if (has_fallen_silent()) {
     return "OpenHaptics' scheduler ran no frame of " + who + " for more than " +
            std::to_string(kLongestSilence_ns / 1'000'000) +
-           " ms: see that its cable sits and that this computer is not busy with something else. "
-           "Should it stay silent, end this program and start it again.";
+           " ms: check its cable, and that no other program keeps this computer busy. If it stays "
+           "silent, end this program and start it again.";
   }
   return "";
 }
@@ -374,9 +372,9 @@ Driver openhaptics_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const auto hd = std::make_shared<const HdFunctions>(options.library);
             if (const auto used = UnitInUse::of(kOpenHaptics); !used.empty()) {
-              throw std::runtime_error("This program uses " + used.front().model + " " +
-                                       used.front().serial +
-                                       " already, and one device of OpenHaptics at a time.");
+              throw std::runtime_error(
+                  "This program uses " + used.front().model + " " + used.front().serial +
+                  " already, and can use one device of OpenHaptics at a time.");
             }
             if (which.empty() || which == "default")
               return std::make_unique<OpenHapticsDevice>(hd, "");

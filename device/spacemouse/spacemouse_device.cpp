@@ -26,8 +26,8 @@ DeviceCapability spacemouse_capability(const spacemouse::LineSettings& which,
           .workspace_maximum_m = motion.workspace_maximum_m,
           .buttons = 1,
           .remarks =
-              "It has no motors: nobody feels anything. Its cap is a rate control: the probe "
-              "moves at up to " +
+              "It has no motors: no force is felt. Its cap is a rate control: the probe moves at "
+              "up to " +
               rounded(motion.full_speed_m_per_s) + " m/s and turns at up to " +
               rounded(motion.full_turn_rad_per_s) +
               " rad/s, with the square of the deflection beyond a dead zone of " +
@@ -84,12 +84,11 @@ std::string SpaceMouseDevice::trouble() const {
     case State::well:
       return {};
     case State::unplugged:
-      return it + " is unplugged: plug it in again where it was.";
+      return it + " is unplugged: plug it in again at the same socket.";
     case State::silent:
       return it +
-             " has sent nothing for 50 ms although its cap was not at rest: touch the cap and let "
-             "it "
-             "go; see that its cable sits, or that a wireless one is switched on and near its "
+             " has sent nothing for 50 ms although its cap was not at rest: touch the cap and "
+             "release it; check its cable, or that a wireless one is switched on and near its "
              "receiver.";
   }
   return {};
@@ -99,7 +98,7 @@ Driver spacemouse_driver() {
   return {
       .id = spacemouse::kSpaceMouse,
       .name = "3Dconnexion SpaceMouse",
-      .summary = "SpaceMouse of 3Dconnexion: moves and turns the probe, and gives no force.",
+      .summary = "SpaceMouse of 3Dconnexion: moves and turns the probe; it exerts no force.",
       .has_motors = false,
       .find =
           [](const DriverOptions&) {

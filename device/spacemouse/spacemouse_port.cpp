@@ -93,7 +93,7 @@ int error_of_taking(libusb_device_handle* handle, int interface) {
 AttachedDevice looked_at(libusb_device* device) {
   AttachedDevice one{.model = model_of(usb_product(device))->name,
                      .place = usb_place(device),
-                     .remark = "It has no motors: it moves the probe, and nobody feels a force."};
+                     .remark = "It has no motors: it moves the probe, and no force is felt."};
   const CapInterfaces interfaces = cap_interfaces(device);
   libusb_device_handle* handle = nullptr;
   int error = libusb_open(device, &handle);
@@ -117,7 +117,7 @@ class SpaceMousePort::Hidapi final {
   Hidapi() {
     const std::lock_guard lock(mutex());
     if (ports() == 0 && hid_init() != 0) {
-      throw std::runtime_error("USB devices cannot be opened: hidapi does not begin");
+      throw std::runtime_error("USB devices cannot be opened: hidapi cannot be initialised");
     }
     ++ports();
   }

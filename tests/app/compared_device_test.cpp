@@ -113,7 +113,7 @@ TEST_F(ComparedDevice, IsSaidNotToBeThere) {
 }
 
 TEST_F(ComparedDevice, ThatGivesNoForceIsSaidToBeComparedWithNothing) {
-  EXPECT_THAT(warnings(compared("mouse")), Contains(HasSubstr("gives no force")));
+  EXPECT_THAT(warnings(compared("mouse")), Contains(HasSubstr("exerts no force")));
   EXPECT_THAT(warnings(compared("mouse")), Each(Not(HasSubstr("device-test"))));
   EXPECT_THAT(compared("replay:" + (study / "nofile").string()).refusal, HasSubstr("nofile"));
 }

@@ -338,7 +338,7 @@ TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
   ScriptedDevice device(kStuck);
   device.probe.velocity_m_per_s.x = 0.1;
   const std::string loss = loss_of(device);
-  EXPECT_NE(loss.find("tells the same position again and again"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("reports the same position repeatedly"), std::string::npos) << loss;
   EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
 }
 

@@ -55,9 +55,9 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   const SessionRow session = study().sessions().at(0);
   EXPECT_EQ(session.device, "simulated in place of Novint Falcon");
   EXPECT_THAT(session.device_json, testing::HasSubstr("\"position_resolution_m\":3.8e-05"));
-  EXPECT_THAT(
-      session.device_json,
-      testing::HasSubstr("not known to this program: continuous force, position noise, friction"));
+  EXPECT_THAT(session.device_json,
+              testing::HasSubstr("Unknown to this program of the real device: continuous force, "
+                                 "position noise, friction"));
   inputs_.device = "simulated:gamma.3";
   EXPECT_THROW(run(), std::runtime_error);
 }

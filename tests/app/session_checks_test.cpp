@@ -487,7 +487,7 @@ TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {
   inputs.mode = SessionMode::simulate;
   inputs.participant = "virtual0001";
   inputs.device = "simulated";
-  EXPECT_EQ(check("calibration").state, State::fine) << "nobody feels it";
+  EXPECT_EQ(check("calibration").state, State::fine) << "no participant feels it";
 }
 
 TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {

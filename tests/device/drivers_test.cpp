@@ -39,13 +39,14 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   EXPECT_EQ(falcon->capability().peak_force_N, falcon_capability().peak_force_N);
   EXPECT_EQ(falcon->capability().position_resolution_m, falcon_capability().position_resolution_m);
   EXPECT_EQ(falcon->capability().maximum_rate_Hz, 1000.0);
-  EXPECT_THAT(falcon->capability().remarks, HasSubstr("not known to this program: continuous"));
+  EXPECT_THAT(falcon->capability().remarks,
+              HasSubstr("Unknown to this program of the real device: continuous"));
   const auto delta = drivers.open("simulated:delta.3", {.hand = &hand});
   EXPECT_EQ(delta->capability().peak_force_N, 20.0);
   EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));
   EXPECT_EQ(delta->limits().force_N, ForceLimits{}.force_N);
   EXPECT_THAT(refusal_of([&] { drivers.open("simulated:gamma.3", {.hand = &hand}); }),
-              HasSubstr("cannot stand for \"gamma.3\"; it can for: falcon, delta.3"));
+              HasSubstr("has no model \"gamma.3\"; it has: falcon, delta.3"));
 }
 
 TEST(SimulatedModels, HaveAHandThatStaysInTheirWorkspace) {

@@ -97,7 +97,7 @@ TEST_F(ForceDimension, FindsTwoAlikeByTheirSerialNumbers) {
   EXPECT_EQ(survey.attached[1].model, "omega.3");
   EXPECT_EQ(survey.attached[1].serial, "202");
   EXPECT_EQ(survey.attached[1].place, "dhd 1");
-  EXPECT_THAT(survey.attached[1].remark, HasSubstr("asked before it does"));
+  EXPECT_THAT(survey.attached[1].remark, HasSubstr("it asks before it moves"));
   EXPECT_FALSE(bench->units[0].is_open);
   EXPECT_FALSE(bench->units[1].is_open);
 
@@ -165,7 +165,8 @@ TEST_F(ForceDimension, MovesToFindItsZeroOnlyWhenItHasLostItAndSomebodyAgrees) {
   bench->units[0].knows_its_zero = false;
   bench->calls.clear();
   open(agrees);
-  EXPECT_THAT(told, AllOf(HasSubstr("omega.3 101 will move by itself"), HasSubstr("nobody hold")));
+  EXPECT_THAT(told, AllOf(HasSubstr("omega.3 101 will move by itself"),
+                          HasSubstr("make sure that it is not held")));
   EXPECT_THAT(bench->calls,
               ElementsAre("dhdOpenID 0", "asked", "drdOpenID 0", "drdAutoInit 3",
                           "drdStop with force 3", "dhdStop 3", "drdClose 3", "dhdClose 3"));
@@ -177,7 +178,7 @@ TEST_F(ForceDimension, IsNotMovedWhereNobodyWasAskedOrSomebodySaidNo) {
               AllOf(HasSubstr("omega.3 101 has lost its zero"),
                     HasSubstr("asperity device-test force_dimension:101"), HasSubstr("manual")));
   EXPECT_THAT(refusal_of([&] { open([](const std::string&) { return false; }); }),
-              AllOf(HasSubstr("was not moved"), HasSubstr("nobody agreed")));
+              AllOf(HasSubstr("was not moved"), HasSubstr("was not confirmed")));
   EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
   EXPECT_FALSE(bench->units[0].is_open);
 }
@@ -262,9 +263,9 @@ class MovingForceDimension : public ForceDimension {
 
 TEST_F(MovingForceDimension, IsStoppedWhereItMovesAndHasNoForceThen) {
   bench->axes_to_search = 2;  // and its force is on again for each
-  EXPECT_THAT(
-      refusal_of<OpeningStopped>([&] { open_and_stop(); }),
-      AllOf(HasSubstr("omega.3 101 was stopped while it moved"), HasSubstr("its force is off")));
+  EXPECT_THAT(refusal_of<OpeningStopped>([&] { open_and_stop(); }),
+              AllOf(HasSubstr("omega.3 101 was stopped on request while it moved"),
+                    HasSubstr("its force is off")));
   EXPECT_EQ(bench->stops_heard, 3);
   EXPECT_FALSE(bench->units[0].force_is_on);
   EXPECT_FALSE(bench->units[0].regulation_is_on);
@@ -287,7 +288,7 @@ TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkGoesOnAlthoughItWasStopped)
                  bench->axes_to_search = 1;
                }),
                OpeningStopped);
-  EXPECT_THAT(sentences, ElementsAre(AllOf(HasSubstr("goes on with omega.3 101"),
+  EXPECT_THAT(sentences, ElementsAre(AllOf(HasSubstr("still moves omega.3 101"),
                                            HasSubstr("switch the device off"))));
 }
 
@@ -329,9 +330,8 @@ TEST_F(MovingForceDimension, TellsWhatToDoWhereACallThatStopsItDoesNotReturn) {
 TEST_F(MovingForceDimension, SaysThatTheSdkDoesNotLetGoThoughItWasStopped) {
   bench->stop_answer = -1;
   bench->goes_on = true;
-  EXPECT_THAT(
-      refusal_of([&] { open_and_stop(); }),
-      AllOf(HasSubstr("does not let go of omega.3 101"), HasSubstr("switch the device off")));
+  EXPECT_THAT(refusal_of([&] { open_and_stop(); }),
+              AllOf(HasSubstr("does not release omega.3 101"), HasSubstr("switch the device off")));
 }
 
 // An SDK may refuse to stop what is stopped already.
@@ -344,7 +344,7 @@ TEST_F(MovingForceDimension, SaysWhatTheSdkDidNotConfirmWhereItCannotBeAsked) {
   bench->stop_answer = -1;
   sdk->drdIsRunning = nullptr;
   EXPECT_THAT(refusal_of([&] { open_and_stop(); }),
-              AllOf(HasSubstr("did not confirm that it lets go"), Not(HasSubstr("may still move")),
+              AllOf(HasSubstr("did not confirm that it stopped"), Not(HasSubstr("may still move")),
                     HasSubstr("switch the device off")));
 }
 
@@ -411,7 +411,7 @@ TEST_F(ForceDimension, IsNotMovedLongAfterTheYes) {
     return true;
   };
   EXPECT_THAT(refusal_of([&] { drivers.open("force_dimension", asks); }),
-              AllOf(HasSubstr("was not moved"), HasSubstr("answer again")));
+              AllOf(HasSubstr("was not moved"), HasSubstr("confirm again")));
   ASSERT_NE(look, nullptr);
   EXPECT_FALSE(look->end());
   EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
@@ -423,8 +423,8 @@ TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {
   bench->stop_answer = -1;
   bench->goes_on = true;
   EXPECT_THAT(refusal_of([&] { open(agrees); }),
-              AllOf(HasSubstr("does not let go of omega.3 101"),
-                    HasSubstr("the regulation goes on"), HasSubstr("switch the device off")));
+              AllOf(HasSubstr("does not release omega.3 101"), HasSubstr("the regulation goes on"),
+                    HasSubstr("switch the device off")));
   EXPECT_FALSE(bench->units[0].is_open);
 }
 
@@ -605,7 +605,7 @@ TEST_F(ForceDimension, TellsOfSaturatedMotorsInTheRecordAndInWordsWhileTheyAre) 
       EXPECT_EQ(sent.wrench.force_N.z, 1.0);  // how much less, nobody knows
     }
     EXPECT_THAT(device->trouble(),
-                HasSubstr("less force than was asked for " + std::to_string(times) + " times"));
+                HasSubstr("less force than requested " + std::to_string(times) + " times"));
     bench->send_answer = 0;
     for (int i = 0; i < 1000; ++i) EXPECT_FALSE(push().has(LimitReason::force));
     EXPECT_NE(device->trouble(), "");
@@ -769,7 +769,7 @@ TEST_F(ForceDimension, SwitchesItsForceOnAtZeroOrRefuses) {
   bench->enable_answer = -1;
   EXPECT_THAT(
       refusal_of([&] { open(); }),
-      AllOf(HasSubstr("omega.3 101 does not switch its force on"), HasSubstr("it has no power")));
+      AllOf(HasSubstr("omega.3 101 cannot switch its force on"), HasSubstr("it has no power")));
   EXPECT_FALSE(bench->units[0].is_open);
 }
 

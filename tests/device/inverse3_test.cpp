@@ -49,12 +49,11 @@ TEST(Inverse3Messages, AreReadAsDocumented) {
   ASSERT_EQ(inventory->devices.size(), 2U);
   EXPECT_EQ(inventory->devices[0].axes, "XZY");
   EXPECT_EQ(filters_of(inventory->devices[0]),
-            "The service shapes the force: force gate 0.3, damping 0, gravity compensation 1, "
+            "The service modifies the force: force gate 0.3, damping 0, gravity compensation 1, "
             "torque scaling off.");
   EXPECT_EQ(filters_of(inventory->devices[1]),
-            "The service shapes the force: force gate not told, damping not told, gravity "
-            "compensation not told, "
-            "torque scaling not told.");
+            "The service modifies the force: force gate not reported, damping not reported, "
+            "gravity compensation not reported, torque scaling not reported.");
 }
 
 TEST(Inverse3Messages, MeanNoTurnAndNoWayByWhatTheyLeaveOut) {
@@ -204,7 +203,7 @@ TEST_F(Inverse3, IsRefusedWhereItsAxesOrItsMillimetresAreNotOurs) {
     it.preset = "arm_front";
     it.scale = 2.0;
   });
-  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("scaled"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("scales"));
   EXPECT_EQ(bench([](auto& it) { return it.strongest_N; }), 0.0);  // and before any force
   bench([](auto& it) { it.scale = 1.0; });
   open();
@@ -325,7 +324,7 @@ TEST_F(Inverse3, IsRefusedWhereNoPositionIsTold) {
     it.omits_identity = true;
     it.position_m = {0.0, 0.0, 0.0};
   });
-  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("does not tell where"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("does not report the position"));
 }
 
 // The tick, that is reading and pushing in it; the messages between two ticks do.
@@ -423,7 +422,7 @@ TEST_F(Inverse3, ConnectsAgainAfterTheConnectionEnded) {
   bench([](auto& it) { it.refuses_connections = true; });
   service.disconnect();
   while (device->trouble().empty()) std::this_thread::yield();
-  EXPECT_THAT(device->trouble(), AllOf(HasSubstr(service.place()), HasSubstr("is gone")));
+  EXPECT_THAT(device->trouble(), AllOf(HasSubstr(service.place()), HasSubstr("was lost")));
   const int ticks = servo.ticks;
   const int connections = bench([](auto& it) { return it.connections; });
   bench([](auto& it) { it.refuses_connections = false; });
@@ -541,7 +540,7 @@ TEST_F(Inverse3, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
   ASSERT_TRUE(eventually([&] { return (watchdog = watchdog_child()) > 0; }));
   ASSERT_EQ(kill(watchdog, SIGKILL), 0);
   EXPECT_TRUE(eventually([&] {
-    return device->trouble().find("should this program die is gone") != std::string::npos;
+    return device->trouble().find("if this program crashes has ended") != std::string::npos;
   }));
   EXPECT_TRUE(eventually([&] {
     return bench([](auto& it) { return it.force_N == std::array{0.0, 0.0, 0.0}; });
@@ -687,7 +686,7 @@ TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
       .connection = kPatience, .inventory = std::chrono::milliseconds(300), .update = kPatience};
   bench([](auto& it) { it.answers_forces = false; });
   EXPECT_THAT(refusal_of([&] { inverse3_driver(kShort).open("", options); }),
-              HasSubstr("does not tell where"));
+              HasSubstr("does not report the position"));
   EXPECT_TRUE(ends_without_force()) << "that of the trial was the last word";
 }
 

@@ -235,7 +235,8 @@ TEST_P(OpenHapticsAfterAFrameWithAnError, RefusesAPushAndNamesIt) {
 INSTANTIATE_TEST_SUITE_P(
     Codes, OpenHapticsAfterAFrameWithAnError,
     testing::Values(HdErrorAtTheEnd{"WarmMotors", 0x0200, "HD_WARM_MOTORS (its motors are warm"},
-                    HdErrorAtTheEnd{"ExceededForce", 0x0201, "HD_EXCEEDED_MAX_FORCE (it was asked"},
+                    HdErrorAtTheEnd{"ExceededForce", 0x0201,
+                                    "HD_EXCEEDED_MAX_FORCE (more force was requested"},
                     HdErrorAtTheEnd{"DeviceFault", 0x0300, "HD_DEVICE_FAULT (the device reports"}),
     [](const auto& instance) { return instance.param.called; });
 

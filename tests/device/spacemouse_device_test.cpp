@@ -95,7 +95,7 @@ TEST_F(SpaceMouse, IsFoundWithModelPlaceAndSerialNumber) {
   EXPECT_EQ(devices[1].place, "usb 1-3");
   EXPECT_EQ(devices[1].serial, "SM042");
   EXPECT_TRUE(devices[0].is_usable() && devices[1].is_usable());
-  EXPECT_THAT(devices[0].remark, HasSubstr("nobody feels a force"));
+  EXPECT_THAT(devices[0].remark, HasSubstr("no force is felt"));
   // A look takes nothing from anybody.
   EXPECT_TRUE(compact.is_the_kernels() && navigator.is_the_kernels());
 }
@@ -146,7 +146,7 @@ TEST(SpaceMouseRules, LetPeopleOpenEachModel) {
 TEST_F(SpaceMouse, IsOpenedBySerialNumberOrPlaceWhereTwoAreAlike) {
   EmulatedSpaceMouse one(bus(), {.port = 1});
   EmulatedSpaceMouse other(bus(), {.port = 2, .serial = "SM042"});
-  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("say which by its serial number or place"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("name one by its serial number or place"));
   {
     const auto device = open("SM042");
     EXPECT_EQ(device->capability().serial, "SM042");

@@ -138,7 +138,7 @@ TEST(VendorLibrary, SaysThatAFileIsNoLibrary) {
   const std::filesystem::path file = file_in_temporary_folder("libtext.so");
   std::ofstream(file) << "INPUT(libc.so.6)";
   EXPECT_THAT(library_refusal({file}),
-              AllOf(HasSubstr(file.string()), HasSubstr("no shared library")));
+              AllOf(HasSubstr(file.string()), HasSubstr("not a shared library")));
 }
 
 // The loader would wait for a writer without end.
@@ -146,7 +146,7 @@ TEST(VendorLibrary, RefusesAPipeAtOnce) {
   const TemporaryFolder folder;
   ASSERT_EQ(mkfifo((folder / "pipe.so").c_str(), 0600), 0);
   EXPECT_THAT(library_refusal({folder / "pipe.so"}),
-              AllOf(HasSubstr((folder / "pipe.so").string()), HasSubstr("no shared library")));
+              AllOf(HasSubstr((folder / "pipe.so").string()), HasSubstr("not a shared library")));
 }
 
 }  // namespace

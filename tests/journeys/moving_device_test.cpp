@@ -39,7 +39,7 @@ TEST_F(MovingDevice, IsNotMovedByALookAtWhatIsAttached) {
   const Outcome outcome = run(invocation({"devices"}));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("omega.3, serial 101"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("asked before it does"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("it asks before it moves"), std::string::npos) << outcome.out;
   EXPECT_FALSE(has_moved());
 }
 
@@ -142,7 +142,8 @@ TEST_F(MovingDevice, HasStoppedBeforeTheProgramEndsHoweverOftenSomebodyPresses) 
     const Outcome outcome = program.finish();
     EXPECT_EQ(outcome.signal, std::nullopt) << presses;
     EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(outcome.err.find("omega.3 101 was stopped while it moved"), std::string::npos)
+    EXPECT_NE(outcome.err.find("omega.3 101 was stopped on request while it moved"),
+              std::string::npos)
         << outcome.err;
     const std::string calls = said();
     const std::size_t at_rest = calls.find("at rest 3");

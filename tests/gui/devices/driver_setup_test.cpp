@@ -186,9 +186,9 @@ TEST_F(DriversToSetUp, TakeTheFirmwareOfAFalconForTheListAndForItsTest) {
   EXPECT_NE(found("falcon").find("(the field above)"), std::string::npos) << found("falcon");
   EXPECT_FALSE(child<QPushButton>(dialog(), "driver_clear_falcon").isEnabled());
   browse("falcon", wrong_firmware);
-  EXPECT_NE(found("falcon").find("is text and no firmware of a Falcon"), std::string::npos)
+  EXPECT_NE(found("falcon").find("is a text, not a firmware of a Falcon"), std::string::npos)
       << found("falcon");
-  EXPECT_NE(card("falcon").find("is text and no firmware of a Falcon"), std::string::npos);
+  EXPECT_NE(card("falcon").find("is a text, not a firmware of a Falcon"), std::string::npos);
   browse("falcon", right_firmware);
   EXPECT_TRUE(found("falcon").starts_with("✓")) << found("falcon");
   EXPECT_NE(found("falcon").find("firmware of 1000 bytes in"), std::string::npos);
@@ -223,7 +223,7 @@ TEST_F(DriversToSetUp, HaveALibraryEach) {
   open_setup("force_dimension");
   browse("force_dimension", wrong_firmware);
   EXPECT_TRUE(found("force_dimension").starts_with("✕")) << found("force_dimension");
-  EXPECT_NE(found("force_dimension").find("this is no shared library"), std::string::npos);
+  EXPECT_NE(found("force_dimension").find("this is not a shared library"), std::string::npos);
   browse("force_dimension", ASPERITY_TEST_HD);
   EXPECT_NE(found("force_dimension").find("has no function dhdGetDeviceCount"), std::string::npos)
       << found("force_dimension");

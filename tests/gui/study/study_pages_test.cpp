@@ -723,7 +723,7 @@ TEST_F(StudyPages, KeepTheAttemptThroughAChangeOfTheme) {
 std::vector<SurveyedDriver> found_devices(bool has_firmware) {
   AttachedDevice falcon{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"};
   if (!has_firmware) falcon.hindrance = "Name the file of its firmware.";
-  return {{.id = "simulated", .summary = "nobody feels it"},
+  return {{.id = "simulated", .summary = "no participant feels it"},
           {.id = "falcon", .summary = "over USB", .survey = {.attached = {falcon}}},
           {.id = "openhaptics",
            .survey = {.hindrance = "OpenHaptics is not installed. Name it with --library FILE."}}};
