@@ -41,7 +41,7 @@ void Meaning::check_analysis() {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string guess = did_you_mean(key, known);
     if (!guess.empty()) {
-      report_key("/analysis/" + key, in_quotes(key) + " is no key of the analysis" + guess);
+      report_key("/analysis/" + key, in_quotes(key) + " is not a key of the analysis" + guess);
     }
   }
   const AnalysisDeclaration& declared = protocol_.analysis;
@@ -52,7 +52,7 @@ void Meaning::check_analysis() {
     if (!items.contains(*declared.target)) {
       const std::vector<std::string> names(items.begin(), items.end());
       report("/analysis/target", "the target " + in_quotes(*declared.target) +
-                                     " is nothing that can be chosen in a main block" +
+                                     " cannot be chosen in a main block" +
                                      (names.empty() ? "" : "; there are " + one_of(names)));
     }
   }
@@ -84,7 +84,7 @@ void Meaning::check_analysis() {
     return std::find(declared.family.begin(), declared.family.end(), name) != declared.family.end();
   };
   if (has("pairs") && has("target_pairs")) {
-    report("/analysis/family", "\"pairs\" has the pairs of the target already; name one of both");
+    report("/analysis/family", "\"pairs\" includes the pairs of the target; keep one of the two");
   }
 }
 

@@ -87,7 +87,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   }
   if (!block.drawn.empty()) {
     report(place,
-           "an anchor is the same for everybody: this block draws factors; cross or list "
+           "an anchor is the same for all participants: this block draws factors; cross or list "
            "them, or leave the anchor out");
   }
   std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
@@ -99,7 +99,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
     if (needed.erase(name) == 0) {
       report_key(pointer_to(place, name), "the trials of this block do not set the factor " +
                                               in_quotes(name) +
-                                              "; an anchor sets what they set, and nothing else");
+                                              "; an anchor sets the same factors and no others");
     }
   }
   for (const std::string& name : needed) {
@@ -153,17 +153,17 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
   if (!has_right_answers(protocol_.kind)) {
-    report(place, "a criterion needs right answers, and no answer of a " +
-                      std::string(text_of(protocol_.kind)) + " is right or wrong");
+    report(place, "a criterion needs correct responses, and no response of a " +
+                      std::string(text_of(protocol_.kind)) + " is correct or incorrect");
   }
   if (criterion.correct > criterion.of_last) {
-    report(place + "/correct", "nobody can get " + std::to_string(criterion.correct) +
-                                   " right of " + std::to_string(criterion.of_last));
+    report(place + "/correct", "a participant cannot get " + std::to_string(criterion.correct) +
+                                   " correct of " + std::to_string(criterion.of_last));
   }
   if (criterion.correct > criterion.maximum_trials) {
     report(place + "/maximum_trials",
            "the block ends after " + std::to_string(criterion.maximum_trials) + " trials, before " +
-               std::to_string(criterion.correct) + " can be right");
+               std::to_string(criterion.correct) + " can be correct");
   }
 }
 
@@ -189,8 +189,9 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   const std::size_t rows = row_count(protocol_, block);
   const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
   if (trials > kMaximumTrials) {
-    report(pointer, "this block has more than " + std::to_string(kMaximumTrials) +
-                        " trials; nobody sits through that");
+    report(pointer,
+           "this block has more than " + std::to_string(kMaximumTrials) +
+               " trials, too many for a participant; reduce the repetitions or the levels");
     return;
   }
   if (block.until && trials < static_cast<std::size_t>(block.until->maximum_trials)) {
@@ -214,13 +215,13 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     if (!meets(problem, order)) {
       report(pointer + "/maximum_in_a_row",
-             "the fixed order of this block does not keep to it; use \"shuffle\" or write the "
-             "rows in another order");
+             "the fixed order of this block violates it; use \"shuffle\" or write the rows in "
+             "another order");
     }
   } else if (!some_order(problem)) {
     report(pointer + "/maximum_in_a_row",
            "no order of the block's " + std::to_string(problem.trials) +
-               " trials keeps to it; allow more in a row or add other levels between");
+               " trials satisfies it; allow more in a row or add other levels between");
   }
 }
 

@@ -40,7 +40,7 @@ void Meaning::check_bodies() {
       report(pointer + "/texture", unknown("texture", *body.texture, protocol_.textures));
     } else if (!texture->second.height_field) {
       report(pointer + "/texture", "the texture " + in_quotes(*body.texture) +
-                                       " cannot be laid on a body: it has no \"height_field\"");
+                                       " cannot be put on a body: it has no \"height_field\"");
     }
   }
 }
@@ -59,9 +59,10 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
     if (object.contains(std::string(key))) report_key(pointer + '/' + std::string(key), why);
   };
   if (is_mesh) {
-    for (const std::string_view key : kSizes) refuse_key(key, "a mesh has its size from its file");
-    refuse_key("axis", "a mesh lies as it does in its file");
-    refuse_key("texture", "a mesh has its texture from its file");
+    for (const std::string_view key : kSizes)
+      refuse_key(key, "the size of a mesh is that of its file; leave this out");
+    refuse_key("axis", "the orientation of a mesh is that of its file; leave this out");
+    refuse_key("texture", "the texture of a mesh is that of its file; leave this out");
     return;
   }
   const auto said = shape->get<std::string>();
@@ -94,8 +95,8 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
                           ", one of the bodies, as " + in_quotes(key));
     }
     if (is_given && needs == models.end() && !models.empty()) {
-      report_key(place, "the model " + in_quotes(models.front()->id) +
-                            " does not touch bodies; leave this out");
+      report_key(place,
+                 "the model " + in_quotes(models.front()->id) + " has no bodies; leave this out");
     }
     for (const auto& [name, at] : texts_of(binding, place)) {
       if (!protocol_.bodies.contains(name)) report(at, unknown("body", name, protocol_.bodies));

@@ -31,8 +31,8 @@ std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate
 
 std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz) {
   if (limit_Hz <= rate_Hz) return {};
-  return "no loop that is to run at " + digits(rate_Hz) + " Hz reaches " + digits(limit_Hz) +
-         " Hz: the limit has to be at most /device/rate_Hz, which is the rate that is asked for";
+  return "a loop set to " + digits(rate_Hz) + " Hz cannot reach " + digits(limit_Hz) +
+         " Hz: the limit has to be at most /device/rate_Hz, the requested rate";
 }
 
 }  // namespace asperity

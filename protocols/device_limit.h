@@ -1,4 +1,4 @@
-// Limits that a device is held to: the ones of a protocol, and those that somebody gives on a command line.
+// Limits that apply to a device: those of a protocol, and those of a command line.
 
 #pragma once
 

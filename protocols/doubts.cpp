@@ -64,8 +64,8 @@ class Doubts final {
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (!bounded(asked.normal_force_N) && !bounded(asked.speed_m_per_s)) return;
     doubt(pointer + "/on_failure",
-          "no trial is asked again for its force or speed while required_fraction_in_band is 0: "
-          "say how much has to lie in their bands, such as 0.6");
+          "no trial is repeated because of its force or speed while required_fraction_in_band is "
+          "0: state the fraction that has to lie in the bands, such as 0.6");
   }
 
   void doubt_bands(const Exploration& asked, const std::string& pointer) {
@@ -83,7 +83,7 @@ class Doubts final {
     const double most_N = kRoomForTexture * protocol_.force_limit_N;
     const std::string no_room = " N leave little below the device's limit of " +
                                 digits(protocol_.force_limit_N) +
-                                " N: a texture's crests go beyond it and are cut off; ask for " +
+                                " N: a texture's crests exceed it and are clipped; set " +
                                 digits(most_N) + " N or less, or raise /device/force_limit_N";
     const Band& force = asked.normal_force_N;
     if (!look(force.minimum, most_N, "/normal_force_N/minimum", no_room)) {
@@ -109,7 +109,7 @@ class Doubts final {
       doubt(pointer + place, digits(*strokes) + " strokes of " + digits(*length_m) + " m at " +
                                  digits(*speed_m_per_s) + " m/s do not fit into the " +
                                  digits(asked.maximum_contact_s) +
-                                 " s after which the surface is gone (maximum_contact_s)");
+                                 " s after which the surface is removed (maximum_contact_s)");
       return true;
     };
     if (look(asked.strokes.minimum, first({length.minimum, length.target}),
@@ -143,7 +143,7 @@ class Doubts final {
           word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
           continue;
         }
-        if (absent.contains(word)) return doubt(pointer, "the text speaks of \"" + word + why);
+        if (absent.contains(word)) return doubt(pointer, "the text mentions \"" + word + why);
         word.clear();
       }
     };

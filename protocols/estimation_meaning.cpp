@@ -14,13 +14,13 @@ void Meaning::check_spacings(const std::string& factor) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string place = pointer_to(pointer_to("/factors", factor) + "/levels", i);
     if (const double* const spacing_m = std::get_if<double>(&levels[i])) {
-      if (*spacing_m <= 0.0) report(place, "a spacing is above 0");
+      if (*spacing_m <= 0.0) report(place, "a spacing has to be above 0");
       continue;
     }
     const auto texture = protocol_.textures.find(text_of(levels[i]));
     if (texture == protocol_.textures.end()) {
       report(place, in_quotes(text_of(levels[i])) +
-                        " stands for a spacing but is neither a number nor a texture");
+                        " is used as a spacing but is neither a number nor a texture");
     } else if (!texture->second.spacing_m) {
       report(pointer_to("/textures", texture->first),
              "estimates are analysed by the spacing of this texture: give it a \"spacing_m\"");
@@ -48,7 +48,7 @@ void Meaning::check_estimation() {
   const bool has_condition = is_known(estimation.condition, "condition");
   if (has_spacing) check_spacings(estimation.spacing);
   if (estimation.condition == estimation.spacing) {
-    report("/estimation/condition", "spacing and condition are one and the same factor");
+    report("/estimation/condition", "spacing and condition are the same factor; name another one");
     return;
   }
   for (const auto& [name, block] : protocol_.blocks) {

@@ -36,11 +36,11 @@ void Meaning::check_flow() {
       }
     }
     if (run->break_every_trials > 0 && !run->pause) {
-      report(pointer, "break_every_trials needs a \"pause\" that says how long the break is");
+      report(pointer, "break_every_trials needs a \"pause\" that states the duration of the break");
     }
     if (run->pause && run->break_every_trials == 0 && run->for_each.empty()) {
       report(pointer + "/pause",
-             "nothing says when this pause comes: add break_every_trials or for_each");
+             "the time of this pause is not stated: add break_every_trials or for_each");
     }
   }
   for (const auto& [name, block] : protocol_.blocks) {
@@ -115,14 +115,15 @@ void Meaning::check_size() {
     }
     trials += runs * row_count(protocol_, block) * static_cast<std::size_t>(block.repetitions);
     if (trials > kMaximumSessionTrials) {
-      return report(pointer_to("/flow", i), "up to here the session has more than " +
-                                                std::to_string(kMaximumSessionTrials) +
-                                                " trials; nobody sits through that");
+      return report(
+          pointer_to("/flow", i),
+          "up to here the session has more than " + std::to_string(kMaximumSessionTrials) +
+              " trials, too many for a participant; reduce the blocks or their repetitions");
     }
   }
   if (protocol_.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {
     report("/counterbalance",
-           "there would be more orders than people; iterate fewer factors with for_each");
+           "there would be more orders than participants; iterate fewer factors with for_each");
   }
 }
 

@@ -122,7 +122,7 @@ class JsonDocument::Handler {
     if (parent.node->contains(given)) {
       problems_.push_back(document_.diagnostic(
           key_start_, pointer,
-          "the key " + printable(given) + " stands twice in this object; keep one"));
+          "the key " + printable(given) + " occurs twice in this object; keep one"));
     }
     return true;
   }
@@ -145,11 +145,11 @@ class JsonDocument::Handler {
       if (reason.find("UTF-8") != std::string::npos) {
         return refuse(where, "this text is not UTF-8; save the file in the encoding UTF-8");
       }
-      return refuse(where, "this text is not right: " + reason);
+      return refuse(where, "this text is invalid: " + reason);
     }
     if (from >= text.size()) {
       return refuse(text.size(), stack_.empty() && !began_
-                                     ? "there is nothing here; a protocol is a JSON object {…}"
+                                     ? "the file is empty; a protocol is a JSON object {…}"
                                      : "the text ends before the JSON is complete");
     }
     std::string expected{};

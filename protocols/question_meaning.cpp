@@ -36,7 +36,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     }
   } else if (question.pictures_after_feeling && question.allow_revisit) {
     report(place + "/pictures_after_feeling",
-           "whoever may go back to a surface feels it with the pictures in view; set "
+           "a participant who may return to a surface feels it with the pictures in view; set "
            "allow_revisit to false");
   }
   switch (protocol_.kind) {
@@ -50,14 +50,14 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
                "shown when realism_standard is \"photograph\"");
       }
       if (!question.correct_factor.empty()) {
-        report(place + "/correct_factor", "no answer of a selection is right or wrong");
+        report(place + "/correct_factor", "no response of a selection is correct or incorrect");
       }
       if (protocol_.realism_standard == RealismStandard::physical_sample &&
           question.experimenter_prompt.find("{code}") == std::string::npos) {
         report(place,
-               "with the standard \"physical_sample\" the experimenter has to be told which "
-               "sample to place: add \"experimenter_prompt\" with {code} in it, such as "
-               "\"Place sample {code} beside the device.\"");
+               "with the standard \"physical_sample\" the experimenter needs to know which sample "
+               "to place: add \"experimenter_prompt\" with {code} in it, such as \"Place sample "
+               "{code} next to the device.\"");
       }
       break;
     case ProtocolKind::matching:
@@ -76,7 +76,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       }
       if (!question.correct_factor.empty()) {
         report(place + "/correct_factor",
-               "in a matching the right answers are the textures felt; take this key out");
+               "in a matching the correct responses are the textures felt; remove this key");
       }
       break;
     case ProtocolKind::recognition:
@@ -88,7 +88,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       }
       if (question.correct_factor.empty()) {
         report(place,
-               "a recognition needs \"correct_factor\": the factor whose level is the right "
+               "a recognition needs \"correct_factor\": the factor whose level is the correct "
                "picture");
         break;
       }
@@ -117,13 +117,14 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
                "in a magnitude every surface gets a number; there is no \"cannot tell\"");
       }
       if (!question.correct_factor.empty()) {
-        report(place + "/correct_factor", "no answer of a magnitude is right or wrong");
+        report(place + "/correct_factor", "no response of a magnitude is correct or incorrect");
       }
       break;
   }
   if (block.feedback != Block::Feedback::none && !has_right_answers(protocol_.kind)) {
-    report(pointer + "/feedback", "feedback needs a correct answer, and no answer of a " +
-                                      std::string(text_of(protocol_.kind)) + " is right or wrong");
+    report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
+                                      std::string(text_of(protocol_.kind)) +
+                                      " is correct or incorrect");
   }
   check_criterion(block, pointer);
 }

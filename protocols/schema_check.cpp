@@ -145,7 +145,7 @@ std::string sentence(const std::string& description, const json& schema, const j
   }
   if (starts("Missing dependency '")) {
     return "the key " + in_quotes(description.substr(20, description.rfind('\'') - 20)) +
-           " is missing, without which another key here means nothing";
+           " is missing, which another key here requires";
   }
   if (starts("Failed to match against any enum")) {
     const std::vector<std::string> choices = schema.at("enum");
@@ -153,7 +153,7 @@ std::string sentence(const std::string& description, const json& schema, const j
            (value.is_string() ? did_you_mean(value.get<std::string>(), choices) : "");
   }
   if (starts("Failed to match expected value set by 'const'")) {
-    return shown(value) + " is not what this program reads: write " + shown(schema.at("const"));
+    return shown(value) + " is not supported: write " + shown(schema.at("const"));
   }
   if (starts("Value type not permitted")) {
     std::string wanted{};
@@ -178,7 +178,7 @@ std::string sentence(const std::string& description, const json& schema, const j
            shown_bound(bound) + purpose;
   }
   if (starts("Failed to match regex")) {
-    return shown(value) + " does not have the right form" + purpose;
+    return shown(value) + " does not have the required form" + purpose;
   }
   if (starts("Array should contain")) {
     const bool few = schema.contains("minItems") && value.size() < schema.at("minItems");

@@ -33,18 +33,18 @@ void Meaning::check_senses() {
 void Meaning::check_blindfold() {
   if (protocol_.scene) {
     report_key("/environment/scene",
-               "whoever is blindfold sees no scene; take it out, or choose another \"vision\"");
+               "a blindfolded participant sees no scene; remove it, or choose another \"vision\"");
   }
   if (protocol_.realism_standard == RealismStandard::photograph) {
     report("/realism_standard",
-           "whoever is blindfold sees no photograph while feeling; measure against "
+           "a blindfolded participant sees no photograph while feeling; measure against "
            "\"physical_sample\" or \"memory\", or choose another \"vision\"");
   }
   for (const auto& [name, block] : protocol_.blocks) {
     if (block.question.pictures.empty() || block.question.pictures_after_feeling) continue;
     report(pointer_to("/blocks", name) + "/question/pictures",
-           "whoever is blindfold sees no pictures while feeling; set pictures_after_feeling to "
-           "true (the mask comes off for the question), or choose another \"vision\"");
+           "a blindfolded participant sees no pictures while feeling; set pictures_after_feeling "
+           "to true (the mask comes off for the question), or choose another \"vision\"");
   }
 }
 

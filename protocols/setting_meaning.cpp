@@ -14,7 +14,7 @@ void Meaning::check_head() {
   const bool is_selection = protocol_.kind == ProtocolKind::selection;
   if (is_selection && !protocol_.realism_standard) {
     report("/kind",
-           "a selection has to say what \"realistic\" is measured against: add the key "
+           "a selection has to state what \"realistic\" is measured against: add the key "
            "\"realism_standard\" with \"photograph\", \"physical_sample\" or \"memory\"");
   }
   if (!is_selection && protocol_.realism_standard) {
@@ -23,8 +23,8 @@ void Meaning::check_head() {
   const bool is_magnitude = protocol_.kind == ProtocolKind::magnitude;
   if (is_magnitude && !protocol_.estimation) {
     report("/kind",
-           "a magnitude has to say what estimates are analysed by: add the key \"estimation\" with "
-           "the factor that is the \"spacing\"");
+           "a magnitude has to state what estimates are analysed by: add the key \"estimation\" "
+           "with the factor that is the \"spacing\"");
   }
   if (!is_magnitude && protocol_.estimation) {
     report_key("/estimation", "only a magnitude has estimates to be analysed");
@@ -32,7 +32,7 @@ void Meaning::check_head() {
   const auto& patch = protocol_.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
     report("/surface/edge_width_m",
-           "two edges of " + digits(patch.edge_width_m) + " m leave nothing of a patch of " +
+           "two edges of " + digits(patch.edge_width_m) + " m leave no surface of a patch of " +
                digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
   }
 }
@@ -178,7 +178,7 @@ void Meaning::check_band(const Band& band, const std::string& pointer) {
   };
   if (!ordered(band.minimum, band.target) || !ordered(band.target, band.maximum) ||
       !ordered(band.minimum, band.maximum)) {
-    report(pointer, "a band goes up: minimum ≤ target ≤ maximum");
+    report(pointer, "a band has to be ascending: minimum ≤ target ≤ maximum");
   }
 }
 
@@ -189,21 +189,21 @@ void Meaning::check_guidance(const Exploration& exploration, const std::string& 
   const std::string place = pointer + "/guidance";
   if (protocol_.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
     report(place,
-           "whoever is blindfold sees neither bars nor a target; choose \"tones\" or "
+           "a blindfolded participant sees neither bars nor a target; choose \"tones\" or "
            "\"experimenter\", or another \"vision\"");
   }
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
       !bounded(exploration.speed_m_per_s)) {
     report(place,
-           "there is no band to tell of: give normal_force_N or speed_m_per_s a minimum or a "
+           "there is no band to indicate: give normal_force_N or speed_m_per_s a minimum or a "
            "maximum");
   }
   if (exploration.guidance == Guidance::moving_target) {
     const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
     if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
       report(place,
-             "a target has to know how fast and how far it moves: give speed_m_per_s and "
+             "a target needs a speed and a length to move by: give speed_m_per_s and "
              "stroke_length_m a target above 0");
     }
   }
@@ -244,7 +244,7 @@ void Meaning::check_explorations() {
     if (exploration.minimum_contact_s > exploration.maximum_contact_s) {
       report(pointer + "/minimum_contact_s",
              "at least " + digits(exploration.minimum_contact_s) +
-                 " s of contact are asked for, but the surface is gone after " +
+                 " s of contact are requested, but the surface is removed after " +
                  digits(exploration.maximum_contact_s) + " s");
     }
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
@@ -257,7 +257,7 @@ void Meaning::check_explorations() {
     const bool repeats = exploration.on_failure != Exploration::OnFailure::flag;
     if (repeats && exploration.maximum_repeats < 1) {
       report(pointer + "/on_failure",
-             "trials are to be repeated, but never: set maximum_repeats to 1 or more");
+             "trials are to be repeated, but at most 0 times: set maximum_repeats to 1 or more");
     }
     if (!repeats && exploration.maximum_repeats > 0) {
       report(pointer + "/maximum_repeats",

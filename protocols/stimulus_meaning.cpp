@@ -58,7 +58,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       // The texture is the name and the picture of what a body brings along.
       if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
         report(place, "the height field of the texture " + in_quotes(name) +
-                          " is on neither body: the surface has a relief of its own");
+                          " is on neither body: the surface has its own relief");
       }
     } else if (!texture->second.height_field) {
       report(place,
@@ -145,10 +145,9 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
     report(place + "/to_model", unknown("force model", equal.to_model, models_));
   } else if (!equal.to_model.empty() && models_.find(equal.to_model)->second->needs_bodies) {
-    report(place + "/to_model",
-           "the model " + in_quotes(equal.to_model) +
-               " cannot be what others are made equal to: its texture force depends on two bodies; "
-               "state \"rms_N\" instead");
+    report(place + "/to_model", "the model " + in_quotes(equal.to_model) +
+                                    " cannot be the reference of equal force: its texture force "
+                                    "depends on two bodies; state \"rms_N\" instead");
   }
   for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
@@ -163,13 +162,13 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
     } else if (!model->second->amplitude_parameter) {
       if (id == equal.to_model) continue;
       report(at, "the model " + in_quotes(id) +
-                     " has no amplitude that could make its texture force equal");
+                     " has no amplitude by which its texture force could be made equal");
     } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
       report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-                 id == equal.to_model ? "the others are made equal to " + in_quotes(id) +
-                                            " with this parameter at its default; do not give it"
-                                      : "equal_force solves this parameter of " + in_quotes(id) +
-                                            "; do not give it");
+                 id == equal.to_model
+                     ? "the others are made equal to " + in_quotes(id) +
+                           " with this parameter at its default; leave it out"
+                     : "equal_force solves this parameter of " + in_quotes(id) + "; leave it out");
     }
   }
 }

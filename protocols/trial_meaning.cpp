@@ -81,7 +81,7 @@ void Meaning::check_trials() {
                "a surface without a texture needs an \"item\" as its name in the answers");
       } else if (!items.insert(planned.item).second) {
         report(presented, "two surfaces of a trial count as " + in_quotes(planned.item) +
-                              " in the answers; give each an \"item\" of its own");
+                              " in the answers; give each its own \"item\"");
       }
       if (const auto model = models_.find(planned.stimulus.model); model != models_.end()) {
         check_together(*model->second, planned.stimulus.parameters,
@@ -93,7 +93,7 @@ void Meaning::check_trials() {
     for (const Option& option : trial.question.options) pictures.erase(option.value);
     if (!pictures.empty()) {
       report(pointer + "/question/pictures",
-             "the right answer " + in_quotes(*pictures.begin()) + " is not among the pictures");
+             "the correct response " + in_quotes(*pictures.begin()) + " is not among the pictures");
     }
     switch (protocol_.kind) {
       case ProtocolKind::selection:
@@ -123,7 +123,7 @@ void Meaning::check_trials() {
       case ProtocolKind::recognition:
         if (!texture.empty() && trial.question.correct.front() != texture) {
           report(pointer + "/question/correct_factor",
-                 "the right answer would be " + in_quotes(trial.question.correct.front()) +
+                 "the correct response would be " + in_quotes(trial.question.correct.front()) +
                      ", but what is felt is " + in_quotes(texture));
         }
         break;

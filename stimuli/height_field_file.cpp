@@ -72,7 +72,7 @@ class Sidecar final {
       result.source_sha256 = text(*found, "source_sha256");
     }
     if (const auto seed = found->find("seed"); seed != found->end()) {
-      if (!seed->is_number_unsigned()) refuse("has a provenance seed that is no whole number.");
+      if (!seed->is_number_unsigned()) refuse("has a provenance seed that is not a whole number.");
       result.seed = seed->get<std::uint64_t>();
     }
     const auto parameters = found->find("parameters");

@@ -383,7 +383,7 @@ class Simplification final {
         throw std::invalid_argument(name +
                                     " has a surface that no half-edges can follow, at vertex " +
                                     std::to_string(half_edges.property(pasts, corner(0)).origin) +
-                                    "; its repair has not seen it.");
+                                    "; repair did not detect it. Correct the mesh there.");
       }
     }
     mesh_ = {};
@@ -457,10 +457,10 @@ SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
   collapse_to(triangles);
   collapse(triangles, Strictness::flip_only, kFurthest);
   if (simple.triangles() > triangles) {
-    throw std::invalid_argument(
-        name + " cannot be simplified to " + std::to_string(triangles) + " triangles: at " +
-        std::to_string(simple.triangles()) +
-        " no edge can go any more without a face turning over or a part or handle closing up.");
+    throw std::invalid_argument(name + " cannot be simplified to " + std::to_string(triangles) +
+                                " triangles: at " + std::to_string(simple.triangles()) +
+                                " no further edge can be removed without a face turning over or a "
+                                "part or handle closing up. Request at least that many.");
   }
   result.mesh = simple.with_vertices_of(mesh);
   return result;

@@ -94,7 +94,7 @@ ReadMesh decode_content(std::string_view content, const MeshReading& reading,
   std::string sentence = name + " is none of OBJ, PLY, STL and OFF.";
   if (!text && content.size() >= binary_stl_bytes(0)) {
     const std::size_t triangles = binary_stl_triangles(content);
-    sentence += " If it is a binary STL, it is damaged: it says that it has " +
+    sentence += " If it is a binary STL, it is damaged: its header states " +
                 std::to_string(triangles) + " triangles, which take " +
                 std::to_string(binary_stl_bytes(triangles)) + " bytes, and it has " +
                 std::to_string(content.size()) + ".";
@@ -134,8 +134,8 @@ ReadMesh decode_mesh(std::span<const std::byte> bytes, const MeshReading& readin
   constexpr const char* kKnown[] = {"obj", "ply", "stl", "off"};
   if (extension != extension_for(read.format) &&
       std::find(std::begin(kKnown), std::end(kKnown), extension) != std::end(kKnown)) {
-    read.notes.push_back("The file is named as " + extension + " and holds " +
-                         name_of(read.format) + "; it was read as what it holds.");
+    read.notes.push_back("The file's name ends in ." + extension + ", but its content is " +
+                         name_of(read.format) + "; the content determined how it was read.");
   }
   return read;
 }
@@ -174,8 +174,9 @@ double MeshText::number_in(std::string_view word) const {
     return tiny ? 0.0 : std::numeric_limits<double>::infinity();
   }
   if (error != std::errc{} || end != digits.data() + digits.size()) {
-    refuse(word.empty() ? "the line ends where a number must stand."
-                        : '"' + std::string(word.substr(0, 40)) + "\" stands where a number must.");
+    refuse(word.empty() ? "the line ends where a number is expected."
+                        : '"' + std::string(word.substr(0, 40)) +
+                              "\" is not a number, which is expected here.");
   }
   return number;
 }
@@ -185,9 +186,9 @@ std::int64_t MeshText::integer_in(std::string_view word) const {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc{} || end != digits.data() + digits.size()) {
-    refuse(word.empty()
-               ? "the line ends where a whole number must stand."
-               : '"' + std::string(word.substr(0, 40)) + "\" stands where a whole number must.");
+    refuse(word.empty() ? "the line ends where a whole number is expected."
+                        : '"' + std::string(word.substr(0, 40)) +
+                              "\" is not a whole number, which is expected here.");
   }
   return number;
 }
@@ -210,8 +211,9 @@ void GrowingMesh::reserve(std::size_t vertices, std::size_t triangles) {
 }
 
 void GrowingMesh::refuse_too_many() const {
-  throw std::invalid_argument(name_ + " has more than " + std::to_string(most_triangles_) +
-                              " triangles, the most that are read; simplify it elsewhere first.");
+  throw std::invalid_argument(
+      name_ + " has more than " + std::to_string(most_triangles_) +
+      " triangles, the most that are read; simplify it with another program first.");
 }
 
 void GrowingMesh::add_vertex(const glm::dvec3& in_units) {
@@ -270,7 +272,7 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
   if (vertices() == 0) throw std::invalid_argument(name_ + " has no vertices.");
   if (triangles.empty()) {
     throw std::invalid_argument(name_ + " has " + std::to_string(vertices()) +
-                                " vertices and no faces; points alone are no surface.");
+                                " vertices and no faces; points alone are not a surface.");
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t largest = *std::max_element(triangles[i].begin(), triangles[i].end());

@@ -64,7 +64,7 @@ Scalar scalar_type(const MeshText& text, std::string_view word) {
   for (const auto& [name, type] : kTypes) {
     if (word == name) return type;
   }
-  text.refuse('"' + std::string(word.substr(0, 40)) + "\" is no type of PLY.");
+  text.refuse('"' + std::string(word.substr(0, 40)) + "\" is not a type of PLY.");
 }
 
 Header read_header(MeshText& text) {
@@ -74,7 +74,7 @@ Header read_header(MeshText& text) {
   while (text.next_line()) {
     const std::string_view keyword = text.word();
     if (keyword == "end_header") {
-      if (!has_format) text.refuse("the header says no format.");
+      if (!has_format) text.refuse("the header states no format.");
       return header;
     }
     if (keyword == "format") {
@@ -86,17 +86,17 @@ Header read_header(MeshText& text) {
       } else if (encoding == "binary_big_endian") {
         header.encoding = Encoding::big_endian;
       } else {
-        text.refuse('"' + std::string(encoding.substr(0, 40)) + "\" is no format of PLY.");
+        text.refuse('"' + std::string(encoding.substr(0, 40)) + "\" is not a format of PLY.");
       }
       has_format = true;
     } else if (keyword == "element") {
       Element element{std::string(text.word()), 0, {}};
       const std::int64_t count = text.integer_in(text.word());
-      if (count < 0) text.refuse("an element cannot be there " + std::to_string(count) + " times.");
+      if (count < 0) text.refuse("an element cannot occur " + std::to_string(count) + " times.");
       element.count = static_cast<std::size_t>(count);
       header.elements.push_back(std::move(element));
     } else if (keyword == "property") {
-      if (header.elements.empty()) text.refuse("a property stands before the first element.");
+      if (header.elements.empty()) text.refuse("a property precedes the first element.");
       Property property{};
       std::string_view type = text.word();
       if (type == "list") {
@@ -107,7 +107,8 @@ Header read_header(MeshText& text) {
       property.name = text.word();
       header.elements.back().properties.push_back(std::move(property));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      text.refuse('"' + std::string(keyword.substr(0, 40)) + "\" is no word of a PLY header.");
+      text.refuse('"' + std::string(keyword.substr(0, 40)) +
+                  "\" is not a keyword of a PLY header.");
     }
   }
   text.refuse("the file ends within its header.");
@@ -247,7 +248,7 @@ class Body final {
       if (!wanted) continue;
       if (!(std::abs(entry) <= 4294967295.0) || entry != std::floor(entry)) {
         throw std::invalid_argument(name_ +
-                                    " has something else than the number of a vertex in its " +
+                                    " has an entry that is not the number of a vertex in its " +
                                     element_->name + ' ' + std::to_string(item + 1) + ".");
       }
       corners_.push_back(static_cast<std::int64_t>(entry));
@@ -261,9 +262,9 @@ class Body final {
   }
 
   [[noreturn]] void cut_off(std::size_t item) const {
-    throw std::invalid_argument(name_ + " is cut off: it ends after " + std::to_string(item) +
+    throw std::invalid_argument(name_ + " is truncated: it ends after " + std::to_string(item) +
                                 " of the " + std::to_string(element_->count) + " items of \"" +
-                                element_->name + "\" that its header promises.");
+                                element_->name + "\" that its header announces.");
   }
 
   Numbers& numbers_;

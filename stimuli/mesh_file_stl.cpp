@@ -54,7 +54,7 @@ ReadMesh decode_stl_ascii(std::string_view content, const MeshReading& reading,
   while (text.next_line()) {
     const std::string_view keyword = text.word();
     if (keyword == "vertex") {
-      if (!in_facet) text.refuse("a vertex stands outside of a facet.");
+      if (!in_facet) text.refuse("a vertex is outside a facet.");
       glm::dvec3 point{};
       for (int axis = 0; axis < 3; ++axis) point[axis] = text.number_in(text.word());
       corners.push_back(static_cast<std::int64_t>(mesh.vertices()));
@@ -69,7 +69,7 @@ ReadMesh decode_stl_ascii(std::string_view content, const MeshReading& reading,
     } else if (keyword == "solid" || keyword == "endsolid") {
       ended = keyword == "endsolid";
     } else if (!keyword.empty() && keyword != "outer" && keyword != "endloop") {
-      text.refuse('"' + std::string(keyword.substr(0, 40)) + "\" is no word of STL.");
+      text.refuse('"' + std::string(keyword.substr(0, 40)) + "\" is not a keyword of STL.");
     }
   }
   if (in_facet || !ended) text.refuse("the file ends before its last solid does (endsolid).");

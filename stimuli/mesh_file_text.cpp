@@ -28,8 +28,8 @@ std::size_t next_count(MeshText& text, std::string_view word, const char* what) 
   const std::int64_t count = text.integer_in(word);
   // An item takes two bytes at least, a digit and the end of its line.
   if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
-    text.refuse("the file promises " + std::string(word) + ' ' + what +
-                ", which it is too short for.");
+    text.refuse("the file announces " + std::string(word) + ' ' + what +
+                ", for which it is too short.");
   }
   return static_cast<std::size_t>(count);
 }
@@ -57,8 +57,8 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
         // A negative index counts back from the last vertex so far.
         const auto before = static_cast<std::int64_t>(mesh.vertices());
         if (index < -before) {
-          text.refuse("a face names vertex " + std::to_string(index) + ", and only " +
-                      std::to_string(before) + " vertices stand before it.");
+          text.refuse("a face names vertex " + std::to_string(index) + ", but only " +
+                      std::to_string(before) + " vertices precede it.");
         }
         corners.push_back(index > 0 ? index - 1 : before + index);
       }
@@ -77,7 +77,7 @@ ReadMesh decode_off(std::string_view content, const MeshReading& reading, const 
   std::string_view word = text.word();
   if (word == "BINARY") text.refuse("binary OFF is not read; save it as text.");
   if (word.empty() || word.front() == '#') word = next_item(text);
-  if (word.empty()) text.refuse("the file ends before it says how many vertices it has.");
+  if (word.empty()) text.refuse("the file ends before it states the number of its vertices.");
   const std::size_t vertices = next_count(text, word, "vertices");
   const std::size_t faces = next_count(text, text.word(), "faces");
   GrowingMesh mesh(reading, name);

@@ -104,8 +104,8 @@ class Repair final {
         const glm::dvec3& point_m = mesh_.vertices_m[vertex];
         if (!std::isfinite(point_m.x + point_m.y + point_m.z)) {
           refuse("has a vertex, number " + std::to_string(vertex + 1ULL) +
-                 ", with a coordinate that is not a finite number; where it should be cannot be "
-                 "known.");
+                 ", with a coordinate that is not a finite number; its place cannot be determined. "
+                 "Correct it in the program that made the mesh.");
         }
       }
     }
@@ -170,10 +170,10 @@ class Repair final {
     }
     found_.diagonal_m = box.diagonal_m();
     if (found_.diagonal_m < kShortestDiagonal_m || found_.diagonal_m > kLongestDiagonal_m) {
-      refuse("is " + number_text(found_.diagonal_m) +
-             " m from corner to corner of its bounding box; something to be felt has between "
-             "0.0001 m and "
-             "10 m. Mesh files do not say what their unit is: give the right one.");
+      refuse(
+          "is " + number_text(found_.diagonal_m) +
+          " m from corner to corner of its bounding box; something to be felt has between 0.0001 m "
+          "and 10 m. Mesh files do not state their unit: enter the length of one unit in metres.");
     }
     refuse_flat();
   }
@@ -437,7 +437,8 @@ class Repair final {
       refuse("is not closed: it has " + std::to_string(holes.size()) +
              (holes.size() == 1 ? " opening" : " openings") + ", the widest " +
              millimetres(found_.widest_hole_m) + " across, and only those up to " +
-             millimetres(widest_m) + " are closed without being asked for.");
+             millimetres(widest_m) +
+             " are closed. Close them in the mesh, or allow wider ones to be closed.");
     }
     for (const std::vector<std::uint32_t>& hole : holes) fill(hole);
     found_.holes_filled = holes.size();

@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 [[noreturn]] void refuse_damaged(const std::string& name, const std::string& why) {
-  throw std::invalid_argument(name + " is damaged: " + why + " Copy or export it anew.");
+  throw std::invalid_argument(name + " is damaged: " + why + " Copy or export it again.");
 }
 
 std::uint32_t big_endian(Bytes bytes) {

@@ -95,13 +95,13 @@ std::string advice(const PhotographEvidence& evidence) {
   if (std::abs(evidence.skewness) > kSkewed) words += about_skewness(evidence.skewness);
   if (words.empty()) {
     words =
-        "The picture does not tell whether its brightness follows height; stains and paint look "
-        "the "
-        "same. Compare the relief with the surface itself before using it. ";
+        "The picture does not show whether its brightness follows height; stains and paint look "
+        "the same. Compare the relief with the surface itself before using it. ";
   }
   return words + "(Skewness " + in_hundredths(evidence.skewness) + ", anisotropy " +
          in_hundredths(evidence.anisotropy) +
-         ".) One photograph cannot show whether dark is low, shaded or painted; you can.";
+         ".) One photograph cannot show whether dark is low, shaded or painted: look at the "
+         "surface.";
 }
 
 }  // namespace asperity

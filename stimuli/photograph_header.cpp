@@ -22,7 +22,8 @@ class HeaderReader final {
     throw std::invalid_argument(name_ + " " + sentence);
   }
   [[noreturn]] void refuse_cut_off() const {
-    refuse("is cut off or damaged: the file ends before the picture does. Copy or export it anew.");
+    refuse(
+        "is truncated or damaged: the file ends before the picture does. Copy or export it again.");
   }
 
   // The size comes first: a picture that is too large is refused for that, whole or not.
@@ -91,7 +92,8 @@ std::uint32_t crc32(Bytes bytes) noexcept {
 PictureFacts inspect_png(const HeaderReader& file) {
   constexpr std::size_t kSignature = 8;
   if (!file.has(kSignature + 4, "IHDR")) {
-    file.refuse("is cut off or damaged: a PNG begins with its size (IHDR), and this one does not.");
+    file.refuse(
+        "is truncated or damaged: a PNG begins with its size (IHDR), and this one does not.");
   }
   PictureFacts facts{.format = PictureFormat::png,
                      .rows = file.big_endian(kSignature + 12, 4),
@@ -121,7 +123,7 @@ PictureFacts inspect_png(const HeaderReader& file) {
   for (std::size_t at = kSignature;;) {
     const std::size_t length = file.big_endian(at, 4);
     if (crc32(file.part(at + 4, length + 4)) != file.big_endian(at + 8 + length, 4)) {
-      file.refuse("is damaged: a check sum in it is wrong. Copy or export it anew.");
+      file.refuse("is damaged: a check sum in it is wrong. Copy or export it again.");
     }
     if (file.has(at + 4, "IEND")) return facts;
     at += 12 + length;

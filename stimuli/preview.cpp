@@ -42,7 +42,7 @@ GreyImage scaled_to_fit(const GreyImage& picture, std::size_t longest_side) {
   const cv::Mat source = as_mat(picture);
   const std::size_t longer = std::max(picture.rows, picture.columns);
   if (longest_side == 0) {
-    throw std::invalid_argument("A picture can be scaled to one pixel or more, not to none.");
+    throw std::invalid_argument("A picture must be scaled to at least one pixel.");
   }
   if (longer <= longest_side) return picture;
   const double factor = static_cast<double>(longest_side) / static_cast<double>(longer);
@@ -93,7 +93,7 @@ GreyImage height_picture(const HeightField& field) {
 GreyImage side_by_side(std::span<const GreyImage> pictures, std::size_t rows) {
   if (pictures.empty() || rows == 0) {
     throw std::invalid_argument(
-        "Pictures can be put beside each other from one picture and row up.");
+        "At least one picture and one row are needed to place pictures next to each other.");
   }
   constexpr int kGap = 6;
   const auto height = static_cast<int>(rows);

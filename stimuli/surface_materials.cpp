@@ -161,7 +161,7 @@ std::vector<SurfaceMaker> material_makers() {
                           "how far a scratch keeps its course")}},
        make_metal},
       {{"stone",
-        "rough stone: relief at all wavelengths up to 6 mm, alike in all directions, with pits",
+        "rough stone: isotropic relief of every wavelength up to 6 mm, with pits",
         {length_parameter("rms_m", 0.0, 0.002, 1.2e-4,
                           "root mean square of the relief, pits apart"),
          plain_parameter("exponent", 0.0, 6.0, 2.6, "power law of its power spectral density"),

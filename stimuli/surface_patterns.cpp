@@ -131,11 +131,11 @@ std::vector<SurfaceMaker> pattern_makers() {
          length_parameter("top_diameter_m", 0.0, 0.05, 4e-4, "of the flat top"),
          length_parameter("base_diameter_m", 2e-4, 0.05, 0.0012, "of the foot"),
          plain_parameter("jitter", 0.0, 0.5, 0.15,
-                         "largest shift along x and along y, as a share of the spacing")}},
+                         "largest shift along x and along y, as a fraction of the spacing")}},
        make_cones},
       {{"noise",
-        "Gaussian noise, alike in all directions, of power spectral density (per area of the "
-        "wavenumber plane) ∝ wavenumber^−exponent between two wavelengths",
+        "isotropic Gaussian noise of power spectral density (per area of the wavenumber plane) ∝ "
+        "wavenumber^−exponent between two wavelengths",
         {length_parameter("rms_m", 0.0, 0.005, 1e-4, "root mean square of the heights"),
          plain_parameter("exponent", 0.0, 6.0, 3.0, "of the power law"),
          length_parameter("shortest_wavelength_m", 1e-4, 0.1, 4e-4, "end of the spectrum"),

@@ -92,11 +92,11 @@ std::optional<std::string> seam_of(std::string_view kind, const ParameterValues&
     const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
     return length_text(canvas.width_m) + " along " + repeat.axis + " hold " +
            number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
-           ", and where the surface is repeated the last one is cut: a step that nobody asked "
-           "for; " +
+           ", and where the surface is repeated the last one is cut, which makes an unintended "
+           "step; " +
            (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
                         : more_m) +
-           " hold whole ones (--width-m)";
+           " hold complete ones (--width-m)";
   }
   return {};
 }
@@ -115,7 +115,7 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
   return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
          length_text(pitch_of(canvas)) +
          " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
-         " for each spacing, so that heights and shape are not those that were asked for; " +
+         " for each spacing, so that heights and shape differ from those requested; " +
          number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
          " samples a side or more (--pixels) have eight for each";
 }
@@ -185,7 +185,7 @@ void require_resolved(const ParameterValues& values, std::string_view name,
     throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
                                 std::to_string(canvas.pixels) + " pixels over " +
                                 number_text(canvas.width_m) + " m show nothing shorter than " +
-                                number_text(2.0 * pitch_m) + " m; ask for more pixels.");
+                                number_text(2.0 * pitch_m) + " m; use more pixels.");
   }
 }
 

@@ -47,7 +47,7 @@ std::vector<Parameter> texture_recipe_parameters() {
        .choices = {"none", "equalize"},
        .default_value = std::string("none"),
        .meaning = "none: brightness as stored; equalize: every brightness is made equally "
-                  "frequent, which tears brightness from height"},
+                  "frequent, which removes the relation of brightness to height"},
       number("homomorphic_wavelength_m", "m", 0.0005, 0.5, usual.homomorphic_wavelength_m,
              "Changes of brightness that are longer than this count as lighting, shorter ones as "
              "the surface"),
@@ -59,8 +59,8 @@ std::vector<Parameter> texture_recipe_parameters() {
              "Waves longer than about this are left out of the heights: they are shape, not "
              "texture"),
       number("rms_m", "m", 1e-6, 2e-3, usual.rms_m,
-             "How rough the relief is: the root mean square of its heights. A photograph cannot "
-             "tell it"),
+             "How rough the relief is: the root mean square of its heights. A photograph does not "
+             "show it"),
   };
 }
 

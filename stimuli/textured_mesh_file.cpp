@@ -94,18 +94,18 @@ class Reader final {
     const auto format = json_.is_object() ? json_.find("format") : json_.end();
     if (!json_.is_object() || format == json_.end() || !format->is_string() ||
         !format->get_ref<const std::string&>().starts_with("asperity.textured_mesh/")) {
-      refuse("is no textured mesh of Asperity; asperity bake makes one from a mesh.");
+      refuse("is not a textured mesh of Asperity.");
     }
     if (*format != kMeshFormat) {
       refuse("is in the format " + format->get<std::string>() + "; this program reads " +
              kMeshFormat + ".");
     }
     const std::string_view rest = bytes.substr(end + 1);
-    if (rest.size() < kDigest_bytes + 1 || rest[kDigest_bytes] != '\n') refuse("is cut off.");
+    if (rest.size() < kDigest_bytes + 1 || rest[kDigest_bytes] != '\n') refuse("is truncated.");
     payload_ = rest.substr(kDigest_bytes + 1);
     check_length();
     if (sha256_of({header, payload_}) != rest.substr(0, kDigest_bytes)) {
-      refuse("is damaged: its SHA-256 is not the one that stands in it.");
+      refuse("is damaged: its SHA-256 differs from the one stored in it.");
     }
   }
 
@@ -133,7 +133,7 @@ class Reader final {
     const auto findings = provenance.find("findings");
     if (findings == provenance.end() || !findings->is_array()) refuse("needs a list findings.");
     for (const Json& finding : *findings) {
-      if (!finding.is_string()) refuse("has a finding that is no text.");
+      if (!finding.is_string()) refuse("has a finding that is not a text.");
       stored.provenance.findings.push_back(finding.get<std::string>());
     }
     return stored;
@@ -141,7 +141,7 @@ class Reader final {
 
  private:
   [[noreturn]] void refuse(const std::string& sentence) const {
-    throw std::invalid_argument(name_ + ' ' + sentence);
+    throw std::invalid_argument(name_ + ' ' + sentence + ' ' + kRemedy);
   }
 
   const Json& array(std::size_t which) const {
@@ -161,8 +161,8 @@ class Reader final {
       bytes += whole(array(which), "bytes");
     }
     if (bytes != payload_.size()) {
-      refuse((bytes > payload_.size() ? "is cut off: its arrays take "
-                                      : "goes on after its end: its arrays take ") +
+      refuse((bytes > payload_.size() ? "is truncated: its arrays take "
+                                      : "has data after its end: its arrays take ") +
              std::to_string(bytes) + " bytes, and it has " + std::to_string(payload_.size()) + ".");
     }
   }
@@ -179,7 +179,7 @@ class Reader final {
         count * sizeof(Item) / kMostUnpacked > bytes) {
       refuse("holds an array \"" + text(kind, "name") + "\" that cannot be unpacked: " +
              std::to_string(count) + " items are announced, and its " + std::to_string(bytes) +
-             " bytes hold another number of them. " + kRemedy);
+             " bytes hold another number of them.");
     }
     std::vector<Item> items(count);
     const std::size_t size =
@@ -196,19 +196,19 @@ class Reader final {
     const DisplacementAtlas& atlas = mesh.atlas;
     if (mesh.vertices_m.empty() || mesh.triangles.empty()) refuse("has no triangles.");
     if (mesh.normals.size() != mesh.vertices_m.size()) {
-      refuse("has not as many normals as vertices.");
+      refuse("does not have one normal for each vertex.");
     }
     if (mesh.places.size() != mesh.triangles.size()) {
-      refuse("has not as many places in its atlas as triangles.");
+      refuse("does not have one place in its atlas for each triangle.");
     }
     if (atlas.rows < 2 || atlas.columns < 2 || atlas.rows > kMostItems ||
         atlas.columns > kMostItems || atlas.rows * atlas.columns != atlas.values.size()) {
-      refuse("has an atlas whose rows and columns are not its texels.");
+      refuse("has an atlas whose rows and columns do not match its texels.");
     }
     if (!(atlas.step_m >= 0.0 && atlas.step_m * kLargestTexel <= kFurthest_m)) {
       refuse("has an atlas with step_m " + number_text(atlas.step_m) +
              ", which displaces a surface by up to " + number_text(atlas.step_m * kLargestTexel) +
-             " m; at most " + number_text(kFurthest_m) + " m is allowed. " + kRemedy);
+             " m; at most " + number_text(kFurthest_m) + " m is allowed.");
     }
     constexpr double kUnit = 1e-6;
     for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
@@ -219,11 +219,10 @@ class Reader final {
             std::isnan(place_m) ? "not a number" : number_text(place_m) + " m";
         refuse("has vertex " + std::to_string(i) + " with " + "xyz"[axis] + " = " + place +
                "; each coordinate must lie between -" + number_text(kFurthest_m) + " m and " +
-               number_text(kFurthest_m) + " m. " + kRemedy);
+               number_text(kFurthest_m) + " m.");
       }
       if (!(std::abs(glm::length(mesh.normals[i]) - 1.0) < kUnit)) {
-        refuse("has at vertex " + std::to_string(i) + " a normal that is not of unit length. " +
-               kRemedy);
+        refuse("has at vertex " + std::to_string(i) + " a normal that is not of unit length.");
       }
     }
     // A look-up on the border of a face may touch the texel beyond.
@@ -232,7 +231,7 @@ class Reader final {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         if (mesh.triangles[i][corner] >= mesh.vertices_m.size()) {
-          refuse("has a triangle with a vertex that is not there.");
+          refuse("has a triangle with a vertex that does not exist.");
         }
         const glm::dvec2& place = mesh.places[i][corner];
         if (!(place.x >= 1.0 && place.y >= 1.0 && place.x <= furthest.x && place.y <= furthest.y)) {

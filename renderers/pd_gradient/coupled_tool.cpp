@@ -72,7 +72,7 @@ CoupledTool::CoupledTool(const Properties& properties) : properties_(properties)
   is_positive(properties.stiffness_N_per_m, "stiffness_N_per_m");
   is_positive(properties.angular_stiffness_N_m_per_rad, "angular_stiffness_N_m_per_rad");
   const auto is_damping = [](double value, const char* field) {
-    require(std::isfinite(value) && value >= 0.0, field, "is negative or no number");
+    require(std::isfinite(value) && value >= 0.0, field, "is negative or not a number");
   };
   is_damping(properties.damping_N_s_per_m, "damping_N_s_per_m");
   is_damping(properties.angular_damping_N_m_s_per_rad, "angular_damping_N_m_s_per_rad");

@@ -279,10 +279,9 @@ std::vector<Parameter> parameters() {
        .meaning = "Samples across the widest contact; wider ones get longer cells"},
       number("texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the surface"),
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the tool"),
-      number(
-          "contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
-          "Damping of a contact along its gradient; without a coupling the device needs as much of "
-          "its own in addition to half the stiffness times the period"),
+      number("contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
+             "Damping of a contact along its gradient; without a coupling the device itself needs "
+             "as much damping, in addition to half the stiffness times the period"),
       number(
           "coupling_stiffness_N_per_m", "N/m", 10.0, 1e5, 1000.0,
           "Virtual coupling only: spring between hand and tool; half of it times the period, plus "

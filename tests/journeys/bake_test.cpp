@@ -94,7 +94,7 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
       {"torn.ply", ply_of(original()).substr(0, 9000), "200", "cut off"},
       {"garbage.stl", std::string(300, '\x9c'), "200", "none of OBJ, PLY, STL and OFF"},
       {"garbage.ply", "ply\nformat binary_little_endian 1.0\n\x1b\x02\xff\n", "200",
-       "garbage.ply:3: \"???\" is no word of a PLY header"},
+       "garbage.ply:3: \"???\" is not a keyword of a PLY header"},
       {"nan.obj", "v nan 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n", "200", "number 1"},
       {"one.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n", "200", "flat"},
       {"many.obj", good, "2050", "has only 2048"}};

@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
       "model": "pd_gradient")",
               "/stimuli/felt", "what is touched, one of the bodies, as \"surface\""},
         Fault{"BodiesOfAModelWithoutThem", R"("model": "pd_gradient")", R"("model": "height_map")",
-              R"("surface": "plate")", "/stimuli/felt/surface", "does not touch bodies"},
+              R"("surface": "plate")", "/stimuli/felt/surface", "has no bodies"},
         Fault{"AnUnknownBody", R"("surface": "plate")", R"("surface": "plaet")", R"("plaet")",
               "/stimuli/felt/surface", "did you mean \"plate\"?"},
         Fault{"AnUnknownBodyAsALevel", R"(["ball", "roll", "rasp"])", R"(["ball", "roll", "file"])",
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/bodies/rasp/mesh", "leaves the study"},
         Fault{"AMeshWithASize", R"("mesh": "stimuli/rasp.mesh")",
               R"("mesh": "stimuli/rasp.mesh", "length_m": 0.1)", R"("length_m": 0.1)",
-              "/bodies/rasp/length_m", "from its file"},
+              "/bodies/rasp/length_m", "that of its file"},
         Fault{"AMissingSize", R"("diameter_m": 0.008, "length_m": 0.01)", R"("diameter_m": 0.008)",
               R"({"shape": "cylinder")", "/bodies/roll", "needs \"length_m\", in metres"},
         Fault{"ASizeOfAnotherShape", R"("diameter_m": 0.01})",
@@ -184,7 +184,7 @@ const Fault kSyntax[] = {
     {"cut_off", R"("version": "1.0.0",)", "\"version\": \"1.0.0", "\n  \"title\": \"Which", "",
      "must be escaped"},
     {"duplicate_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "version": "2.0.0",)",
-     R"("version": "2.0.0")", "/version", "stands twice"},
+     R"("version": "2.0.0")", "/version", "occurs twice"},
 };
 
 const Fault kForm[] = {
@@ -279,7 +279,7 @@ const Fault kMeaning[] = {
      R"("stroke_length_m": {"target": 0.3})", "0.3}",
      "/explorations/stroking/stroke_length_m/target", "does not fit"},
     {"contact_too_long", R"("minimum_contact_s": 2)", R"("minimum_contact_s": 20)", "20,",
-     "/explorations/stroking/minimum_contact_s", "gone after 15 s"},
+     "/explorations/stroking/minimum_contact_s", "removed after 15 s"},
     {"repeats_never", R"("maximum_contact_s": 15)",
      R"("maximum_contact_s": 15, "on_failure": "repeat_now")", R"("repeat_now")",
      "/explorations/stroking/on_failure", "maximum_repeats"},
@@ -295,10 +295,10 @@ const Fault kMeaning[] = {
      R"("normal_force_N": {"minimum": 0.5, "target": 1, "maximum": 2},
       "speed_m_per_s": {"minimum": 0.03, "target": 0.06, "maximum": 0.12},)",
      R"("guidance": "bars",)", R"("bars")", "/explorations/stroking/guidance",
-     "no band to tell of"},
+     "no band to indicate"},
     {"target_without_speed", R"("target": 0.06, "maximum": 0.12},)",
      R"("maximum": 0.12}, "guidance": "moving_target",)", R"("moving_target")",
-     "/explorations/stroking/guidance", "how fast and how far"},
+     "/explorations/stroking/guidance", "a speed and a length"},
     {"bars_behind_a_mask", R"("explorations": {
     "stroking": {)",
      R"("environment": {"vision": "blindfold"}, "explorations": {"stroking": {"guidance": "bars",)",
@@ -339,13 +339,13 @@ const Fault kMeaning[] = {
      R"(needs a "pause")"},
     {"feedback_in_a_selection", R"("positions": "balanced")",
      R"("positions": "balanced", "feedback": "correctness")", R"("correctness")",
-     "/blocks/main/feedback", "feedback needs a correct answer"},
+     "/blocks/main/feedback", "feedback needs a correct response"},
     {"criterion_in_a_selection", R"("positions": "balanced")",
      R"("positions": "balanced", "until": {"correct": 1, "of_last": 1, "maximum_trials": 6})",
-     R"({"correct")", "/blocks/main/until", "needs right answers"},
+     R"({"correct")", "/blocks/main/until", "needs correct responses"},
     {"blindfold_photograph", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "environment": {"vision": "blindfold"},)",
-     R"("photograph")", "/realism_standard", "whoever is blindfold sees no photograph"},
+     R"("photograph")", "/realism_standard", "a blindfolded participant sees no photograph"},
     {"analysis_of_another_kind", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["pairs", "whole"]},)",
      R"("whole"]})", "/analysis/family/1", "a selection has no test \"whole\"; it has \"pairs\""},
@@ -358,7 +358,7 @@ const Fault kMeaning[] = {
      R"("target_pairs")", "/analysis/family/0", "name it with \"target\""},
     {"analysis_of_nothing_chosen", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"target": "height_mop"},)",
-     R"("height_mop")", "/analysis/target", "is nothing that can be chosen"},
+     R"("height_mop")", "/analysis/target", "cannot be chosen"},
     {"equivalence_of_a_selection", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"equivalence_margin": 0.1},)", R"(0.1})",
      "/analysis/equivalence_margin", "only a matching and a recognition have proportions correct"},
@@ -395,7 +395,7 @@ const Fault kMeaning[] = {
     {"mixed_levels", R"("levels": ["metal", "stone"])", R"("levels": ["metal", 2])", "2]",
      "/factors/texture/levels/1", "all numbers or all names"},
     {"too_many_trials", R"("repetitions": 3)", R"("repetitions": 3000)", "{\n      \"crossed\"",
-     "/blocks/main", "nobody sits through"},
+     "/blocks/main", "too many for a participant"},
 };
 
 const Fault kMatching[] = {
@@ -403,12 +403,13 @@ const Fault kMatching[] = {
      R"("pictures": ["metal", "stone", "wood"])", R"(["metal", "stone", "wood"])",
      "/blocks/familiarisation/question/pictures", "as many pictures as surfaces"},
     {"criterion_beyond_reach", R"("correct": 2, "of_last": 3)", R"("correct": 4, "of_last": 3)",
-     R"(4, "of_last")", "/blocks/practice/until/correct", "nobody can get 4 right of 3"},
+     R"(4, "of_last")", "/blocks/practice/until/correct",
+     "a participant cannot get 4 correct of 3"},
     {"criterion_beyond_the_block", R"("maximum_trials": 6)", R"("maximum_trials": 9)", "9,",
      "/blocks/practice/until/maximum_trials", "needs repetitions 9"},
     {"blindfold_scene", R"("vision": "blindfold",)",
      R"("vision": "blindfold", "scene": {"visual_texture": "on"},)", R"("scene")",
-     "/environment/scene", "whoever is blindfold sees no scene"},
+     "/environment/scene", "a blindfolded participant sees no scene"},
     {"blindfold_pictures", R"("pictures_after_feeling": true)",
      R"("pictures_after_feeling": false)",
      R"(["metal", "stone", "wood", "brick"],
@@ -436,7 +437,7 @@ const Fault kMatching[] = {
 const Fault kRecognition[] = {
     {"answer_not_shown", R"("pictures": ["metal", "stone")", R"("pictures": ["stone")",
      R"(["stone")", "/blocks/familiarisation/question/pictures",
-     R"(right answer "metal" is not among)"},
+     R"(correct response "metal" is not among)"},
     {"no_correct_factor", R"("correct_factor": "texture",)", "", R"({
         "name": "recognised")",
      "/blocks/familiarisation/question", "correct_factor"},
@@ -491,7 +492,8 @@ TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
   text.replace(text.find(from), from.size(), R"("pictures": ["metal", "stone", "wood", )");
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].message.find("the right answer \"brick\" is not among"), std::string::npos);
+  EXPECT_NE(problems[0].message.find("the correct response \"brick\" is not among"),
+            std::string::npos);
 }
 
 TEST(PlantedFaults, ASessionWithoutEndIsRefused) {
@@ -529,8 +531,8 @@ TEST(PlantedFaults, AMessageBeginsWithFileLineAndColumn) {
 TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
   const std::string deep(100000, '[');
   const std::pair<std::string, const char*> cases[] = {
-      {"", "nothing here"},
-      {"   \n", "nothing here"},
+      {"", "the file is empty"},
+      {"   \n", "the file is empty"},
       {"hello", "'hello' is not JSON"},
       {"[1, 2]", "is not a protocol"},
       {"\"text\"", "is not a protocol"},
@@ -574,7 +576,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"AnUnknownSpacing", R"("spacing": "texture",)", R"("spacing": "textur",)",
               R"("textur",)", "/estimation/spacing", "did you mean \"texture\"?"},
         Fault{"SpacingAndConditionInOne", R"("condition": "tip")", R"("condition": "texture")",
-              R"("texture"})", "/estimation/condition", "one and the same factor"},
+              R"("texture"})", "/estimation/condition", "the same factor"},
         Fault{"ATextureWithoutSpacing", R"("spacing_m": 0.0005,)", "",
               R"({
       "height_field": "stimuli/wave_05.png")",
@@ -591,7 +593,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/blocks/main", "nothing sets the condition \"tip\""},
         Fault{"AnAnchorOfAnotherFactor", R"("anchor": {"texture": "spacing_14"})",
               R"("anchor": {"texture": "spacing_14", "tip": "sphere_1mm"})",
-              R"("tip": "sphere_1mm"})", "/blocks/main/anchor/tip", "and nothing else"},
+              R"("tip": "sphere_1mm"})", "/blocks/main/anchor/tip", "and no others"},
         Fault{"AnAnchorOfNoLevel", R"("anchor": {"texture": "spacing_14"})",
               R"("anchor": {"texture": "spacing_15"})", R"("spacing_15"})",
               "/blocks/main/anchor/texture", "is not a level of the factor"},
@@ -601,7 +603,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/blocks/practice/question/allow_cannot_tell", "every surface gets a number"},
         Fault{"Feedback", R"("exploration": "stroking")",
               R"("exploration": "stroking", "feedback": "correctness")", R"("correctness")",
-              "/blocks/practice/feedback", "no answer of a magnitude is right or wrong"},
+              "/blocks/practice/feedback", "no response of a magnitude is correct or incorrect"},
         Fault{"LevelsThatAreNoExplorations", R"("exploration": "stroking")",
               R"("exploration": {"factor": "texture"})", R"("spacing_05", "spacing_07")",
               "/factors/texture/levels/0", "there is no exploration \"spacing_05\""},
@@ -626,7 +628,7 @@ TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
   for (const Diagnostic& problem : problems) messages.push_back(problem.message);
   EXPECT_THAT(messages,
               testing::ElementsAre(testing::HasSubstr("\"staircase\" is not possible here"),
-                                   testing::HasSubstr("the key 'name' stands twice"),
+                                   testing::HasSubstr("the key 'name' occurs twice"),
                                    testing::HasSubstr("leaves the study"),
                                    testing::HasSubstr("there is no exploration \"strokin\""),
                                    testing::HasSubstr("\"devise\" is not possible here")));
@@ -696,9 +698,9 @@ TEST(Doubts, AreAboutWhatIsValidAndMayNotBeMeant) {
        R"({"minimum": 40, "target": 60, "maximum": 90})",
        "/explorations/light/speed_m_per_s/minimum", "40 mm/s are 0.04"},
       {R"("target": 2, "maximum": 2.6)", R"("target": 4.5, "maximum": 4.8)",
-       "/explorations/firm/normal_force_N/target", "ask for 4 N or less"},
+       "/explorations/firm/normal_force_N/target", "set 4 N or less"},
       {R"(back and forth, from left to right. Two bars)", R"(back and forth. Two low tones)",
-       "/instructions", "speaks of \"tones\""},
+       "/instructions", "mentions \"tones\""},
   };
   for (const auto& each : kCases) {
     const std::vector<Diagnostic> doubts = doubts_with(each.from, each.to);

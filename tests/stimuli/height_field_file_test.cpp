@@ -127,7 +127,7 @@ TEST(HeightFieldFile, RefusesAPictureThatIsNotSixteenBitGrey) {
             "wall.png is not a 16-bit grey PNG, which a height field must be.");
   std::vector<std::byte> png = encode_height_field_png(relief());
   png.resize(png.size() / 2);
-  EXPECT_THAT(field_refusal(png, sidecar), StartsWith("wall.png is cut off"));
+  EXPECT_THAT(field_refusal(png, sidecar), StartsWith("wall.png is truncated"));
 }
 
 }  // namespace

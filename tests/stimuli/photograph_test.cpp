@@ -205,7 +205,7 @@ TEST(Photograph, RefusesWhatIsNoPictureWithTheNameAndWhatWouldBeRight) {
             "wall.png is empty; a picture (PNG, JPEG, TIFF, BMP or WebP) is needed.");
   EXPECT_EQ(photograph_refusal(bytes_of("{\"format\": 1}")),
             "wall.png is not a picture that is read here; PNG, JPEG, TIFF, BMP or WebP is needed.");
-  EXPECT_THAT(photograph_refusal(bytes_of("BM")), StartsWith("wall.png is cut off"));
+  EXPECT_THAT(photograph_refusal(bytes_of("BM")), StartsWith("wall.png is truncated"));
 }
 
 // The header claims 20000 pixels and nothing follows: only the header can have been read.

@@ -81,8 +81,8 @@ std::string seam_said(const std::string& kind, const ParameterValues& values, do
 TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
             "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and where the surface is "
-            "repeated the last one is cut: a step that nobody asked for; 0.0192 m or 0.0208 m hold "
-            "whole ones (--width-m)");
+            "repeated the last one is cut, which makes an unintended step; 0.0192 m or 0.0208 m "
+            "hold complete ones (--width-m)");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
   EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("; 0.03 m hold"));
@@ -109,11 +109,10 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
                              {.width_m = 0.02, .pixels = pixels})
         .value_or("enough");
   };
-  EXPECT_EQ(
-      said(0.001, 80),
-      "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 for each spacing, so that "
-      "heights and shape are not those that were asked for; 160 samples a side or more "
-      "(--pixels) have eight for each");
+  EXPECT_EQ(said(0.001, 80),
+            "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 for each spacing, so "
+            "that heights and shape differ from those requested; 160 samples a side or more "
+            "(--pixels) have eight for each");
   EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 for each spacing"));
   EXPECT_EQ(said(0.001, 160), "enough");
   for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
@@ -221,8 +220,7 @@ TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
               HasSubstr("wood has no parameter \"grain_m\""));
   EXPECT_THAT(surface_refusal("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));
   EXPECT_THAT(surface_refusal("wood", {}, {.pixels = 8}), HasSubstr("pixels is 8"));
-  EXPECT_THAT(surface_refusal("sinusoid", {{"spacing_m", 1e-4}}, {}),
-              HasSubstr("ask for more pixels"));
+  EXPECT_THAT(surface_refusal("sinusoid", {{"spacing_m", 1e-4}}, {}), HasSubstr("use more pixels"));
   EXPECT_THAT(surface_refusal("grating", {{"spacing_m", 1e-3}}, {}),
               HasSubstr("wider than spacing_m"));
   EXPECT_THAT(surface_refusal("cones", {{"top_diameter_m", 0.002}}, {}),

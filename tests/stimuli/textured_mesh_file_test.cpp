@@ -82,13 +82,13 @@ TEST(TexturedMeshFile, IsRefusedWhereverItIsCutOff) {
   for (std::size_t length = 0; length < good.size(); length += 1 + good.size() / 200) {
     EXPECT_THAT(refusal_of_file(good.substr(0, length)), testing::StartsWith("thing ")) << length;
   }
-  EXPECT_THAT(refusal_of_file(good.substr(0, good.size() - 1)), HasSubstr("cut off"));
-  EXPECT_THAT(refusal_of_file(good + "x"), HasSubstr("goes on after its end"));
+  EXPECT_THAT(refusal_of_file(good.substr(0, good.size() - 1)), HasSubstr("truncated"));
+  EXPECT_THAT(refusal_of_file(good + "x"), HasSubstr("has data after its end"));
 }
 
 TEST(TexturedMeshFile, OfAnotherKindOrVersionIsRefused) {
-  EXPECT_THAT(refusal_of_file("v 0 0 0\n"), HasSubstr("no textured mesh"));
-  EXPECT_THAT(refusal_of_file("{}\n"), HasSubstr("no textured mesh"));
+  EXPECT_THAT(refusal_of_file("v 0 0 0\n"), HasSubstr("not a textured mesh"));
+  EXPECT_THAT(refusal_of_file("{}\n"), HasSubstr("not a textured mesh"));
   std::string newer = text_of(made());
   newer.replace(newer.find("mesh/1"), 6, "mesh/2");
   EXPECT_THAT(refusal_of_file(newer), HasSubstr("asperity.textured_mesh/2"));
@@ -110,13 +110,13 @@ TEST(TexturedMeshFile, WithTheTextureOfAnotherMeshIsRefused) {
                 stored.mesh.atlas = coarse.mesh.atlas;
                 stored.mesh.places = coarse.mesh.places;
               }),
-              HasSubstr("as many places"));
+              HasSubstr("one place in its atlas"));
 }
 
 // With the right digest, since anybody can write one.
 TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.triangles[3][1] = 99999; }),
-              HasSubstr("vertex that is not there"));
+              HasSubstr("vertex that does not exist"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].x = 1e6; }),
               HasSubstr("outside of the atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].y = std::nan(""); }),
@@ -126,9 +126,9 @@ TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals[2] *= 2.0; }),
               HasSubstr("at vertex 2 a normal that is not of unit length. Make the mesh again"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals.pop_back(); }),
-              HasSubstr("as many normals"));
+              HasSubstr("one normal for each vertex"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places.pop_back(); }),
-              HasSubstr("as many places"));
+              HasSubstr("one place in its atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.atlas.rows += 1; }),
               HasSubstr("rows and columns"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.atlas.step_m = -1.0; }), HasSubstr("step"));

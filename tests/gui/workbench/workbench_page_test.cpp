@@ -436,7 +436,7 @@ TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
       {words, "is not a picture that is read here"},
       {nothing, "is empty"},
       {folder() / "pictures.png", "is a folder"},
-      {half, "is cut off or damaged"},
+      {half, "is truncated or damaged"},
       {folder() / "pipe.png", "no file that holds a picture"},
       {huge, "3.0 GiB; pictures of up to 2 GiB"},
       {folder() / "gone.png", "is not there any more"}};
