@@ -42,7 +42,7 @@ double mcnemar_test(const Discordance& discordance) {
 
 ConfidenceInterval mcnemar_bounds(const McNemarMargins& margins) {
   if (std::max(margins.first, margins.second) > margins.participants) {
-    throw std::invalid_argument("more participants say yes than there are, " +
+    throw std::invalid_argument("more participants answered yes than there are, " +
                                 std::to_string(margins.participants));
   }
   // Of those who say yes first, all but `both` say so only then.

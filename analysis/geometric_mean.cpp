@@ -15,7 +15,7 @@ GeometricMean geometric_mean(std::span<const double> numbers, double confidence)
   logarithms.reserve(numbers.size());
   for (const double number : numbers) {
     if (!std::isfinite(number) || number <= 0.0) {
-      throw std::invalid_argument("a geometric mean is of numbers above 0; " + number_text(number) +
+      throw std::invalid_argument("a geometric mean needs numbers above 0; " + number_text(number) +
                                   " is not one");
     }
     logarithms.push_back(std::log(number));

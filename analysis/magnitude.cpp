@@ -248,9 +248,9 @@ std::vector<MagnitudeEstimate> without_zeros(std::span<const MagnitudeEstimate> 
       }
       const auto found = least.find(one.participant);
       if (found == least.end()) {
-        throw std::invalid_argument("estimates: all of participant " +
-                                    std::to_string(one.participant + 1) +
-                                    " are 0; half of the least positive one needs a positive one");
+        throw std::invalid_argument(
+            "estimates: all of participant " + std::to_string(one.participant + 1) +
+            " are 0; half of the smallest positive estimate needs a positive estimate");
       }
       one.estimate = 0.5 * found->second;
     }

@@ -73,7 +73,8 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   for (const PsychometricBlock& block : blocks) {
     if (block.hits > block.trials) {
       throw std::invalid_argument("hits is " + std::to_string(block.hits) + " of " +
-                                  std::to_string(block.trials) + " trials; at most all can be");
+                                  std::to_string(block.trials) +
+                                  " trials; hits cannot exceed trials");
     }
     if (!std::isfinite(block.x) || (is_weibull(model.shape) && block.x < 0.0)) {
       throw std::invalid_argument("x is " + number_text(block.x) +

@@ -93,7 +93,8 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
   refuse_unusable_record(acceleration_m_per_s2, rate_Hz);
   const auto waking = static_cast<std::size_t>(0.010 * rate_Hz);
   if (acceleration_m_per_s2.size() <= waking) {
-    throw std::invalid_argument("the record is no longer than the 10 ms in which the filter wakes");
+    throw std::invalid_argument(
+        "the record is not longer than the 10 ms in which the filter settles");
   }
   const std::vector<double> passed =
       filtered(ButterworthFilter(LowPass{.order = 4, .cutoff_Hz = 300.0}, rate_Hz),

@@ -21,10 +21,10 @@ const std::map<std::string, Phrase, std::less<>>& coded_phrases();
 
 /// Both, with a semicolon between; the second where the first is empty.
 Phrase with_semicolon(const Phrase& first, const Phrase& second);
-/// Likewise, with a comma.
+/// Both, with a comma between; the second where the first is empty.
 Phrase with_comma(const Phrase& first, const Phrase& second);
 
-/// As StoredWords::json and device profiles have it: what a person typed is a string, a coded phrase an object.
+/// As StoredWords::json and device profiles have it: typed text is a string, a coded phrase an object.
 nlohmann::ordered_json json_of(const Phrase& phrase);
 /// Of a code that this version does not know: the code, with its arguments.
 Phrase phrase_from(const nlohmann::ordered_json& item);

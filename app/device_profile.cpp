@@ -104,9 +104,9 @@ DeviceItem item_from(const nlohmann::json& json) {
   const bool is_done_or_not =
       std::find(kDoneOrNot.begin(), kDoneOrNot.end(), item.name) != kDoneOrNot.end();
   if (!is_done_or_not && device_quantity(item.name) == nullptr) {
-    throw std::runtime_error("it has an item \"" + item.name +
-                             "\", which this program does not know, and nothing would be compared "
-                             "with it; the items stand in docs/formats/device_profile.md");
+    throw std::runtime_error(
+        "it has an item \"" + item.name +
+        "\", which is unknown to this program; docs/formats/device_profile.md lists the items");
   }
   if (item.value && *item.value < 0.0) {
     throw std::runtime_error("its item " + item.name + " is " + std::to_string(*item.value) +
@@ -166,7 +166,7 @@ std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::
         [&name](DeviceTrait trait) { return name_of(trait) == name.get<std::string>(); });
     if (found == kDeviceTraits.end()) {
       throw std::runtime_error("stands_for names " + name.dump() +
-                               ", which is nothing that this program could know of a device");
+                               ", which is not a trait of a device");
     }
     traits.push_back(*found);
   }

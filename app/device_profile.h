@@ -26,14 +26,14 @@ struct DeviceItem {
   Status status = Status::not_measured;
   std::optional<double> value{};  ///< the worst of the axes; nothing for what is done or not
   std::vector<double> by_axis{};  ///< x, y, z, where they were measured apart
-  /// What it was held to. Without one the number is told and not judged.
+  /// The limit that it was compared with. Without one the number is reported and not judged.
   std::optional<double> limit{};
   Bound bound = Bound::at_most;
   Phrase text{};  ///< a sentence: what was done, or why nothing could be
 
-  /// Measured and held to nothing, which is said as "no limit": neither good nor bad.
+  /// Measured without a limit, which is shown as "no limit": neither good nor bad.
   bool is_only_told() const noexcept { return status == Status::pass && value && !limit; }
-  /// Held to a limit of which nobody knows whether it is kept.
+  /// Limited, and not measured.
   bool is_open() const noexcept { return status == Status::not_measured && limit; }
 };
 
@@ -46,21 +46,21 @@ const char* outcome_of(const DeviceItem& item) noexcept;
 struct DeviceQuantity {
   const char* name = nullptr;  ///< the item's
   DeviceItem::Bound bound = DeviceItem::Bound::at_most;
-  /// Says as much about the computer as about the device: of a simulated one it is told and not judged.
+  /// Characterises the computer as much as the device: of a simulated one it is reported and not judged.
   bool is_timing = false;
-  bool takes_limit = true;  ///< false: it is kept or not, and nobody sets how well
-  /// What of the device it tells, where it is something that may be known of one and not of another.
+  bool takes_limit = true;  ///< false: it is met or not, without a number
+  /// The trait that it measures, where one may be known of one device and unknown of another.
   std::optional<DeviceTrait> trait{};
 };
 /// All there are, in the order of a profile.
 std::span<const DeviceQuantity> device_quantities() noexcept;
 /// Null where no item with a number is called so.
 const DeviceQuantity* device_quantity(std::string_view name) noexcept;
-/// What items are held to where nobody says anything else.
+/// The limits of items where no others are set.
 struct UsualLimits {
   double rate_Hz = 1000.0;  ///< that was asked for
   bool is_simulated = false;
-  /// Nothing where a number is told and not judged.
+  /// Nothing where a number is reported and not judged.
   std::optional<double> of(std::string_view item) const noexcept;
 };
 /// Whether a number is on its side of a limit.
@@ -76,7 +76,7 @@ struct AxisResponse {
 struct DeviceProfile {
   std::string name{};  ///< the driver's
   std::string model{};
-  std::string serial{};  ///< empty where the device tells none
+  std::string serial{};  ///< empty where the device reports none
   bool is_simulated = false;
   std::string measured_utc{};  ///< when the measurement ended, "2026-01-01T00:00:00.000Z"
   std::string program_version{};
@@ -84,7 +84,7 @@ struct DeviceProfile {
   double rate_Hz = 0.0;  ///< of the servo loop
   std::string scheduling{};
   double force_N = 0.0;                 ///< no force was stronger
-  glm::dvec3 workspace_minimum_m{0.0};  ///< as the driver tells it
+  glm::dvec3 workspace_minimum_m{0.0};  ///< as the driver reports it
   glm::dvec3 workspace_maximum_m{0.0};
   /// What the handle reached when a person moved it along its borders.
   std::optional<glm::dvec3> reached_minimum_m{};
@@ -98,7 +98,7 @@ struct DeviceProfile {
   std::string stands_for() const;
   /// All that is not in `not_known`.
   std::vector<DeviceTrait> known() const;
-  /// Whether the item tells of the device what nobody knows: of a simulated one in its place nothing is measured then.
+  /// Whether the item measures an unknown trait: of a simulated model of the device it is not measured then.
   bool is_unknown(std::string_view item) const noexcept;
   /// Null where there is no such item.
   const DeviceItem* item(std::string_view name) const noexcept;
@@ -108,12 +108,12 @@ struct DeviceProfile {
   bool has_open_limit() const noexcept;
 };
 
-/// Takes the numbers away that are none of the device that a simulated one stands for, and says so in their place.
+/// Removes the numbers of traits that are unknown of the device that a simulated one models, and remarks on it.
 void leave_out_unknown(DeviceProfile& profile);
 
 /// The document, indented, with a line's end.
 std::string json_text_of(const DeviceProfile& profile);
-/// Of a stand-in that an earlier version measured, what is not known is left out likewise.
+/// In a profile by an earlier version of a simulated model of a device, unknown traits are removed as well.
 /// Errors: std::runtime_error with a sentence that names `origin` and what is wrong with it.
 DeviceProfile profile_from_json(const std::string& text, const std::string& origin);
 

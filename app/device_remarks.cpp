@@ -17,81 +17,86 @@ struct RemarkWords {
 const std::vector<RemarkWords>& all_remarks() {
   static const std::vector<RemarkWords> kRemarks{
       {DeviceRemark::took_force_away, "device_test_force_removed",
-       phrase("DeviceTest", "the servo loop took the force away (%1)")},
+       phrase("DeviceTest", "the servo loop set the force to zero (%1)")},
       {DeviceRemark::ran_away, "device_test_handle_ran_away",
-       phrase("DeviceTest", "the handle ran farther than %1 mm away, and the force was let go of")},
+       phrase("DeviceTest",
+              "the handle moved more than %1 mm away, and the force was switched off")},
       {DeviceRemark::along, "device_test_along_axis", phrase("DeviceTest", "along %1 %2")},
       {DeviceRemark::not_measured, "device_test_not_measured",
        phrase("DeviceTest", "Not measured: %1.")},
       {DeviceRemark::of_this_computer, "device_test_simulated",
-       phrase("DeviceTest", "Of a simulated device: it says something about this computer.")},
+       phrase("DeviceTest", "Of a simulated device: it characterises this computer.")},
       {DeviceRemark::nothing_felt, "device_test_no_surface",
-       phrase("DeviceTest", "Nothing was felt.")},
+       phrase("DeviceTest", "No surface was presented.")},
       {DeviceRemark::did_not_run, "device_test_loop_did_not_run",
        phrase("DeviceTest", "The loop did not run: %1")},
       {DeviceRemark::force_of_nothing, "device_test_force_without_surface",
-       phrase("DeviceTest", "The strongest force with nothing to feel.")},
+       phrase("DeviceTest", "The greatest force without a surface.")},
       {DeviceRemark::noise, "device_test_position_noise",
        phrase("DeviceTest", "Standard deviation of the positions of the handle at rest.")},
       {DeviceRemark::too_few_readings, "device_test_too_few_readings",
        phrase("DeviceTest", "there were too few readings")},
       {DeviceRemark::no_motors, "device_test_no_motors", phrase("DeviceTest", "It has no motors.")},
       {DeviceRemark::limited, "device_test_force_limit",
-       phrase("DeviceTest", "Asked for %1 N at a limit of %2 N, at most %3 N was sent.")},
+       phrase("DeviceTest", "When %1 N was requested at a limit of %2 N, at most %3 N was sent.")},
       {DeviceRemark::stopped, "device_test_zero_after_stop",
        phrase("DeviceTest",
-              "Stopped under a force, the device got exactly 0 N from the next tick on.")},
+              "After a stop under force, exactly 0 N was sent from the next tick on.")},
       {DeviceRemark::no_number, "device_test_zero_after_not_finite",
        phrase("DeviceTest",
-              "Asked for a force that is no number, the device got exactly 0 N in the same tick.")},
+              "When a force that is not a number was requested, exactly 0 N was sent in the same "
+              "tick.")},
       {DeviceRemark::silent, "device_test_zero_without_heartbeat",
        phrase("DeviceTest",
-              "Without a sign of life from the program the force faded to 0 N (a session waits for "
-              "%1 s).")},
+              "Without a heartbeat from the program the force faded to 0 N (a session waits for %1 "
+              "s).")},
       {DeviceRemark::did_not_follow, "device_test_did_not_follow",
-       phrase("DeviceTest", "the handle did not follow with %1 N")},
+       phrase("DeviceTest", "the handle did not follow a force of %1 N")},
       {DeviceRemark::did_not_move, "device_test_did_not_move",
        phrase("DeviceTest", "the handle did not move")},
       {DeviceRemark::sweeps_say_nothing, "device_test_sweeps_inconclusive",
-       phrase("DeviceTest", "the sweeps say nothing")},
+       phrase("DeviceTest", "the sweeps were inconclusive")},
       {DeviceRemark::push_did_not_move, "device_test_push_did_not_move",
        phrase("DeviceTest", "a push of %1 N did not move the handle")},
       {DeviceRemark::latency, "device_test_latency",
-       phrase("DeviceTest", "From a sudden force to the motion that is read.")},
+       phrase("DeviceTest", "From a step of force to the measured motion.")},
       {DeviceRemark::mass, "device_test_moving_mass",
        phrase("DeviceTest",
-              "Of the handle and what moves with it, from how a sudden force speeds it up.")},
+              "Of the handle and the parts that move with it, from their acceleration after a step "
+              "of force.")},
       {DeviceRemark::friction, "device_test_friction",
-       phrase("DeviceTest", "Coulomb friction, from slow sweeps to and fro at two speeds.")},
+       phrase("DeviceTest", "Coulomb friction, from slow back-and-forth sweeps at two speeds.")},
       {DeviceRemark::damping, "device_test_damping",
-       phrase("DeviceTest", "Growth of that resistance with speed.")},
+       phrase("DeviceTest", "Increase of that resistance with speed.")},
       {DeviceRemark::position_step, "device_test_position_resolution",
        phrase("DeviceTest",
-              "The step of positions that would make the errors found in a slow sweep.")},
+              "The position step that corresponds to the errors measured in a slow sweep.")},
       {DeviceRemark::resonance, "device_test_resonance",
        phrase("DeviceTest",
-              "The lowest frequency at which the handle answers twice as much as its mass.")},
+              "The lowest frequency at which the handle responds twice as strongly as its mass "
+              "alone.")},
       {DeviceRemark::no_resonance, "device_test_no_resonance",
        phrase("DeviceTest", "there is none from %1 to %2 Hz")},
       {DeviceRemark::stiffest, "device_test_stiffness",
-       phrase(
-           "DeviceTest",
-           "The stiffest spring, up to 8000 N/m, on which the handle came to rest after a kick.")},
+       phrase("DeviceTest",
+              "The stiffest spring, up to 8000 N/m, on which the handle came to rest after an "
+              "impulse.")},
       {DeviceRemark::swings_at_once, "device_test_unstable_at_softest",
-       phrase("DeviceTest", "already a spring of 250 N/m made the handle swing")},
+       phrase("DeviceTest", "a spring of 250 N/m already made the handle oscillate")},
       {DeviceRemark::weakest, "device_test_force_resolution",
        phrase("DeviceTest",
               "The weakest push, by steps of a factor √2, that moved the handle from rest.")},
       {DeviceRemark::nothing_moves_it, "device_test_no_push_moved",
        phrase("DeviceTest", "no push up to %1 N moved the handle")},
       {DeviceRemark::nobody_moved_it, "device_test_workspace_not_explored",
-       phrase("DeviceTest", "Nobody moved the handle along the borders of its workspace.")},
+       phrase("DeviceTest", "The handle was not moved along the borders of its workspace.")},
       {DeviceRemark::no_readings, "device_test_no_readings",
        phrase("DeviceTest", "There were no readings.")},
       {DeviceRemark::share_reached, "device_test_workspace_reached",
-       phrase("DeviceTest", "The least share of the declared workspace that the handle reached.")},
+       phrase("DeviceTest",
+              "The smallest fraction of the declared workspace that the handle reached.")},
       {DeviceRemark::not_known, "device_test_unknown_trait",
-       phrase("DeviceTest", "Not known of %1, which the simulated device stands for.")},
+       phrase("DeviceTest", "Unknown for %1, which the simulated device models.")},
   };
   return kRemarks;
 }
@@ -126,9 +131,9 @@ Phrase phrase_of(DeviceTrait trait) {
     case DeviceTrait::latency:
       return phrase("DeviceTest", "latency");
     case DeviceTrait::position_step:
-      return phrase("DeviceTest", "steps of positions");
+      return phrase("DeviceTest", "position step");
     case DeviceTrait::position_noise:
-      return phrase("DeviceTest", "noise of positions");
+      return phrase("DeviceTest", "position noise");
     case DeviceTrait::friction:
       return phrase("DeviceTest", "friction");
     case DeviceTrait::damping:
@@ -140,7 +145,7 @@ Phrase phrase_of(DeviceTrait trait) {
     case DeviceTrait::stiffness:
       return phrase("DeviceTest", "stiffest spring");
     case DeviceTrait::force_resolution:
-      return phrase("DeviceTest", "weakest force");
+      return phrase("DeviceTest", "force resolution");
   }
   return {};
 }
@@ -155,7 +160,7 @@ Phrase listed_traits(const std::vector<DeviceTrait>& traits) {
 
 Phrase what_is_known(const DeviceProfile& profile) {
   if (profile.stands_for().empty()) return {};
-  return phrase("DeviceTest", "Simulated in place of %1; known of it: %2; not known: %3.")
+  return phrase("DeviceTest", "Simulated model of %1; known: %2; unknown: %3.")
       .with(profile.stands_for(), listed_traits(profile.known()), listed_traits(profile.not_known));
 }
 
@@ -177,15 +182,15 @@ Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {
       });
   Phrase kept{};
   if (!failed.empty()) {
-    kept = phrase("DeviceTest", "The device did not keep every limit: %1.").with(failed);
+    kept = phrase("DeviceTest", "The device did not meet every limit: %1.").with(failed);
   } else if (kept_some) {
-    kept = open.empty() ? phrase("DeviceTest", "The device kept every limit.")
-                        : phrase("DeviceTest", "The device kept every limit of what was measured.");
+    kept = open.empty() ? phrase("DeviceTest", "The device met every limit.")
+                        : phrase("DeviceTest", "The device met every limit that was measured.");
   } else if (open.empty()) {
-    kept = phrase("DeviceTest", "The device was held to no limit.");
+    kept = phrase("DeviceTest", "No limit applied to the device.");
   }
   if (open.empty()) return kept;
-  const Phrase unseen = phrase("DeviceTest", "Not measured, though limited: %1.").with(open);
+  const Phrase unseen = phrase("DeviceTest", "Limited, but not measured: %1.").with(open);
   return kept.empty() ? unseen : Phrase("%1 %2").with(kept, unseen);
 }
 

@@ -1,4 +1,4 @@
-// What is said of a device's profile: how the number of an item was found, or why there is none, and what is known.
+// Remarks on a device's profile: how the number of an item was measured, or why there is none, and the known traits.
 
 #pragma once
 
@@ -49,7 +49,7 @@ enum class DeviceRemark {
   share_reached,
   not_known,
 };
-/// Its places are filled by whoever measured.
+/// The measurement fills its places.
 Phrase phrase_of(DeviceRemark remark);
 
 /// All of them, each with its code.
@@ -59,12 +59,12 @@ std::vector<Phrase> coded_remarks();
 Phrase phrase_of(DeviceTrait trait);
 /// "friction, damping"
 Phrase listed_traits(const std::vector<DeviceTrait>& traits);
-/// "Simulated in place of delta.3; known of it: workspace, …; not known: …": what stands above the items of such a
+/// "Simulated model of delta.3; known: workspace, …; unknown: …": the line above the items of such a
 /// device. Empty of every other.
 Phrase what_is_known(const DeviceProfile& profile);
 /// What items are called where they are read: "friction_N" at a terminal, "Friction" in a window.
 using ItemNames = std::function<std::string(const std::string& item)>;
-/// Whether it kept its limits, what has to be kept without a number among them, and which of them nobody looked at. A
+/// Whether it met its limits, with and without a number, and which limited items were not measured. A
 /// sentence or two. Without `called` items have their own names.
 Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called = {});
 

@@ -16,7 +16,7 @@ namespace asperity {
 /// then: it does not follow when the words of today change. What is stored from schema 7 on has codes and never comes
 /// here.
 Phrase phrase_of_earlier(const std::string& sentence);
-/// Likewise of an item of a device profile.
+/// The same for the remark of an item of a device profile.
 Phrase remark_of_earlier(const std::string& sentence);
 
 }  // namespace asperity

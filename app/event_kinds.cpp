@@ -23,10 +23,10 @@ const std::vector<EventKind>& event_kinds() {
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
                        "pacing", "scheduling", "device", "judged_force", "segment"}},
       {.name = "resumed_late",
-       .meaning = "the session is resumed later than the protocol has it "
-                  "(`resume.maximum_age_hours`), before `session_resumed`. Text: the "
-                  "experimenter's reason. Data: `age_hours` since it last ran, and "
-                  "`maximum_age_hours`",
+       .meaning =
+           "the session is resumed later than the protocol allows (`resume.maximum_age_hours`), "
+           "before `session_resumed`. Text: the experimenter's reason. Data: `age_hours` since it "
+           "last ran, and `maximum_age_hours`",
        .hed = "Experiment-structure",
        .public_data = {"age_hours", "maximum_age_hours"},
        .text_is_words = true},
@@ -41,7 +41,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Device"},
       {.name = "rehearsal",
        .meaning = "a warning of the comparison of the plan with the measured device. Data: the "
-                  "check, the stimulus, what is asked of the device and what it can",
+                  "check, the stimulus, what is required of the device and what it provides",
        .hed = "Experiment-control, Warning, Device",
        .text_is_public = true,
        .public_data = {"check", "stimulus", "asked", "device"}},
@@ -70,7 +70,7 @@ const std::vector<EventKind>& event_kinds() {
        .ended_by = {"phase"},
        .text_is_public = true},
       {.name = "check_passed",
-       .meaning = "a check that the protocol asks for was passed. Text: `device` or `force_zero`",
+       .meaning = "a check that the protocol requires was passed. Text: `device` or `force_zero`",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "break_began",
@@ -133,9 +133,8 @@ const std::vector<EventKind>& event_kinds() {
       {.name = "masking_noise",
        .meaning =
            "the masking noise of the stretch that begins. Data: `kind`, `gain`, declared and "
-           "measured level, `verified_by`, who measured it, and the sound output. Kind "
-           "`none`, not `heard`: nothing could sound, as at a terminal (of which Asperity "
-           "0.1.0 stored nothing)",
+           "measured level, `verified_by`, who measured it, and the sound output. Kind `none`, not "
+           "`heard`: nothing could sound, as at a terminal (Asperity 0.1.0 stored no such event)",
        .hed = "Sensory-event, Auditory-presentation, Signal-noise",
        .text_is_public = true,
        .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",
@@ -146,7 +145,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Mishap, Signal-noise",
        .text_is_public = true},
       {.name = "masking_noise_missing",
-       .meaning = "the noise could not begin: the sound card did not play; the session was paused "
+       .meaning = "the noise could not start: the sound card did not play; the session was paused "
                   "before its first trial, or the first after it was resumed",
        .hed = "Experiment-control, Mishap, Signal-noise",
        .text_is_public = true},
@@ -160,7 +159,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control",
        .text_is_public = true},
       {.name = "experimenter_ready",
-       .meaning = "what the protocol wants of the experimenter before the trial was done and "
+       .meaning = "what the protocol requires of the experimenter before the trial was done and "
                   "confirmed. Text: what it was",
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},

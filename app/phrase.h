@@ -1,4 +1,4 @@
-// Words of the program's own, made where there is no Qt, that windows can say in another language.
+// Texts of the program, made where there is no Qt, that windows can show in another language.
 
 #pragma once
 
@@ -15,14 +15,14 @@ namespace asperity {
 /// English words with places %1 … %9 for what varies.
 ///
 /// The terminal is given `english()`; a window looks up the words before the places
-/// are filled (app/gui/look/words.h), and those of every argument likewise. The words stand in the
+/// are filled (app/gui/look/words.h), and those of every argument as well. The words are in the
 /// source once, in `phrase("Context", "Words")`, from where scripts/translations takes them: both
 /// have to be literals there, with nothing after the second.
 class Phrase final {
  public:
   Phrase() = default;
-  /// What is the same in every language: a label, a number, the message of a library. Implicit, so
-  /// that it can be said wherever a phrase can.
+  /// A text that is the same in every language: a label, a number, the message of a library. Implicit, so
+  /// that it can be used wherever a phrase can.
   Phrase(std::string words) : words_(std::move(words)) {}
   Phrase(const char* words) : words_(words) {}
   /// See `phrase`.
@@ -35,7 +35,7 @@ class Phrase final {
   }
   Phrase filled(std::vector<Phrase> arguments) const;
   /// Standing by itself: with a full stop if it has none, and with a capital letter, unless it begins
-  /// with an argument that is the same in every language: that may be a name, which nobody changes.
+  /// with an argument that is the same in every language: that may be a name, which stays unchanged.
   Phrase as_sentence() const;
 
   /// The same with the code under which it is stored (app/coded_phrases.h), a literal.
@@ -66,10 +66,10 @@ class Phrase final {
   bool is_sentence_ = false;
 };
 
-/// Words that are translated. `context` groups them for whoever translates.
+/// Words that are translated. `context` groups them for translators.
 inline Phrase phrase(const char* context, const char* words) { return {context, words}; }
 
-/// An error that can be told in another language; `what()` is the English.
+/// An error that can be shown in another language; `what()` is the English.
 class PhrasedError : public std::runtime_error {
  public:
   explicit PhrasedError(const Phrase& said) : std::runtime_error(said.english()), said_(said) {}
@@ -78,7 +78,7 @@ class PhrasedError : public std::runtime_error {
  private:
   Phrase said_;
 };
-/// Of a PhrasedError its phrase; of any other error what it says.
+/// Of a PhrasedError its phrase; of any other error its message.
 Phrase phrase_of(const std::exception& error);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// A word of a command that somebody is told to type.
+// An argument of a command that is shown to the user.
 
 #pragma once
 

@@ -19,10 +19,9 @@ bool is_looked_at(const Study& study) {
 
 std::optional<Phrase> remark_on(const Study& study) {
   if (!is_looked_at(study)) {
-    return phrase(
-        "Analysis",
-        "The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. \"asperity "
-        "verify\" says whether everything holds.");
+    return phrase("Analysis",
+                  "The file study.sqlite is larger than 1 GiB, so its checksum was not compared. "
+                  "Run \"asperity verify\" to check the study.");
   }
   switch (study.condition()) {
     case StudyCondition::whole:
@@ -31,9 +30,8 @@ std::optional<Phrase> remark_on(const Study& study) {
     case StudyCondition::changed:
       return phrase(
           "Analysis",
-          "The file study.sqlite is not what it was when Asperity last closed it: what is read "
-          "from it can be wrong. \"asperity verify\" says what does not hold, and what that can "
-          "mean.");
+          "The file study.sqlite has changed since Asperity last closed it: data read from it may "
+          "be incorrect. Run \"asperity verify\" for the errors and their possible causes.");
   }
   return {};
 }
@@ -42,9 +40,9 @@ void refuse_if_broken(const Study& study) {
   if (!is_looked_at(study) || study.condition() != StudyCondition::broken) return;
   const std::string folder = study.folder().string();
   throw ResultsError("the study " + folder +
-                         " is broken: SQLite finds its study.sqlite damaged, so that rows can be "
-                         "wrong or missing without a trace. \"asperity verify " +
-                         folder + "\" says what does not hold; restore the study from a copy",
+                         " is damaged: SQLite found errors in its study.sqlite, so that rows may "
+                         "be incorrect or missing. \"asperity verify " +
+                         folder + "\" lists the errors; restore the study from a copy",
                      study.folder());
 }
 

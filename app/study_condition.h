@@ -11,16 +11,16 @@
 
 namespace asperity {
 
-/// A sentence for whoever reads numbers of a study whose file was changed, or is too large for its
-/// checksum to be looked at while somebody waits for an analysis: from 1 GiB on, which a disk may take
+/// A sentence for readers of numbers of a study whose file was changed, or is too large for its
+/// checksum to be compared before an analysis: from 1 GiB on, which a disk may take
 /// two seconds to read, and an analysis need not read. None when it is whole; a broken one is refused.
 std::optional<Phrase> remark_on(const Study& study);
 
 /// Runs what reads a study, while its file is looked at in the background (Study::condition), and
 /// refuses what was read from a broken one, in which rows can be missing without a trace. A file that
-/// was merely changed is read: that can have been meant, and `remark_on` says so to whoever reads on.
+/// was merely changed is read: that can have been meant, and `remark_on` states it.
 ///
-/// When `stop` is requested, what was read until then is nobody's: the file is not waited for, and
+/// When `stop` is requested, what was read until then is discarded: the file is not waited for, and
 /// nothing refused.
 ///
 /// Errors: ResultsError when the file is broken, in place of whatever `read` may throw then, and with the
@@ -28,7 +28,7 @@ std::optional<Phrase> remark_on(const Study& study);
 void read_unless_broken(const Study& study, const std::function<void()>& read,
                         const std::stop_token& stop);
 
-/// The same for whoever is about to write.
+/// The same before writing.
 void refuse_if_broken(const Study& study);
 
 }  // namespace asperity

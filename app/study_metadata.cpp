@@ -4,15 +4,14 @@ namespace asperity {
 
 std::optional<Phrase> missing_metadata(const StudyMetadata& metadata) {
   if (metadata.authors.empty() && !metadata.license) {
-    return phrase(
-        "StudyMetadata",
-        "The study states neither authors nor a license, which archives of data ask for.");
+    return phrase("StudyMetadata",
+                  "The study states neither authors nor a license, which data archives require.");
   }
   if (metadata.authors.empty()) {
-    return phrase("StudyMetadata", "The study states no authors, which archives of data ask for.");
+    return phrase("StudyMetadata", "The study states no authors, which data archives require.");
   }
   if (!metadata.license) {
-    return phrase("StudyMetadata", "The study states no license, which archives of data ask for.");
+    return phrase("StudyMetadata", "The study states no license, which data archives require.");
   }
   return std::nullopt;
 }

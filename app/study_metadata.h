@@ -1,4 +1,4 @@
-// What archives of data ask of a study apart from its data: authors, license, ethics approval.
+// Metadata that data archives require of a study: authors, license, ethics approval.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// "The study has no authors and no license, …", for whoever exports it; nothing where both are there.
+/// "The study has no authors and no license, …", for an export; nothing where both are there.
 /// What to do about it depends on the place: a command, or an entry of a menu.
 std::optional<Phrase> missing_metadata(const StudyMetadata& metadata);
 

@@ -91,7 +91,8 @@ Driver replay_driver() {
               "a study are in its folder recordings)");
         }
         if (!options.recorded_hand) {
-          throw std::runtime_error("the device \"replay\" cannot be used here; a session can");
+          throw std::runtime_error(
+              "the device \"replay\" cannot be used here; run a session on it");
         }
         return std::make_unique<ReplayDevice>(options.recorded_hand(file), ReplayEnd::rest, file);
       }};

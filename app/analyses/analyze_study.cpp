@@ -36,7 +36,7 @@ Phrase attempts_that_were(const std::string& what) {
       {"device_fault", phrase("Analysis", "%1 stopped by a fault")},
       {"emergency_stop", phrase("Analysis", "%1 ended by the emergency stop")},
       {"excluded", phrase("Analysis", "%1 excluded")},
-      {"not_compliant", phrase("Analysis", "%1 not explored as asked")},
+      {"not_compliant", phrase("Analysis", "%1 not explored as instructed")},
       {"skipped", phrase("Analysis", "%1 skipped")},
       {"timed_out", phrase("Analysis", "%1 not answered in time")}};
   const auto known = kKnown.find(what);
@@ -110,7 +110,7 @@ std::string names_in(const Study& study) {
   }
   std::string text{};
   for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
-  return text.empty() ? "no sessions at all" : "sessions of " + text;
+  return text.empty() ? "no sessions" : "sessions of " + text;
 }
 
 std::vector<AnalysisOutcome> outcomes_of(const Study& study,

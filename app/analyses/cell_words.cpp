@@ -97,7 +97,7 @@ const CellWords& words_of_reasons() {
       {"outside_range", phrase("CellWords", "not within the tested spacings")},
       {"not every trial presents every model",
        phrase("CellWords", "not every trial presents every model")},
-      {"too_few_to_say", phrase("CellWords", "too few participants to say")},
+      {"too_few_to_say", phrase("CellWords", "too few participants for a conclusion")},
       {"no_pair_offered", phrase("CellWords", "no trial presented two models")},
       {"no_responses", phrase("CellWords", "no responses to test")},
       {"no_target_or_one_texture",
@@ -128,7 +128,7 @@ Phrase words_of_method(const std::string& text) {
   if (bar == std::string::npos) return name;
   const std::string permutations = text.substr(bar + 1);
   if (permutations == "exact") return phrase("CellWords", "%1, exact").with(name);
-  return phrase("CellWords", "%1, %2 random permutations").with(name, permutations);
+  return phrase("CellWords", "%1, %2 permutations drawn at random").with(name, permutations);
 }
 
 /// "height_map / sinusoid" of "height_map|sinusoid".
@@ -160,6 +160,7 @@ Phrase words_of_count(const std::string& text) {
 const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
                                 {"Inf", phrase("CellWords", "∞")},
+                                {"Other or not told", phrase("CellWords", "Other or not reported")},
                                 {"cannot_tell", phrase("CellWords", "cannot tell")}};
   return kWords;
 }

@@ -218,7 +218,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   if (sizes.size() != 1) {
     cells.resize(table.table.columns.size());
     finding.status = sizes.empty()
-                         ? "there is no answer that counts here"
+                         ? "there are no responses that count here"
                          : "the number of items differs between the trials, and chance with it";
     outcome.findings.push_back(std::move(finding));
     return;
@@ -235,12 +235,13 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
                              found.cell("prop.correct"), 1.0 / static_cast<double>(items),
                              share("relabel.null.lower"), share("relabel.null.upper"), p});
   finding.value = found.value("prop.correct");
-  finding.method = "right items of all items; chance 1/" + std::to_string(items);
+  finding.method = "correctly matched items of all items; chance 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
   finding.quantity = "p";
   finding.value = p;
   finding.method =
-      "one-sided permutation test of the number of right items, one relabelling of the " +
+      "one-sided permutation test of the number of correctly matched items, one relabelling of "
+      "the " +
       std::to_string(items) + " pictures per participant";
   outcome.tests_in_tables.insert(name_of(finding));
   outcome.findings.push_back(std::move(finding));
@@ -343,12 +344,11 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const Assignment>
 
 void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
-  NamedTable made{"confused_pairs",
-                  phrase("Analysis", "Pairs of textures that are confused, the worst first"),
-                  {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
-                  phrase("Analysis",
-                         "How often the one was given the picture of the other, and the other way "
-                         "round.")};
+  NamedTable made{
+      "confused_pairs",
+      phrase("Analysis", "Confused pairs of textures, the most frequent first"),
+      {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
+      phrase("Analysis", "How often one was assigned the picture of the other, and vice versa.")};
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const auto count = [&](const std::string& a, const std::string& b) {
@@ -367,10 +367,12 @@ void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers
 }
 
 void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable made{"right_items",
-                  phrase("Analysis", "Trials by their number of correctly matched items"),
-                  {{"right", "goes", "by_chance"}, {}},
-                  phrase("Analysis", "Expected under guessing: trials of random permutations.")};
+  NamedTable made{
+      "right_items",
+      phrase("Analysis", "Trials by their number of correctly matched items"),
+      {{"right", "goes", "by_chance"}, {}},
+      phrase("Analysis",
+             "Expected under guessing: trials in which every assignment is equally likely.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
     const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
@@ -478,11 +480,11 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
   finding.value = static_cast<double>(times);
   finding.unit = "1";
-  finding.method = "items of the one that were given the picture of the other";
+  finding.method = "items of one that were assigned the picture of the other";
   finding.n = people;
   add_question(
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
-      times == 0 ? phrase("Analysis", "None was ever taken for another.")
+      times == 0 ? phrase("Analysis", "No texture was confused with another.")
       : as_often > 1
           ? phrase(
                 "Analysis",

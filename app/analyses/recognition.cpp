@@ -519,7 +519,7 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
   finding.unit = "1";
   finding.n = first.answers;
   finding.method =
-      "answers in which one was taken for the other, of the answers to either; n counts answers";
+      "responses that confuse one with the other, of the responses to either; n counts responses";
   Phrase answer{};
   if (first.times == 0) {
     answer =

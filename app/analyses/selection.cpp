@@ -86,15 +86,14 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
         phrase("Analysis", "%1 Responses “cannot tell” are counted above and excluded here.")
             .with(shares.note);
   }
-  ShareTable pairs{"pairs",
-                   phrase("Analysis", "One model against another, among the choices of either"),
-                   phrase("Analysis",
-                          "The chance is 1/2: a choice of a third model says nothing about the "
-                          "two."),
-                   {"column", "item", "against"},
-                   "chosen",
-                   "share_of_pair",
-                   {}};
+  ShareTable pairs{
+      "pairs",
+      phrase("Analysis", "One model against another, among the choices of either"),
+      phrase("Analysis", "The chance level is 1/2: choices of a third model are not counted."),
+      {"column", "item", "against"},
+      "chosen",
+      "share_of_pair",
+      {}};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
     for (std::size_t item = 0; item < items; ++item) {
       shares.rows.push_back(

@@ -303,7 +303,7 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
           ? phrase("Analysis",
                    "For each pair the difference of both counts in every participant, against all "
                    "patterns of signs (both names exchanged within a participant). Choices of a "
-                   "third model say nothing about the two.")
+                   "third model are not counted.")
           : phrase("Analysis",
                    "For each pair the trials that presented both: the difference of both counts in "
                    "every participant, against all patterns of signs (both names exchanged within "

@@ -95,7 +95,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     about.n = row.tally.persons();
     if (count.trials == 0) {
       cells.resize(made.table.columns.size());
-      about.status = "there is no answer that counts here";
+      about.status = "there are no responses that count here";
       outcome.findings.push_back(about);
       continue;
     }

@@ -54,7 +54,8 @@ int analyze_case(const AnalyzeOptions& options) {
 void refuse_unused(const TidyInput& input, const std::string& name) {
   if (!input.table().has(name)) return;
   throw std::runtime_error("the option \"" + name + "\" is not used, because " +
-                           input.table().name() + " has a column of that name; leave out one");
+                           input.table().name() +
+                           " has a column of that name; leave out one of them");
 }
 
 #ifdef ASPERITY_WITH_WINDOWS
@@ -140,7 +141,8 @@ int analyze_answers(const AnalyzeOptions& options) {
 void add_analyze(CLI::App& program, Job& job) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* command = program.add_subcommand(
-      "analyze", "Show the tables and tests of a study's answers, or of anyone's tables.");
+      "analyze",
+      "Show the tables and tests of a study's responses, or of tables from other sources.");
   auto* study = command->add_option("STUDY", options->study, "Folder of the study");
   auto* protocol =
       command->add_option("--protocol", options->protocol, "Only the protocol of this name");
@@ -156,8 +158,9 @@ void add_analyze(CLI::App& program, Job& job) {
       "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in JSON is "
       "taken as such: 'within={\"spacing\":[1,2,4]}'");
 #ifdef ASPERITY_WITH_WINDOWS
-  auto* figures = command->add_option("--figures", options->figures,
-                                      "Also the figures of that analysis, as SVG in this folder");
+  auto* figures =
+      command->add_option("--figures", options->figures,
+                          "Also write the figures of that analysis, as SVG in this folder");
   auto* level_unit = command->add_option("--level-unit", options->level_unit,
                                          "Unit of the levels or spacings in the table, for axes");
 #endif

@@ -66,8 +66,8 @@ void print_text(const BakeOutcome& outcome, const std::string& out) {
               << " of " << report.samples << '\n';
   }
   if (report.folded_faces > 0) {
-    std::cout << "Faces folded so sharply that their texture cannot be trusted: "
-              << report.folded_faces << "; more triangles would help\n";
+    std::cout << "Faces folded so sharply that their texture is unreliable: " << report.folded_faces
+              << "; more triangles would help\n";
   }
 }
 
@@ -83,16 +83,16 @@ void add_bake(CLI::App& program, Job& job) {
   BakeOrder& order = options->order;
   order.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
   CLI::App* command = program.add_subcommand(
-      "bake", "Make a simple mesh with a haptic texture from a mesh of fine detail.");
+      "bake", "Make a simple mesh with a haptic texture from a detailed mesh.");
   command->add_option("MESH", order.mesh, "OBJ, PLY, STL or OFF")->required();
   command
       ->add_option(
           "--triangles", order.triangles,
-          "Of the simple mesh, at most; 500 to 750 suit rendering with six degrees of freedom")
+          "Upper limit for the simple mesh; 500 to 750 suit rendering with six degrees of freedom")
       ->required()
       ->check(CLI::Range(4, 1'000'000));
   command->add_option("--out", order.out, "The textured mesh")->required();
-  command->add_option("--unit-m", order.reading.unit_m, "What one unit of MESH is long, in metres")
+  command->add_option("--unit-m", order.reading.unit_m, "Length of one unit of MESH, in metres")
       ->capture_default_str();
   command->add_option("--fill-holes-m", order.widest_hole_m,
                       "Widest hole that is closed (default: a tenth of the mesh's diagonal)");
@@ -105,7 +105,7 @@ void add_bake(CLI::App& program, Job& job) {
           "highest or lowest point in the plane z = 0 (default: it keeps its frame)")
       ->transform(word_of(kRoles))
       ->option_text("surface|tool");
-  command->add_option("--jobs", order.jobs, "Threads; changes no result")
+  command->add_option("--jobs", order.jobs, "Threads; does not change the result")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "Print the figures as JSON");
   command->add_flag("--force", options->force, "Replace an existing file");

@@ -86,7 +86,7 @@ BodyOption body_option(const std::string& option, const std::string& text) {
   for (const Form& form : kForms) {
     // A shape without its sizes is no file, unless somebody called one so.
     if (text + ':' != form.prefix || std::filesystem::exists(text)) continue;
-    throw std::runtime_error(option + ' ' + text + " says no size: write " +
+    throw std::runtime_error(option + ' ' + text + " states no size: write " +
                              std::string(form.meant) + ", with sizes in metres");
   }
   body.file = text;

@@ -133,12 +133,13 @@ void add_check(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "check", "Check protocols: every problem, or what the plan amounts to.");
+      "check", "Check protocols: list every problem, or summarise the plan.");
   command->add_option("FILE", options->files, "Protocol files")->required();
-  command->add_option("--study", options->study, "Look also for the files that the protocols name");
+  command->add_option("--study", options->study,
+                      "Folder of the study: also check the files that the protocols name");
   command->add_option("--device", options->device,
                       "Compare with this device: a name of asperity devices, simulated:MODEL, "
-                      "replay:FILE; where there are several NAME:SERIAL");
+                      "replay:FILE; of several, NAME:SERIAL");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {

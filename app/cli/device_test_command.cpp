@@ -52,10 +52,11 @@ std::map<std::string, double> given_limits(const std::vector<std::string>& texts
   for (const std::string& text : texts) {
     const auto [item, limit] = item_limit(text);
     if (const auto complaint = complaint_about({.item = item, .limit = limit}, rate_Hz)) {
-      throw WrongUsage("--limit " + text + " is none that a protocol could have: " + *complaint);
+      throw WrongUsage("--limit " + text +
+                       " is not a limit that a protocol can set: " + *complaint);
     }
     if (!limits.emplace(item, limit).second) {
-      throw WrongUsage("--limit gives " + item + " twice; which one is meant?");
+      throw WrongUsage("--limit gives " + item + " twice; give it once");
     }
   }
   return limits;
@@ -87,8 +88,8 @@ bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop
   if (is_agreed) return true;
   if (isatty(STDIN_FILENO) == 0) {
     throw WrongUsage(
-        "device-test asks on a terminal before it moves a device, and there is none; use --yes "
-        "where somebody is beside it");
+        "device-test asks for confirmation on a terminal before it moves a device, and there is no "
+        "terminal; use --yes if a person is next to the device");
   }
   // Not what was typed before anybody could read what it would agree to.
   tcflush(STDIN_FILENO, TCIFLUSH);
@@ -106,8 +107,8 @@ void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& op
   }
   const std::string what =
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
-  if (agrees(what + "\n  Ctrl-C takes the force away at once.", is_agreed, stop)) return;
-  throw std::runtime_error(stop.stop_requested() ? "nothing was measured: it was stopped, as asked"
+  if (agrees(what + "\n  Ctrl-C sets the force to zero at once.", is_agreed, stop)) return;
+  throw std::runtime_error(stop.stop_requested() ? "nothing was measured: stopped on request"
                                                  : "nothing was measured: the answer was not yes");
 }
 
@@ -149,22 +150,21 @@ void add_device_test(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "device-test", "Measure a device: timing, mechanics, safety. It moves by itself.");
   command
-      ->add_option(
-          "NAME", options->device,
-          "Device: simulated, simulated:MODEL, falcon, …; where there are several NAME:SERIAL")
+      ->add_option("NAME", options->device,
+                   "Device: simulated, simulated:MODEL, falcon, …; of several, NAME:SERIAL")
       ->required();
   command->add_option("--study", options->order.study,
                       "Keep the profile with this study, for its sessions");
   command->add_option("--protocol", options->protocol,
-                      "Protocol whose limits the device is held to, at its rate");
+                      "Protocol whose limits and rate apply to the device");
   const CLI::Option* rate =
       command->add_option("--rate-hz", options->order.test.rate_Hz, "Rate of the servo loop")
           ->check(CLI::Range(100.0, 10000.0))
           ->capture_default_str();
-  command->add_option("--force-n", options->order.test.force_N, "No force is stronger")
+  command->add_option("--force-n", options->order.test.force_N, "Upper limit of every force")
       ->check(CLI::Range(0.1, 20.0))
       ->capture_default_str();
-  command->add_option("--limit", options->limits, "NAME=NUMBER: what an item is held to");
+  command->add_option("--limit", options->limits, "NAME=NUMBER: limit for an item");
   add_driver_options(*command, options->drivers);
   command->add_flag("--yes", options->agreed, "Do not ask before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
@@ -185,8 +185,8 @@ void add_device_test(CLI::App& program, Job& job) {
       // Both before the device: one that is homed, moves to find its zero or is pushed is not left by a process that
       // just dies.
       InterruptWatch interrupt(
-          "asperity: stopping: a handle that moves by itself is stopped; switch the device off "
-          "should it go on");
+          "asperity: stopping: a handle that moves by itself is stopped; switch the device off if "
+          "it keeps moving");
       const InterruptWatch::Hold until_it_is_closed;
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.stop = interrupt.token();

@@ -52,9 +52,8 @@ void print_driver(const SurveyedDriver& driver) {
   if (!driver.survey.hindrance.empty()) {
     std::cout << "  not usable: " << driver.survey.hindrance << '\n';
   } else if (driver.survey.attached.empty()) {
-    std::cout
-        << "  none attached: plug one in and see that it has power; what it needs beside (a udev "
-           "rule, firmware) stands in docs/devices.md\n";
+    std::cout << "  none attached: plug one in and check that it has power; docs/devices.md lists "
+                 "what else it needs (a udev rule, firmware)\n";
   }
 }
 
@@ -67,7 +66,7 @@ void add_devices(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "devices", "The drivers, what each finds attached, and what would make it usable.");
+      "devices", "List the drivers, the attached devices, and what would make each usable.");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {

@@ -50,9 +50,9 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
     const auto remark = [&file](std::size_t cells, const char* what) {
       if (cells > 0) say(file.name + ": in " + counted(cells, "cell") + ' ' + what);
     };
-    remark(file.spaced_cells, "tabs or line breaks became spaces, which TSV cannot hold");
+    remark(file.spaced_cells, "tabs or line breaks, which TSV cannot hold, became spaces");
     remark(file.marked_cells,
-           "an apostrophe keeps a text from being taken for a formula (README.txt)");
+           "an apostrophe prevents a text from being read as a formula (README.txt)");
     remark(file.cut_cells, "a text was cut: SPSS takes 32 000 bytes, and 120 of an option");
   }
   for (const auto& [name, count] : of_dataset) {
@@ -81,17 +81,16 @@ void add_export(CLI::App& program, Job& job) {
                                       "participants who withdrew; the columns are listed below");
   command
       ->add_option("--with-questions", options->questions,
-                   "Questions of questionnaires whose answers the public gets, with commas between")
+                   "Questions of questionnaires whose answers are published, separated by commas")
       ->delimiter(',')
       ->needs(published);
   command->add_flag("--force", options->force, "Replace an earlier export");
   command
       ->add_option("--formats", options->formats,
-                   "What to write beside the tables, with commas between: wide (CSV, one row per "
-                   "participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
-                   "factor), bids, psychds, "
-                   "stimuli (the height fields), physio "
-                   "(the recordings, in the BIDS dataset); all; none. Without it all but physio")
+                   "What to write in addition to the tables, separated by commas: wide (CSV, one "
+                   "row per participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
+                   "factor), bids, psychds, stimuli (the height fields), physio (the recordings, "
+                   "in the BIDS dataset); all; none. Default: all but physio")
       ->delimiter(',')
       ->check(CLI::IsMember(
           {"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}));
@@ -114,7 +113,7 @@ void add_export(CLI::App& program, Job& job) {
                                [&progress](double fraction) { progress.show(fraction); });
       }
       if (interrupt.token().stop_requested()) {
-        say("asperity: stopped before everything was written; nothing is left of it");
+        say("asperity: stopped before everything was written; the incomplete export was removed");
         return 1;
       }
       say_what_was_written(options->out, outcome.files);

@@ -24,14 +24,14 @@ void add_new(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("new", "Make a study.");
-  command->add_option("DIR", options->folder, "Folder of the study; must not hold anything yet")
+  command->add_option("DIR", options->folder, "Folder of the study; must be new or empty")
       ->required();
   command->add_flag("--demo", options->demo,
-                    "The demonstration study, with textures and protocols");
+                    "Make the demonstration study, with textures and protocols");
   CLI::Option* const shared = command->add_flag(
       "--shared", options->shared,
-      "For the group of the folder: its members can read and change the study and run sessions. "
-      "Without it a new folder is for its owner only");
+      "Share the study with the group of the folder: its members can read and change it and run "
+      "sessions. Without it only the owner can access a new folder");
   command
       ->add_option("--group", options->group,
                    "With --shared: the group, one that you are a member of")

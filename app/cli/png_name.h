@@ -14,8 +14,7 @@ inline void require_png(const std::filesystem::path& file) {
   if (file.extension() == ".png") return;
   std::filesystem::path right = file;
   right.replace_extension(".png");
-  throw std::invalid_argument(file.string() + ": what is written is a PNG; call it " +
-                              right.string());
+  throw std::invalid_argument(file.string() + ": the output is a PNG; name it " + right.string());
 }
 
 }  // namespace asperity

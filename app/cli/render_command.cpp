@@ -89,28 +89,29 @@ void add_render(CLI::App& program, Job& job) {
   command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
   command->add_option(
       "--stimulus", options->stimulus,
-      "A height field, which repeats without end: FILE.png or plane:FILE.png. Of a "
-      "model with two bodies also a textured mesh, or box:[FILE.png,]X_m,Y_m,Z_m, "
-      "cylinder:[FILE.png,]D_m,L_m, sphere:[FILE.png,]D_m, plane:[FILE.png,]X_m,Y_m");
+      "A height field, which repeats endlessly: FILE.png or plane:FILE.png. For a model with two "
+      "bodies also a textured mesh, or box:[FILE.png,]X_m,Y_m,Z_m, cylinder:[FILE.png,]D_m,L_m, "
+      "sphere:[FILE.png,]D_m, plane:[FILE.png,]X_m,Y_m");
   command->add_option(
       "--tool", options->tool,
-      "What the hand holds, of a model with two bodies: a textured mesh, sphere:D_m, "
-      "disc:D_m, cylinder:D_m,L_m, or another shape as of --stimulus. The path leads the origin of "
-      "its frame: of a shape its middle, while in a protocol it is the tool's lowest point");
+      "Tool in the hand, for a model with two bodies: a textured mesh, sphere:D_m, disc:D_m, "
+      "cylinder:D_m,L_m, or another shape as of --stimulus. The path leads the origin of its "
+      "frame: of a shape its middle, while in a protocol it is the tool's lowest point");
   command
       ->add_option("--coupling", options->coupling,
-                   "Of a model with two bodies. none: the path is the tool's own; virtual: the "
-                   "device's, to which the tool is coupled")
+                   "For a model with two bodies. none: the path is that of the tool; virtual: that "
+                   "of the device, to which the tool is coupled")
       ->default_str("none")
       ->check(CLI::IsMember({"none", "virtual"}));
   command
       ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
-                   "Of the surface, N/m")
+                   "Stiffness of the surface, N/m")
       ->capture_default_str();
   command
-      ->add_option("--friction", options->material.friction, "Coulomb coefficient of the surface")
+      ->add_option("--friction", options->material.friction,
+                   "Coulomb friction coefficient of the surface")
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of a model that draws random numbers")
+  command->add_option("--seed", options->seed, "Seed for a model that draws random numbers")
       ->capture_default_str();
   command->add_option("--path", options->path, "Table of the probe's path (TSV)")->required();
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
@@ -134,7 +135,7 @@ void add_render(CLI::App& program, Job& job) {
       if (!needs_bodies && (options->tool || options->coupling)) {
         throw std::runtime_error("the force model " + options->model + " touches with a point; " +
                                  (options->tool ? "--tool" : "--coupling") +
-                                 " goes with a model that has two bodies");
+                                 " needs a model with two bodies");
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +
@@ -145,7 +146,8 @@ void add_render(CLI::App& program, Job& job) {
         if (needs_bodies) {
           add_bodies(inputs, options->model, surface, options->tool);
           if (options->coupling && inputs.parameters.contains("coupling")) {
-            throw std::runtime_error("--coupling and --param coupling say the same; give it once");
+            throw std::runtime_error(
+                "--coupling and --param coupling set the same parameter; give one of them");
           }
           inputs.parameters.try_emplace("coupling", options->coupling.value_or("none"));
         } else {

@@ -35,11 +35,10 @@ void require_same_kind(const ModelRegistry& models, const ForceModel& asked, con
     if (model.declaration.needs_bodies == felt_bodies) fitting.push_back(model.declaration.id);
   }
   throw std::runtime_error(
-      "surface " + std::to_string(surface) + " was felt with " + felt.declaration.id + ", " +
+      "surface " + std::to_string(surface) + " was rendered with " + felt.declaration.id + ", " +
       (felt_bodies ? "a tool against a surface" : "a point on a height field") + ", and " +
       asked.declaration.id + " needs " +
-      (felt_bodies ? "a height field that is felt with a point"
-                   : "a tool and a surface as bodies") +
+      (felt_bodies ? "a height field that a point touches" : "a tool and a surface as bodies") +
       "; --model takes " + one_of(fitting) + " here");
 }
 
@@ -57,7 +56,7 @@ void add_replay(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "replay", "Put a recorded hand through the model it felt, or through another one.");
+      "replay", "Render a recorded hand movement again, with its force model or another one.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command
       ->add_option("--attempt", options->attempt,
@@ -106,7 +105,7 @@ void add_replay(CLI::App& program, Job& job) {
         }
         renderer = make_renderer(model, inputs);
       } else {
-        if (!options->parameters.empty()) throw WrongUsage("--param goes with --model");
+        if (!options->parameters.empty()) throw WrongUsage("--param needs --model");
         renderer = make_renderer(*surface.stimulus.model, surface.stimulus.inputs);
       }
       std::vector<TickRecord> felt{};

@@ -32,13 +32,13 @@ std::uint64_t seed_of_this_machine() {
 /// Before anybody is asked anything.
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
   if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
-    say("asperity: warning: the protocol asks for noise that masks the device; a terminal plays "
+    say("asperity: warning: the protocol requires noise that masks the device; a terminal plays "
         "none, which is stored with the session and stated in its report (the program's windows "
         "play it)");
   }
   if (guides_participants(protocol)) {
     say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
-        "terminal has none of them, and the report will say so (the program's windows have)");
+        "terminal cannot present them, which the report states (the program's windows can)");
   }
 }
 
@@ -61,28 +61,28 @@ void add_run(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--device", options->inputs.device,
-                   "Device to run on: a name of asperity devices, and where there are several "
-                   "NAME:SERIAL")
+                   "Device to run on: a name of asperity devices, and of several, NAME:SERIAL")
       ->capture_default_str();
   add_driver_options(*command, options->inputs.driver_options);
-  command->add_option("--seed", options->seed, "Seed of the session; drawn anew by default");
+  command->add_option("--seed", options->seed, "Seed of the session; drawn at random by default");
   const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
                                                  {"pilot", SessionMode::pilot}};
   command
       ->add_option("--mode", options->inputs.mode,
                    "run: study data, on a device with motors (or by the protocol's "
-                   "device.input_only); pilot: any device, kept apart in the data")
+                   "device.input_only); pilot: any device, marked as pilot data")
       ->transform(CLI::CheckedTransformer(modes))
       ->default_str("run");
   CLI::Option* resume =
-      command->add_flag("--resume", options->inputs.resume, "Go on with an unfinished session");
+      command->add_flag("--resume", options->inputs.resume, "Resume an unfinished session");
   command
-      ->add_option("--late-reason", options->inputs.late_reason,
-                   "Why a session is resumed that is older than the protocol's maximum_age_hours")
+      ->add_option(
+          "--late-reason", options->inputs.late_reason,
+          "Reason for resuming a session that is older than the protocol's maximum_age_hours")
       ->needs(resume);
   CLI::Option* stand_in =
       command->add_flag("--virtual", options->inputs.is_virtual,
-                        "A virtual hand and observer stand in for the participant");
+                        "Simulate the participant by a virtual hand and observer");
   CLI::Option* fast = command->add_flag("--as-fast-as-possible", options->fast,
                                         "Simulated clock (default with --virtual)");
   CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Real time");
@@ -134,9 +134,9 @@ void add_run(CLI::App& program, Job& job) {
                        .tell = [](const std::string& line) { say("asperity: " + line); }});
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason.english() +
-            (end.as_the_protocol_says ? ""
-                                      : "; every finished trial is stored, go on with the same "
-                                        "command and --resume"));
+            (end.as_the_protocol_says
+                 ? ""
+                 : "; every finished trial is stored, resume with the same command and --resume"));
         return 1;
       }
       say("session complete: " + std::to_string(end.attempts) +

@@ -34,12 +34,14 @@ void add_simulate(CLI::App& program, Job& job) {
       ->add_option("--study", options->inputs.study,
                    "Folder of the study (created if it does not exist)")
       ->required();
-  command->add_option("--participants", options->inputs.participants, "How many to add")
+  command
+      ->add_option("--participants", options->inputs.participants, "Number of participants to add")
       ->required()
       ->check(CLI::Range(1, 9999));
   command->add_option("--seed", options->inputs.seed, "Same seed, same results")->required();
   command
-      ->add_option("--jobs", options->inputs.jobs, "Sessions at the same time; changes no result")
+      ->add_option("--jobs", options->inputs.jobs,
+                   "Sessions that run in parallel; does not change the results")
       ->check(CLI::Range(1, 256));
   const std::map<std::string, Recordings> recordings{
       {"all", Recordings::all}, {"first", Recordings::first}, {"none", Recordings::none}};
@@ -49,7 +51,7 @@ void add_simulate(CLI::App& program, Job& job) {
       ->transform(CLI::CheckedTransformer(recordings))
       ->default_str("first");
   command->add_flag("--resume", options->inputs.resume,
-                    "Go on with an interrupted simulation of the same arguments");
+                    "Resume an interrupted simulation with the same arguments");
   command->add_flag("--json", options->json, "Print the totals as JSON");
   command->callback([options, &job] {
     job = [options] {

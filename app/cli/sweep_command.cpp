@@ -159,7 +159,7 @@ void take_texture(SweepOrder& order, const std::string& text) {
     order.texture.values = parameters_from(pieces, surface.parameters, surface.kind);
   }
   if (order.texture.values.contains("spacing_m")) {
-    throw WrongUsage("--texture " + text + ": the spacing is what --spacings says");
+    throw WrongUsage("--texture " + text + ": the spacing is set by --spacings");
   }
 }
 
@@ -190,7 +190,8 @@ void take_level(const SweepOrder& order, VariedQuantity quantity, const char* op
                 std::optional<double> given, double& level) {
   if (!given) return;
   if (order.varied == quantity) {
-    throw WrongUsage(std::string(option) + " is what --vary varies; its levels are --values");
+    throw WrongUsage(std::string(option) +
+                     " is the quantity that --vary varies; give its levels with --values");
   }
   require_unit(std::string(option) + ' ' + number_text(*given), *given, given_of(quantity));
   level = *given;
@@ -264,14 +265,15 @@ void say_where_nothing_moved(const Sweep& sweep, SweepMeasure measure, std::size
   const RoughnessStroke& stroke = sweep.order.stroke;
   std::string why = "the acceleration has no power in that band";
   if (measure == SweepMeasure::max_accel || measure == SweepMeasure::rms_accel) {
-    why = "nothing accelerated the tool";
+    why = "the tool was not accelerated";
     if (stroke.mode == DragMode::constant_height) {
-      why += ", which at constant height only a force along the stroke does, and " +
-             stroke.model->declaration.id +
-             " as it is here has none: --drag constant_force lets the texture lift the tool";
+      why +=
+          "; at constant height only a force along the stroke accelerates it, and " +
+          stroke.model->declaration.id +
+          " has none with these parameters: --drag constant_force lets the texture lift the tool";
     }
   }
-  say("not fitted: " + counted(unmoved, "row") + " whose stroke went well and whose " +
+  say("not fitted: " + counted(unmoved, "row") + " whose stroke was complete and whose " +
       text_of(measure) + " is 0: " + why);
 }
 
@@ -297,12 +299,12 @@ void say_why_absent(const Sweep& sweep, SweepMeasure measure) {
     has_no_top = has_no_top || !curve.fit->peak;
   }
   if (is_short) {
-    say("n/a: a greatest value within the range and a parabola need three spacings at least that "
-        "are fitted (--spacings FROM:TO:COUNT; see the column status)");
+    say("n/a: a maximum within the range and a parabola need at least three fitted spacings "
+        "(--spacings FROM:TO:COUNT; see the column status)");
   }
   if (is_at_end) {
-    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing, so that "
-        "nothing shows that it is the greatest");
+    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing, so that it "
+        "may not be the maximum");
   }
   if (has_no_top) {
     say("parabola_peak_mm n/a: the parabola has no highest point within the spacings");
@@ -354,7 +356,7 @@ void require_one_protocol(const std::string& folder, const std::vector<AnalysisO
                            (versions.size() > 1 ? std::to_string(versions.size()) + " protocols"
                                                 : std::to_string(choices.size()) + " versions of " +
                                                       versions.begin()->first) +
-                           ": say which by --protocol, " + said);
+                           ": name one with --protocol, " + said);
 }
 
 /// The outcomes that `--protocol` leaves.
@@ -390,13 +392,13 @@ Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
     ++alike;
   }
   if (found == nullptr) {
-    throw std::runtime_error("the study has lost the protocol " + outcome.protocol + ' ' +
-                             outcome.version + "; asperity verify says more");
+    throw std::runtime_error("the study does not contain the protocol " + outcome.protocol + ' ' +
+                             outcome.version + "; run asperity verify");
   }
   if (alike > 1) {
     say("asperity: warning: " + std::to_string(alike) + " different files are " + outcome.protocol +
         ' ' + outcome.version +
-        ", and their answers are counted together; the sweep is held against the first of them");
+        ", and their answers are counted together; the sweep is compared with the first of them");
   }
   return read_protocol(found->source, found->name, declarations_of(models));
 }
@@ -411,8 +413,8 @@ StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& model
       const SweepBeside beside =
           sweep_beside(options.order, protocol_of(study, outcome, models), study.folder());
       require_estimates(figure, beside.conditions);
-      say("beside it: " + outcome.protocol + " " + outcome.version + ", " + text_of(outcome.group) +
-          ", " + std::to_string(outcome.answers) + " answers");
+      say("estimates in the figure: " + outcome.protocol + " " + outcome.version + ", " +
+          text_of(outcome.group) + ", " + std::to_string(outcome.answers) + " answers");
       for (const std::string& remark : beside.remarks) {
         say("asperity: warning: " + remark);
       }
@@ -471,7 +473,7 @@ int run_sweep(SweepOptions options) {
 #endif
   Sweep sweep{};
   {
-    const InterruptWatch interrupt("stopping; rows that are whole are kept");
+    const InterruptWatch interrupt("stopping; complete rows are kept");
     Progress progress("sweeping");
     sweep = sweep_into_file(order, file, interrupt.token(),
                             [&progress](double fraction) { progress.show(fraction); });
@@ -481,7 +483,7 @@ int run_sweep(SweepOptions options) {
     say(sweep.rows.empty()
             ? "asperity: stopped before the first row"
             : "asperity: stopped; " + options.out + " holds " + std::to_string(sweep.rows.size()) +
-                  " of " + std::to_string(asked) + " rows; the same command goes on with it");
+                  " of " + std::to_string(asked) + " rows; repeat the command to continue");
     return 1;
   }
   std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "
@@ -515,12 +517,14 @@ void add_sweep(CLI::App& program, Job& job) {
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},
       {"exploratory_speed", VariedQuantity::exploratory_speed}};
-  command->add_option("--vary", options->order.varied, "A curve for each of its values")
+  command
+      ->add_option("--vary", options->order.varied,
+                   "Quantity that is varied, with one curve for each value")
       ->required()
       ->transform(word_of(varied))
       ->option_text("probe_diameter|applied_force|exploratory_speed REQUIRED");
   command->add_option("--values", options->values,
-                      "V,V,… of what is varied, in m, N or m/s; three usual ones without it");
+                      "V,V,… of that quantity, in m, N or m/s; default: three usual values");
   command
       ->add_option("--spacings", options->spacings, "FROM:TO:COUNT of the texture, m, logarithmic")
       ->capture_default_str();
@@ -529,10 +533,9 @@ void add_sweep(CLI::App& program, Job& job) {
                    "KIND[,NAME=VALUE…] of asperity synth, or FILE.png, a height field that is "
                    "stretched to each spacing")
       ->capture_default_str();
-  command->add_option(
-      "--tool", options->tool,
-      "Of a model with two bodies: sphere (the default), disc (upright, along the stroke), "
-      "point, or the file of a textured mesh");
+  command->add_option("--tool", options->tool,
+                      "For a model with two bodies: sphere (the default), disc (upright, along the "
+                      "stroke), point, or the file of a textured mesh");
   const std::map<std::string, DragMode> modes{{"constant_height", DragMode::constant_height},
                                               {"constant_force", DragMode::constant_force}};
   command
@@ -543,23 +546,24 @@ void add_sweep(CLI::App& program, Job& job) {
   command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
   command
       ->add_option("--stiffness-n-per-m", options->order.stroke.material.stiffness_N_per_m,
-                   "Of the surface, N/m")
+                   "Stiffness of the surface, N/m")
       ->capture_default_str();
   command
       ->add_option("--friction", options->order.stroke.material.friction,
-                   "Coulomb coefficient of the surface")
+                   "Coulomb friction coefficient of the surface")
       ->capture_default_str();
-  command->add_option("--probe-diameter-m", options->probe_diameter_m, "Where it is not varied")
+  command->add_option("--probe-diameter-m", options->probe_diameter_m, "Value if it is not varied")
       ->default_str(number_text(options->order.stroke.tip.diameter_m));
-  command->add_option("--applied-force-n", options->applied_force_N, "Where it is not varied")
+  command->add_option("--applied-force-n", options->applied_force_N, "Value if it is not varied")
       ->default_str(number_text(options->order.stroke.force_N));
   command
       ->add_option("--exploratory-speed-m-per-s", options->exploratory_speed_m_per_s,
-                   "Where it is not varied")
+                   "Value if it is not varied")
       ->default_str(number_text(options->order.stroke.speed_m_per_s));
   command
-      ->add_option("--jobs", options->jobs,
-                   "Spacings at the same time, all processors by default; changes no result")
+      ->add_option(
+          "--jobs", options->jobs,
+          "Spacings computed in parallel, all processors by default; does not change the result")
       ->check(CLI::Range(1, 256));
   command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
   std::map<std::string, SweepMeasure> measures{};
@@ -569,30 +573,27 @@ void add_sweep(CLI::App& program, Job& job) {
     measures[text_of(measure)] = measure;
   }
   command
-      ->add_option(
-          "--measure", options->measure,
-          "Which column the printed peaks and the figure are of: the greatest acceleration "
-          "(the default), its RMS, a band's power, or the power over the threshold of touch")
+      ->add_option("--measure", options->measure,
+                   "Column of the printed peaks and of the figure: the greatest acceleration (the "
+                   "default), its RMS, a band's power, or the power over the threshold of touch")
       ->transform(word_of(measures))
       ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS
-  auto* plot = command->add_option(
-      "--plot", options->plot, "Also a figure of that measure, by its ending .svg, .png or .pdf");
-  auto* beside =
-      command
-          ->add_option(
-              "--beside", options->beside,
-              "In the figure: what the participants of this study estimated. A level for each of "
-              "its protocol's conditions, which differ in what is varied")
-          ->needs(plot);
+  auto* plot = command->add_option("--plot", options->plot,
+                                   "Also write a figure of that measure, .svg, .png or .pdf");
+  auto* beside = command
+                     ->add_option("--beside", options->beside,
+                                  "Also show the estimates of the participants of this study in "
+                                  "the figure. The sweep needs one level for each condition of the "
+                                  "protocol, and the conditions must differ in the varied quantity")
+                     ->needs(plot);
   command
       ->add_option("--protocol", options->protocol,
-                   "NAME[@VERSION] of the study; needed where several protocols, or several "
-                   "versions of one, "
-                   "estimate roughness")
+                   "NAME[@VERSION] of the study; needed if several protocols, or several versions "
+                   "of one, estimate roughness")
       ->needs(beside);
 #endif
-  command->add_flag("--force", options->force, "Replace what is there of another sweep");
+  command->add_flag("--force", options->force, "Replace the rows of another sweep");
   command->callback([options, &job] { job = [options] { return run_sweep(*options); }; });
 }
 

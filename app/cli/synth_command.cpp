@@ -57,7 +57,7 @@ void add_synth(CLI::App& program, Job& job) {
   command->add_option("--width-m", options->canvas.width_m, "Side of the square")
       ->capture_default_str();
   command->add_option("--pixels", options->canvas.pixels, "Samples a side")->capture_default_str();
-  command->add_option("--seed", options->canvas.seed, "Of everything random")
+  command->add_option("--seed", options->canvas.seed, "Seed of all random numbers")
       ->capture_default_str();
   command
       ->add_option("--photo", options->photograph,

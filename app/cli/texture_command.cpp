@@ -38,11 +38,13 @@ void add_texture(CLI::App& program, Job& job) {
       ->add_option("--out", options->out,
                    "The height field, FILE.png (its sidecar is FILE.png.json)")
       ->required();
-  command->add_option("--width-m", recipe.width_m, "What the photograph shows, left to right")
+  command
+      ->add_option("--width-m", recipe.width_m,
+                   "Width of the surface in the photograph, from its left to its right edge")
       ->required();
   command
       ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
-                   "Cut-off of the low-pass g; longer waves are left out")
+                   "Cut-off of the low-pass g; longer waves are removed")
       ->capture_default_str();
   command
       ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
@@ -61,7 +63,7 @@ void add_texture(CLI::App& program, Job& job) {
   command->add_option("--histogram", recipe.histogram, "none or equalize")
       ->transform(word_of(histograms))
       ->default_str("none");
-  command->add_option("--preview", options->preview, "PNG of the steps, for looking at");
+  command->add_option("--preview", options->preview, "PNG of the steps, for inspection");
   command->add_flag("--force", options->force, "Replace existing files");
   command->callback([options, &job] {
     job = [options] {

@@ -22,7 +22,7 @@ void add_verify(CLI::App& program, Job& job) {
       "verify", "Check a study: every hash and constraint, and the plans against their seeds.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_flag("--replay", options->replay,
-                    "Also put every recorded hand through its renderers");
+                    "Also replay every recorded hand movement through its force models");
   command->callback([options, &job] {
     job = [options] {
       const InterruptWatch interrupt;
@@ -45,10 +45,9 @@ void add_verify(CLI::App& program, Job& job) {
         std::cout << result.recordings_replayed << " recordings replayed\n";
       }
       std::cout << (result.problems.empty()
-                        ? std::string("everything holds")
+                        ? std::string("no problems found")
                         : std::to_string(result.problems.size()) +
-                              (result.problems.size() == 1 ? " thing does" : " things do") +
-                              " not hold")
+                              (result.problems.size() == 1 ? " problem" : " problems") + " found")
                 << '\n';
       return result.problems.empty() ? 0 : 1;
     };

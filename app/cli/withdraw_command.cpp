@@ -44,7 +44,7 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
   if (::isatty(STDIN_FILENO) == 0) {
     throw WrongUsage("withdraw --delete cannot ask without a terminal; repeat the label with " +
                      ("--confirm " + label) + " to delete " + held(counts) +
-                     " for good. Nothing was deleted");
+                     " permanently. Nothing was deleted");
   }
   std::cerr << label << ": " << held(counts)
             << ". They cannot be brought back. Type the label again to delete them: " << std::flush;
@@ -54,17 +54,17 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
 
 void name_outputs(const OutputsOfParticipant& outputs) {
   if (!outputs.recorded.empty()) {
-    std::cout
-        << "made of the study since the participant was added, and not changed by this; delete "
-           "what holds data of the participant, and export or report anew where needed:\n";
+    std::cout << "outputs made from the study since the participant was added, which this did not "
+                 "change; delete those that hold data of the participant, and export or report "
+                 "again if needed:\n";
     for (const OutputRow& output : outputs.recorded) {
       std::cout << "  " << local_time_text(output.made_utc) << "  "
                 << kind_words(output.kind).english() << "  " << output.path << '\n';
     }
   }
   if (outputs.unknown_before_utc) {
-    std::cout << "what was made of the study before "
-              << local_time_text(*outputs.unknown_before_utc) << " is not recorded\n";
+    std::cout << "outputs made from the study before "
+              << local_time_text(*outputs.unknown_before_utc) << " are not recorded\n";
   }
 }
 
@@ -81,7 +81,7 @@ void add_withdraw(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "withdraw", "A participant withdraws: their data are kept and never used, or deleted.");
+      "withdraw", "Withdraw a participant: the data are kept and never used, or deleted.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("LABEL", options->label, "Label of the participant")->required();
   auto* deletes = command->add_flag(

@@ -114,15 +114,14 @@ void Conductor::hold(Next next) {
 
 void Conductor::pause_without_noise() {
   requests_.pause();
-  publish_trouble(
-      course_.has_masked()
-          ? phrase("Troubles",
-                   "The masking noise has stopped, and the session is paused. Mend the sound, then "
-                   "resume.")
-          : phrase("Troubles",
-                   "The masking noise cannot begin: the sound card does not play. The session is "
-                   "paused. Mend the sound, then resume."),
-      SessionTrouble::Remedy::resume);
+  publish_trouble(course_.has_masked()
+                      ? phrase("Troubles",
+                               "The masking noise has stopped, and the session is paused. Fix the "
+                               "sound, then resume.")
+                      : phrase("Troubles",
+                               "The masking noise cannot start: the sound card does not play. The "
+                               "session is paused. Fix the sound, then resume."),
+                  SessionTrouble::Remedy::resume);
   course_.event(course_.has_masked() ? "masking_noise_lost" : "masking_noise_missing", "");
 }
 
@@ -174,8 +173,8 @@ std::optional<Phrase> Conductor::trouble_after_standstill() {
   course_.event("fault_cleared", "");
   publish_trouble(
       phrase("Troubles",
-             "The servo loop stood still for more than 50 ms: the force was set to zero, "
-             "and what was interrupted is repeated. The third time, the session stops."),
+             "The servo loop stood still for more than 50 ms: the force was set to zero, and what "
+             "was interrupted is repeated. The session stops at the third time."),
       SessionTrouble::Remedy::none);
   return {};
 }
@@ -238,7 +237,7 @@ bool Conductor::wait_out_fault(Phrase what) {
     const Fault fault = rig_.loop().status().fault;
     tell(fault == Fault::emergency_stop
              ? phrase("Troubles", "%1 The emergency stop was pressed meanwhile.").with(stopped())
-             : phrase("Troubles", "%1 The device is not fit yet: %2.")
+             : phrase("Troubles", "%1 The device is not ready yet: %2.")
                    .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
   }
   forget_surface();

@@ -1,4 +1,4 @@
-// Whether what somebody wrote answers a question of a form.
+// Whether a typed text answers a question of a form.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// What a person who is being asked is told when their answer is not acceptable; nothing when it is.
+/// The sentence shown to a participant whose answer is not acceptable; nothing when it is.
 /// `answer` may be the number of an option; it is then replaced by the option. A decimal comma
 /// of a number is replaced by a point.
 std::optional<Saying> refusal_of(const Question& question, std::string& answer);

@@ -17,7 +17,7 @@ std::vector<ProbeState> recorded_hand(const std::filesystem::path& recording) {
   }
   if (states.empty()) {
     throw std::runtime_error("the recording " + recording.string() +
-                             " has no ticks, and so no hand to be moved as");
+                             " has no ticks to replay; choose another recording");
   }
   return states;
 }

@@ -22,18 +22,18 @@ const std::vector<RecordingColumn>& recording_columns() {
       {"wy_rad_per_s", "rad/s", "angular velocity of the probe"},
       {"wz_rad_per_s", "rad/s", "angular velocity of the probe"},
       {"buttons", "1", "pressed buttons as a bit mask"},
-      {"fx_N", "N", "force that the renderer meant"},
-      {"fy_N", "N", "force that the renderer meant"},
-      {"fz_N", "N", "force that the renderer meant"},
-      {"tx_N_m", "N m", "torque that the renderer meant, about the tip"},
-      {"ty_N_m", "N m", "torque that the renderer meant, about the tip"},
-      {"tz_N_m", "N m", "torque that the renderer meant, about the tip"},
-      {"sent_fx_N", "N", "force that the device got, after ramp and limits"},
-      {"sent_fy_N", "N", "force that the device got, after ramp and limits"},
-      {"sent_fz_N", "N", "force that the device got, after ramp and limits"},
-      {"sent_tx_N_m", "N m", "torque that the device got"},
-      {"sent_ty_N_m", "N m", "torque that the device got"},
-      {"sent_tz_N_m", "N m", "torque that the device got"},
+      {"fx_N", "N", "force computed by the renderer"},
+      {"fy_N", "N", "force computed by the renderer"},
+      {"fz_N", "N", "force computed by the renderer"},
+      {"tx_N_m", "N m", "torque computed by the renderer, about the tip"},
+      {"ty_N_m", "N m", "torque computed by the renderer, about the tip"},
+      {"tz_N_m", "N m", "torque computed by the renderer, about the tip"},
+      {"sent_fx_N", "N", "force sent to the device, after ramp and limits"},
+      {"sent_fy_N", "N", "force sent to the device, after ramp and limits"},
+      {"sent_fz_N", "N", "force sent to the device, after ramp and limits"},
+      {"sent_tx_N_m", "N m", "torque sent to the device"},
+      {"sent_ty_N_m", "N m", "torque sent to the device"},
+      {"sent_tz_N_m", "N m", "torque sent to the device"},
       {"penetration_m", "m", "depth of the probe in the surface, texture included"},
       {"gain", "1", "ramp of the presentation, 0 to 1"},
       {"presentation", "1", "position of the surface in its trial; 0 in free space"},
@@ -119,7 +119,10 @@ std::vector<TickRecord> records_of(const Recording& recording) {
     same = recording.header.columns[column].name == expected[column].name;
   }
   if (!same) {
-    throw ResultsError("the recording has other columns than this program writes", {});
+    throw ResultsError(
+        "the recording has columns that differ from those that this program writes; read it with "
+        "the version that wrote it",
+        {});
   }
   std::vector<TickRecord> records(recording.time_ns.size());
   std::array<float, kRecordingColumns> values{};

@@ -239,12 +239,11 @@ class DeviceRehearsal final {
     if (const std::optional<double> value = profile_.value(name)) {
       if (keeps(*value, quantity.bound, limit)) return;
       const Phrase text =
-          at_most ? phrase("Rehearsal",
-                           "The protocol asks for a device whose %1 is at most %2, and it was "
-                           "measured to be %3.")
-                  : phrase("Rehearsal",
-                           "The protocol asks for a device whose %1 is at least %2, and it was "
-                           "measured to be %3.");
+          at_most
+              ? phrase("Rehearsal",
+                       "The protocol requires a device whose %1 is at most %2; measured was %3.")
+              : phrase("Rehearsal",
+                       "The protocol requires a device whose %1 is at least %2; measured was %3.");
       warn({.id = "limit_" + name,
             .pointer = pointer_to("/device/limits", name),
             .asked = limit,
@@ -255,12 +254,13 @@ class DeviceRehearsal final {
     // Most often there is none, which keeps every limit; unless nobody knows.
     if (name == kResonance && !profile_.is_unknown(name)) return;
     const Phrase text =
-        at_most ? phrase("Rehearsal",
-                         "The protocol asks for a device whose %1 is at most %2, and that was not "
-                         "measured of it.")
-                : phrase("Rehearsal",
-                         "The protocol asks for a device whose %1 is at least %2, and that was not "
-                         "measured of it.");
+        at_most
+            ? phrase(
+                  "Rehearsal",
+                  "The protocol requires a device whose %1 is at most %2, which was not measured.")
+            : phrase("Rehearsal",
+                     "The protocol requires a device whose %1 is at least %2, which was not "
+                     "measured.");
     warn({.id = "unmeasured_" + name,
           .pointer = pointer_to("/device/limits", name),
           .asked = limit,
@@ -345,7 +345,7 @@ class DeviceRehearsal final {
             .device = *friction_N,
             .text = phrase("Rehearsal",
                            "The texture of \"%1\" is a force of %2 N RMS, and the device's own "
-                           "friction is %3 N: it hides the texture from a hand.")
+                           "friction is %3 N, which masks the texture.")
                         .with(name, in_three_digits(force_N), in_three_digits(*friction_N))});
     } else if (resolution_N && force_N < *resolution_N) {
       warn({.id = "force_resolution",
@@ -376,15 +376,14 @@ class DeviceRehearsal final {
     }
     if (!waves.wavelength_m) return;
     if (resolution_m && *waves.wavelength_m < 2.0 * *resolution_m) {
-      warn(
-          {.id = "wavelength",
-           .stimulus = name,
-           .asked = *waves.wavelength_m,
-           .device = *resolution_m,
-           .text = phrase("Rehearsal",
-                          "A wave of \"%1\" is %2 µm long, and the device reads positions in steps "
-                          "of %3 µm: a wave needs two.")
-                       .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
+      warn({.id = "wavelength",
+            .stimulus = name,
+            .asked = *waves.wavelength_m,
+            .device = *resolution_m,
+            .text = phrase("Rehearsal",
+                           "A wave of \"%1\" is %2 µm long, and the device reads positions in "
+                           "steps of %3 µm: at least two are needed per wave.")
+                        .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
     }
     double bandwidth_Hz = 0.5 * protocol_.rate_Hz;
     if (const auto resonance_Hz = profile_.value(kResonance)) {
@@ -461,9 +460,9 @@ class DeviceRehearsal final {
             .stimulus = name,
             .device = *holds,
             .text = phrase("Rehearsal",
-                           "How stiff \"%1\" is could not be found, and not compared with the %2 "
-                           "N/m that the device holds: wherever it was looked at, its force jumps "
-                           "or does not grow.")
+                           "The stiffness of \"%1\" could not be determined or compared with the "
+                           "%2 N/m that the device renders without oscillation: at every place "
+                           "examined its force jumps or does not increase.")
                         .with(name, in_three_digits(*holds))});
       return;
     }
@@ -471,14 +470,12 @@ class DeviceRehearsal final {
     if (stiffest_N_per_m <= *holds) return;
     const Phrase text =
         felt->force_N >= protocol_.force_limit_N
-            ? phrase(
-                  "Rehearsal",
-                  "At the force limit of %2 N \"%1\" is as stiff as %3 N/m where it is stiffest, "
-                  "and the device holds %4 N/m without swinging.")
-            : phrase(
-                  "Rehearsal",
-                  "At the greatest force that it gives there, %2 N, \"%1\" is as stiff as %3 N/m "
-                  "where it is stiffest, and the device holds %4 N/m without swinging.");
+            ? phrase("Rehearsal",
+                     "At the force limit of %2 N, the greatest stiffness of \"%1\" is %3 N/m; the "
+                     "device renders up to %4 N/m without oscillation.")
+            : phrase("Rehearsal",
+                     "At the greatest force that it exerts there, %2 N, the greatest stiffness of "
+                     "\"%1\" is %3 N/m; the device renders up to %4 N/m without oscillation.");
     const Phrase sentence = text.with(name, in_three_digits(felt->force_N),
                                       in_three_digits(stiffest_N_per_m), in_three_digits(*holds));
     warn({.id = "stiffness",
@@ -509,20 +506,18 @@ class DeviceRehearsal final {
                                                .speed_m_per_s = habits.speed_m_per_s,
                                                .rate_Hz = protocol_.rate_Hz});
     if (share <= kContactMayBeLost) return;
-    warn(
-        {.id = "contact",
-         .stimulus = name,
-         .asked = share,
-         .device = kContactMayBeLost,
-         .text =
-             phrase("Rehearsal",
-                    "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
-                    "for about %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do "
-                    "not follow its height. Lower stiffness_N_per_m, the texture's amplitude or "
-                    "the speed, or have it pressed harder.")
-                 .with(name, in_three_digits(habits.normal_force_N),
-                       in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
-                       in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
+    warn({.id = "contact",
+          .stimulus = name,
+          .asked = share,
+          .device = kContactMayBeLost,
+          .text = phrase("Rehearsal",
+                         "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
+                         "for about %4 % of a stroke: %5 g with %6 N s/m, as measured for the "
+                         "device, do not follow its height. Lower stiffness_N_per_m, the texture's "
+                         "amplitude or the speed, or have it pressed harder.")
+                      .with(name, in_three_digits(habits.normal_force_N),
+                            in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
+                            in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
   }
 
   void check_workspace(const SurfacePatch& patch) {

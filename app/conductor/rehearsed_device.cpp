@@ -40,34 +40,34 @@ Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,
   if (!protocol.profile_maximum_age_days) {
     if (!protocol.refuses_rehearsal_warnings || profile || !device.has_motors) return {};
     return phrase("Rehearsal",
-                  "the protocol refuses a device that falls short of it, and of \"%1\" there is no "
-                  "profile in the study to tell by; measure it by %2")
+                  "the protocol requires a device that meets its limits, and the study has no "
+                  "profile of \"%1\"; measure it with %2")
         .with(name_of(device), command);
   }
   const std::string days = days_text(*protocol.profile_maximum_age_days);
   if (!profile) {
     return phrase("Rehearsal",
-                  "the protocol asks for a device that was measured within %1 days, and of \"%2\" "
-                  "there is no profile in the study; measure it by %3")
+                  "the protocol requires a device measured within %1 days, and the study has no "
+                  "profile of \"%2\"; measure it with %3")
         .with(days, name_of(device), command);
   }
   const double age = age_days(*profile, now_utc);
   if (age > *protocol.profile_maximum_age_days) {
     return phrase("Rehearsal",
                   "the profile of \"%1\" is %2 days old, and the protocol allows %3; measure it "
-                  "again by %4")
+                  "again with %4")
         .with(name_of(device), days_text(age), days, command);
   }
   if (age < -kClocksDiffer_days) {
     return phrase("Rehearsal",
-                  "the profile of \"%1\" is dated %2, which is still to come: set the clock of the "
-                  "computer that is wrong, and measure it again by %3")
+                  "the profile of \"%1\" is dated %2, which is in the future: correct the clock of "
+                  "the computer, and measure it again with %3")
         .with(name_of(device), profile->measured_utc, command);
   }
   if (const DeviceItem* const failed = failed_item(*profile, protocol)) {
     return phrase("Rehearsal",
-                  "\"%1\" failed %2 when it was measured on %3, and the protocol asks for a device "
-                  "that did not; mend it, and measure it again by %4")
+                  "\"%1\" failed %2 when it was measured on %3, and the protocol requires a device "
+                  "that passed; repair it, and measure it again with %4")
         .with(name_of(device), failed->name, profile->measured_utc, command);
   }
   return {};
@@ -107,7 +107,7 @@ void compare(RehearsedDevice& device, const Protocol& protocol, const Rehearse& 
   }
   device.refusal =
       phrase("Rehearsal",
-             "the protocol is not for this device, which falls short of it in %1 ways. %2")
+             "the device does not meet the requirements of the protocol in %1 respects. %2")
           .with(std::to_string(device.warnings.size()), device.warnings.front().text);
 }
 

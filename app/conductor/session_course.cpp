@@ -120,7 +120,8 @@ void SessionCourse::listen_to_device() {
   }
   if (!news.is_to_tell) return;
   event(complaint.empty() ? "device_well" : "device_trouble", complaint);
-  if (links_.tell) links_.tell(complaint.empty() ? "The device is well again." : complaint);
+  if (links_.tell)
+    links_.tell(complaint.empty() ? "The device reports no problem any more." : complaint);
 }
 
 void SessionCourse::look(bool outside_trial) {

@@ -88,10 +88,10 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
     std::error_code error{};
     const auto bytes = std::filesystem::file_size(full, error);
     if (error) {
-      const Phrase one =
-          phrase("SessionSetup",
-                 "the protocol \"%1\" names the file %2, which is not in the study %3")
-              .with(protocol.name, path, study_folder.string());
+      const Phrase one = phrase("SessionSetup",
+                                "the protocol \"%1\" names the file %2, which is not in the study "
+                                "%3; copy the file into the study")
+                             .with(protocol.name, path, study_folder.string());
       missing = missing.empty() ? one : Phrase("%1\n%2").with(missing, one);
       continue;
     }
@@ -157,22 +157,21 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   }
   const std::string number = std::to_string(row.session);
   if (!same) {
-    throw PhrasedError(
-        phrase("SessionSetup",
-               "session %1 of participant %2 cannot go on: this program makes another plan of its "
-               "protocol than the one it began with (it was begun by asperity %3, commit %4)")
-            .with(number, row.participant, row.program_version, row.program_commit));
+    throw PhrasedError(phrase("SessionSetup",
+                              "session %1 of participant %2 cannot be resumed: this program makes "
+                              "a plan from its protocol that differs from the stored one. Resume "
+                              "it with asperity %3, commit %4, which began it")
+                           .with(number, row.participant, row.program_version, row.program_commit));
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, study.folder());
   for (const StimulusFileRow& before : row.files) {
     const auto now = std::find_if(files.begin(), files.end(),
                                   [&before](const auto& file) { return file.path == before.path; });
     if (now == files.end() || now->sha256 != before.sha256) {
-      throw PhrasedError(
-          phrase("SessionSetup",
-                 "session %1 of participant %2 cannot go on: the file %3 has changed since it "
-                 "began; put the old one back")
-              .with(number, row.participant, before.path));
+      throw PhrasedError(phrase("SessionSetup",
+                                "session %1 of participant %2 cannot be resumed: the file %3 has "
+                                "changed since it began; restore the earlier file")
+                             .with(number, row.participant, before.path));
     }
   }
   session.attempts = study.attempts(row.id);

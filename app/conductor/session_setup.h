@@ -43,7 +43,7 @@ struct OpenSession {
 std::string device_text(const DeviceCapability& device);
 std::string capability_json(const DeviceCapability& device);
 
-/// Somebody beside the experimenter is to be told how force and speed meet their bands.
+/// The participant is to be shown or to hear how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
 
 /// The files that a protocol names, with their hashes.

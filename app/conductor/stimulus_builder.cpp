@@ -169,10 +169,10 @@ PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& descripti
   PreparedStimulus prepared{};
   prepared.model = models_.find(description.model);
   if (prepared.model == nullptr) {
-    throw PhrasedError(
-        phrase("SessionSetup",
-               "the stimulus \"%1\" wants the force model \"%2\", which this program does not have")
-            .with(description.name, description.model));
+    throw PhrasedError(phrase("SessionSetup",
+                              "the stimulus \"%1\" needs the force model \"%2\", which this "
+                              "program does not have; see asperity models")
+                           .with(description.name, description.model));
   }
   RendererInputs& inputs = prepared.inputs;
   inputs.material = description.material;
@@ -207,8 +207,8 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& reques
     reference = models_.find(request.to_model);
     if (reference == nullptr) {
       throw PhrasedError(phrase("SessionSetup",
-                                "equal force is asked for with the model \"%1\", which this "
-                                "program does not have")
+                                "equal force is requested with the model \"%1\", which this "
+                                "program does not have; see asperity models")
                              .with(request.to_model));
     }
     reference_inputs.parameters = parameters_for(*reference, prepared, {});

@@ -24,7 +24,8 @@ namespace {
 
 constexpr double kTerminalPoll_s = 0.05;
 constexpr const char* kAfterFault =
-    "When it is mended and safe, press Return to go on; to end the session here, type: end\n";
+    "When the fault is fixed and it is safe, press Return to continue; to end the session here, "
+    "type: end\n";
 
 /// Of a terminal, as far as lines are read with ease.
 std::size_t columns_of_terminal(int terminal) {
@@ -120,7 +121,7 @@ void TerminalRespondent::read(const std::string& text, double minimum_s, const W
     }
     forget_typed();
   }
-  output_ << "Press Return to go on. " << std::flush;
+  output_ << "Press Return to continue. " << std::flush;
   line(wait);
 }
 
@@ -173,7 +174,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     if (!typed) return {};
     bool is_wish = false;
     if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
-      if (!reply.options.empty()) output_ << "After that, please assign all pictures anew.\n";
+      if (!reply.options.empty()) output_ << "After that, please assign all pictures again.\n";
       return {{}, again};
     }
     if (is_wish) continue;

@@ -48,7 +48,7 @@ std::size_t option_with(const TrialQuestion& question, const std::string& value)
   for (std::size_t option = 0; option < question.options.size(); ++option) {
     if (question.options[option].value == value) return option;
   }
-  throw std::logic_error("no option stands for " + value);
+  throw std::logic_error("no option has the value " + value);
 }
 
 }  // namespace

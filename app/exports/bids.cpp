@@ -299,13 +299,12 @@ std::string BidsDataset::readme() const {
   if (metadata_.ethics_approval) text += "Ethics approval: " + *metadata_.ethics_approval + "\n";
   if (!authors.empty() || metadata_.license || metadata_.ethics_approval) text += "\n";
   return text +
-         "Responses about haptic textures by session (_beh.tsv), and what was presented and what "
-         "happened (_events.tsv), with the meaning of every column in the .json file next to it. "
-         "Onsets count from the beginning of the session.\n\n"
-         "An analysis counts the rows of _beh.tsv with counts_in_analyses 1; one with flagged 1 is "
-         "worth a look.\n"
-         "A text that a spreadsheet would take for a formula has an apostrophe before it, "
-         "and so has a text that begins with an apostrophe: take one away.\n";
+         "Responses about haptic textures by session (_beh.tsv), and presentations and events "
+         "(_events.tsv), with the meaning of every column in the .json file next to it. Onsets "
+         "count from the beginning of the session.\n\nAn analysis counts the rows of _beh.tsv with "
+         "counts_in_analyses 1; one with flagged 1 should be inspected.\nA text that a spreadsheet "
+         "would read as a formula has an apostrophe before it; the same applies to a text that "
+         "begins with an apostrophe. Remove one apostrophe to restore the text.\n";
 }
 
 /// In the form of CPAN changelogs, which BIDS asks for. Dates are not for the public.

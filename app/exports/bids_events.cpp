@@ -113,7 +113,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
   add(type_column(events, tagged));
   add(missing("the row is not an attempt, or has no response",
               at_least(0, column("response_time", "number", "s",
-                                 "time from the cue, when the question was put first, to the "
+                                 "time from the cue, when the question was first asked, to the "
                                  "response that completed the attempt",
                                  response_time))));
   const auto key = [&](const char* name, auto number) {

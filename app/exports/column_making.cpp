@@ -104,7 +104,7 @@ Columns keys_to(Key last) {
       column("virtual", "boolean", "",
              "1: a simulated participant, whose rows are not data of human participants",
              [](const ExportPlace& at) { return boolean(at.participant->is_virtual); }));
-  columns.push_back(with_levels(column("mode", "text", "", "what the session was run for",
+  columns.push_back(with_levels(column("mode", "text", "", "mode of the session",
                                        [](const ExportPlace& at) -> Cell {
                                          if (at.session) return text_of(at.session->mode);
                                          return at.participant_mode->empty()

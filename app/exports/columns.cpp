@@ -23,9 +23,10 @@ namespace {
 using Place = ExportPlace;
 
 constexpr const char* kMissedInContact =
-    "ticks that came too late while a surface was touched: on these an attempt is judged";
+    "ticks that missed their deadline while a surface was touched; these decide whether an attempt "
+    "counts";
 constexpr const char* kNotCountedApart =
-    "the attempt was made by version 0.1, which did not count them apart";
+    "the attempt was made by version 0.1, which did not count them separately";
 
 /// The words of the program as they were stored, in English, or somebody's own.
 Cell text_cell_of(const std::optional<StoredWords>& words) {
@@ -50,7 +51,7 @@ ExportColumn codes_column(const char* name, const char* when_missing, const char
 Columns participant_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::participant);
   columns.back().levels.push_back("mixed");
-  columns.back().description = "what the participant's sessions were run for";
+  columns.back().description = "mode of the participant's sessions";
   columns.back().missing = "no session yet";
   const auto participant = [](auto member) {
     return [member](const Place& at) { return optional_cell(at.participant->*member); };
@@ -100,8 +101,8 @@ Columns session_columns() {
   Columns columns = keys_to(Key::session);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   const auto text = [&add](const char* name, const char* description, auto member) {
-    add(missing("not known", column(name, "text", "", description,
-                                    [member](const Place& at) { return at.session->*member; })));
+    add(missing("unknown", column(name, "text", "", description,
+                                  [member](const Place& at) { return at.session->*member; })));
   };
   const auto of_protocol = [&add](const char* name, const char* description, auto member) {
     add(column(name, "text", "", description,
@@ -115,7 +116,7 @@ Columns session_columns() {
   columns.back().levels = {"chapter", "improved"};
   of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",
               &ProtocolRow::source_sha256);
-  add(with_levels(column("state", "text", "", "how far the session came",
+  add(with_levels(column("state", "text", "", "state of the session",
                          [](const Place& at) { return text_of(at.session->state); }),
                   {"open", "completed", "stopped", "crashed"}));
   text("seed", "seed of everything random in the session, an integer of 64 bits",
@@ -160,11 +161,11 @@ Columns session_columns() {
                        const std::string& json = at.session->observer_json;
                        return json == "null" ? Cell{} : Cell{json};
                      })));
-  add(missing("the protocol asks for no consent",
+  add(missing("the protocol requires no consent",
               column("consent_version", "text", "", "version of the consent text agreed to",
                      [](const Place& at) { return optional_cell(at.session->consent_version); })));
   add(dropped(
-      missing("the protocol asks for no consent",
+      missing("the protocol requires no consent",
               column("consent_utc", "utc_time", "", "when consent was given",
                      [](const Place& at) { return optional_cell(at.session->consent_utc); }))));
   add(dropped(column("started_utc", "utc_time", "",
@@ -180,7 +181,7 @@ Columns session_columns() {
 /// Factors name textures; what roughness is drawn over is the distance of their elements.
 ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
   ExportColumn made = missing(
-      "the protocol asks for no magnitudes, or specifies no spacing of the trial's texture",
+      "the protocol requests no magnitudes, or specifies no spacing of the trial's texture",
       column("texture_spacing_m", "number", "m", "distance of the elements of the texture",
              [estimations = vocabulary.estimations](const Place& at) -> Cell {
                const auto estimation = estimations.find(at.protocol->source_sha256);
@@ -205,7 +206,7 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   add(column("block", "text", "", "block of the protocol",
              [](const Place& at) { return at.trial->block; }));
   add(at_least(1, column("block_ordinal", "integer", "",
-                         "which block of the session: every run of a block counts",
+                         "number of the block within the session; every run of a block counts",
                          [](const Place& at) { return integer(at.trial->block_ordinal); })));
   add(with_levels(column("phase", "text", "", "only the main phase is analysed",
                          [](const Place& at) { return at.trial->phase; }),
@@ -237,9 +238,9 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
 Columns attempt_columns() {
   Columns columns = keys_to(Key::attempt);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
-  add(at_least(
-      1, column("segment", "integer", "", "which stretch of the session between interruptions",
-                [](const Place& at) { return integer(at.attempt->segment); })));
+  add(at_least(1, column("segment", "integer", "",
+                         "number of the segment of the session between interruptions",
+                         [](const Place& at) { return integer(at.attempt->segment); })));
   add(with_levels(column("outcome", "text", "", "how the attempt ended",
                          [](const Place& at) { return text_of(at.attempt->outcome); }),
                   {"answered", "timed_out", "not_compliant", "aborted", "device_fault",
@@ -268,12 +269,13 @@ Columns attempt_columns() {
              [](const Place& at) {
                return boolean(use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted);
              }));
-  add(column("flagged", "boolean", "", "1: look at the attempt; it is not left out for that",
+  add(column("flagged", "boolean", "", "1: the attempt should be inspected; it counts nevertheless",
              [](const Place& at) { return boolean(at.attempt->flagged); }));
-  add(dropped(missing(
-      "not flagged",
-      column("flag_reason", "text", "", "what to look at, in the program's or somebody's words",
-             [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
+  add(dropped(
+      missing("not flagged",
+              column("flag_reason", "text", "",
+                     "what to inspect, in the words of the program or of the experimenter",
+                     [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
   add(codes_column("flag_code", "not flagged", "the same by codes, as in invalid_code",
                    &AttemptRow::flag_reason));
   add(column("onset_s", "number", "s", "beginning, since the session began",
@@ -310,7 +312,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                          [](const Place& at) { return integer(at.presentation->position); })));
   text("role", "what the surface is in the trial", &PresentationRow::role);
   columns.back().levels = {"alternative", "target", "anchor"};
-  text("item", "what the surface counts as in the answers", &PresentationRow::item);
+  text("item", "name of the surface in the answers", &PresentationRow::item);
   text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
   text("model", "force model", &PresentationRow::model);
   text("model_version", "version of the force model", &PresentationRow::model_version);
@@ -350,7 +352,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   add(at_least(0, column("contact_s", "number", "s", "time in contact",
                          [](const Place& at) { return at.presentation->contact_s; })));
   add(missing(
-      "no equal force was asked for",
+      "no equal force was requested",
       at_least(0, column("matched_texture_force_N", "number", "N",
                          "RMS of the texture force that was aimed at on the prescribed path",
                          [](const Place& at) {
@@ -368,18 +370,17 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     return of;
   };
   for (const auto& [kind, models] : vocabulary.limits) {
-    add(missing(
-        "the model does not watch this limit",
-        at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
-                           "ticks in which the force model was beyond this limit of what it "
-                           "renders as it should (docs/models.md); of: " +
-                               listed(models),
-                           [kind = kind](const Place& at) -> Cell {
-                             for (const ModelLimitRow& limit : at.presentation->limits) {
-                               if (limit.kind == kind) return limit.ticks;
-                             }
-                             return {};
-                           }))));
+    add(missing("the model does not monitor this limit",
+                at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
+                                   "ticks in which the force model exceeded this limit of valid "
+                                   "rendering (docs/models.md); of: " +
+                                       listed(models),
+                                   [kind = kind](const Place& at) -> Cell {
+                                     for (const ModelLimitRow& limit : at.presentation->limits) {
+                                       if (limit.kind == kind) return limit.ticks;
+                                     }
+                                     return {};
+                                   }))));
   }
   for (const auto& [name, parameter] : vocabulary.parameters) {
     const std::string of = listed(parameter.models);
@@ -427,7 +428,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(column("answer", "text", "", "the answer, by the name it has in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
-  columns.back().missing = "never, but for a questionnaire's in an export for the public";
+  columns.back().missing = "never, except for a questionnaire's in an export for the public";
   add(missing(
       "the answer is not a number, or is a questionnaire's in an export for the public",
       column("answer_number", "number", "", "the answer as a number: the estimate of a magnitude",
@@ -449,12 +450,11 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(missing(
       "not measured",
       at_least(0, column("from_cue_s", "number", "s",
-                         "time from the cue, when the question was put first, to the "
-                         "response",
+                         "time from the cue, when the question was first asked, to the response",
                          [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
   add(column("source", "text", "",
-             "how the answer was given: keyboard; virtual, by a simulated observer; "
-             "virtual_guess, by one that is deaf or expects nothing",
+             "how the answer was given: keyboard; virtual, by a simulated observer; virtual_guess, "
+             "by one that ignores the surface or expects nothing",
              [](const Place& at) { return at.response->source; }));
   add(missing("the estimate was not re-elicited",
               column("doubted_estimate", "number", "",
@@ -463,7 +463,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                      "the answer is the second one",
                      [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   add(missing(
-      "the answer is no estimate of a magnitude, or the participant lacks one in some cell",
+      "the answer is not an estimate of a magnitude, or the participant has none in some cell",
       column("normalised_estimate", "number", "",
              "the estimate of a magnitude with the participant's own scale taken out: times "
              "the geometric mean of all participants over the participant's own, of this "
@@ -490,7 +490,7 @@ Columns servo_columns() {
                            [member](const Place& at) { return integer(at.servo->*member); })));
   };
   using Row = ServoQualityRow;
-  number("rate_Hz", "Hz", "rate that was asked for", &Row::rate_Hz);
+  number("rate_Hz", "Hz", "requested rate", &Row::rate_Hz);
   count("ticks", "ticks of the servo loop", &Row::ticks);
   number("period_mean_s", "s", "mean time between ticks", &Row::period_mean_s);
   number("period_sd_s", "s", "standard deviation of the time between ticks", &Row::period_sd_s);
@@ -507,7 +507,7 @@ Columns servo_columns() {
          &Row::execution_p99_s);
   number("execution_maximum_s", "s", "longest duration of a tick; 0 when simulated",
          &Row::execution_maximum_s);
-  count("missed_deadlines", "ticks that came too late", &Row::missed_deadlines);
+  count("missed_deadlines", "ticks that missed their deadline", &Row::missed_deadlines);
   columns.push_back(missing(
       kNotCountedApart, at_least(0, column("missed_in_contact", "integer", "1", kMissedInContact,
                                            [](const Place& at) {
@@ -515,7 +515,7 @@ Columns servo_columns() {
                                            }))));
   count("saturated_ticks", "ticks with a force shortened to the limit", &Row::saturated_ticks);
   count("slew_limited_ticks", "ticks with a change of force slowed down", &Row::slew_limited_ticks);
-  count("not_finite_ticks", "ticks with a force that was no number", &Row::not_finite_ticks);
+  count("not_finite_ticks", "ticks with a force that was not a number", &Row::not_finite_ticks);
   count("lost_records", "tick records that were lost", &Row::lost_records);
   columns.push_back(column("fault", "text", "", "fault that stopped the forces, or none",
                            [](const Place& at) { return at.servo->fault; }));
@@ -543,8 +543,8 @@ Columns compliance_columns() {
     add(column(name, "number", "as quantity", description,
                [member](const Place& at) { return at.compliance->*member; }));
   };
-  bound("minimum", "lower end of the band that the protocol asks for", &Row::minimum);
-  bound("maximum", "upper end of the band that the protocol asks for", &Row::maximum);
+  bound("minimum", "lower end of the band that the protocol requires", &Row::minimum);
+  bound("maximum", "upper end of the band that the protocol requires", &Row::maximum);
   value("mean", "mean achieved", &Row::mean);
   value("sd", "standard deviation", &Row::sd);
   value("p05", "5th percentile", &Row::p05);
@@ -557,7 +557,7 @@ Columns compliance_columns() {
                  "fraction inside the band: of the contact time, of the strokes for the speed",
                  [](const Place& at) { return optional_cell(at.compliance->fraction_in_band); }))));
   add(missing("the protocol declares nothing",
-              column("passed", "boolean", "", "1: explored as the protocol asks",
+              column("passed", "boolean", "", "1: explored as the protocol requires",
                      [](const Place& at) { return optional_boolean(at.compliance->passed); })));
   return columns;
 }
@@ -631,7 +631,7 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
   append(trial_columns(vocabulary), keys_of_attempt - 1);  // without the key "attempt"
   append(attempt_columns(), keys_of_attempt);
   columns.push_back(column("surfaces_json", "json", "",
-                           "what was felt, in its order: position, role, item, stimulus, "
+                           "the surfaces presented, in order: position, role, item, stimulus, "
                            "model and texture of each surface",
                            [](const Place& at) -> Cell {
                              nlohmann::json surfaces = nlohmann::json::array();
@@ -654,7 +654,7 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
                    return integer((*at.attempt->servo).*member);
                  }))));
   };
-  servo("missed_deadlines", "ticks that came too late", &ServoQualityRow::missed_deadlines);
+  servo("missed_deadlines", "ticks that missed their deadline", &ServoQualityRow::missed_deadlines);
   columns.push_back(missing(std::string("the attempt has no servo quality, or ") + kNotCountedApart,
                             at_least(0, column("missed_in_contact", "integer", "1",
                                                kMissedInContact, [](const Place& at) -> Cell {

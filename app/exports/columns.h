@@ -44,7 +44,7 @@ struct ExportPlace {
   const TimedEvent* event = nullptr;
 };
 
-/// `published`: without dates, without anything that somebody typed freely, and without answers to
+/// `published`: without dates, without free text, and without answers to
 /// questionnaires but for those that are named (StudyVocabulary::for_public).
 enum class ExportAudience { own, published };
 
@@ -52,7 +52,7 @@ enum class ExportAudience { own, published };
 enum class Publication {
   kept,
   without_questionnaires,  ///< kept, but n/a where the answer is one to a questionnaire
-  without_free_text,       ///< kept, but without what somebody typed and what identifies a machine
+  without_free_text,       ///< kept, but without typed text and what identifies a machine
   dropped_unless_named,    ///< answers to a questionnaire
   dropped,                 ///< dates, free text, what tells one machine from others
 };

@@ -66,14 +66,14 @@ std::vector<ExportColumn> event_columns() {
   add(missing("its end was not recorded, as after a crash",
               at_least(0, column("duration_s", "number", "s",
                                  "time until the event that ended it, or the session's end; 0 for "
-                                 "what happens at a moment",
+                                 "an event without duration",
                                  [](const ExportPlace& at) {
                                    return optional_cell(at.event->duration_s);
                                  }))));
   add(kind_column());
   add(missing("the event has none, or free text in an export for the public",
               without_free_text(
-                  column("text", "text", "", "what the kind states it to be, as it was stored",
+                  column("text", "text", "", "text of the event as its kind defines it, as stored",
                          [](const ExportPlace& at) { return at.event->row.text; }),
                   [](const ExportPlace& at) -> Cell {
                     const EventKind* const kind = event_kind(at.event->row.kind);
@@ -88,20 +88,20 @@ std::vector<ExportColumn> event_columns() {
       return of(event.words());
     };
   };
-  add(missing("the event has no text, or its text is not words",
+  add(missing("the event has no text, or its text has no codes",
               without_free_text(column("text_code", "text", "",
                                        "the text by codes, with semicolons between; \"typed\" "
                                        "where a person typed it",
                                        codes(codes_of)),
                                 codes(published_codes_of))));
-  add(missing(
-      "the event has none, or none that an export for the public has",
-      without_free_text(column("data_json", "json", "", "what the kind states it to be",
-                               [](const ExportPlace& at) -> Cell {
-                                 const std::string& json = at.event->row.data_json;
-                                 return json == "null" ? Cell{} : Cell{json};
-                               }),
-                        [](const ExportPlace& at) { return published_data(at.event->row); })));
+  add(missing("the event has none, or none that an export for the public has",
+              without_free_text(
+                  column("data_json", "json", "", "data of the event as its kind defines them",
+                         [](const ExportPlace& at) -> Cell {
+                           const std::string& json = at.event->row.data_json;
+                           return json == "null" ? Cell{} : Cell{json};
+                         }),
+                  [](const ExportPlace& at) { return published_data(at.event->row); })));
   return columns;
 }
 

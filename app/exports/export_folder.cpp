@@ -56,7 +56,7 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
   }
   if (!others.empty()) {
     return "holds \"" + *others.begin() +
-           "\", which no export wrote and which would be lost; choose another folder";
+           "\", which was not written by an export and would be lost; choose another folder";
   }
   for (const std::string& name : unsure) {
     if (sha256_of_file(folder / name) == own_files.at(name)) continue;

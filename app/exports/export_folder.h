@@ -29,7 +29,7 @@ struct ExportedFile {
 ///
 /// Errors: ResultsError when the folder exists and is not empty; with Overwrite::allow only when it
 /// holds a file that stands in no MANIFEST.tsv of an export there, or one that has another SHA-256
-/// there, because somebody's work would be lost.
+/// there, because work would be lost.
 class ExportFolder final {
  public:
   ExportFolder(const std::filesystem::path& folder, Overwrite overwrite);

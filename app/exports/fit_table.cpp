@@ -40,8 +40,8 @@ Columns FitTable::columns() {
     columns.push_back(column(name, type, "", description, {}));
   };
   add("condition", "text",
-      "what one psychometric function is fitted to: participant, protocol, question, what is "
-      "counted, and the levels of all factors but x and the repetition (column)");
+      "data of one psychometric function: participant, protocol, question, what is counted, and "
+      "the levels of all factors but x and the repetition (column)");
   add("x", "number", "level of the numeric factor that the column factor names, in its unit");
   add("k", "integer",
       "responses at this level that the column counted names, of completed sessions: sessions that "

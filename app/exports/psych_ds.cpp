@@ -64,11 +64,10 @@ void PsychDataset::finish() {
       {"name", study_name_ + made_by_.in_title},
       {"description",
        (made_by_.sentence.empty() ? "" : made_by_.sentence + " ") +
-           "Answers about haptic textures, one file per session, one row per answer. Empty is "
-           "missing; "
-           "an analysis counts the rows with counts_in_analyses 1. A text that a spreadsheet would "
-           "take for a formula has an apostrophe before it, and so has a text that begins with "
-           "one."},
+           "Responses to haptic textures, one file per session, one row per response. Empty is "
+           "missing; an analysis counts the rows with counts_in_analyses 1. A text that a "
+           "spreadsheet would read as a formula has an apostrophe before it; the same applies to a "
+           "text that begins with one."},
       {"variableMeasured", std::move(variables)}};
   folder_.write(root_ + "dataset_description.json", description.dump(2) + "\n");
 }

@@ -44,9 +44,8 @@ std::string publication_text(const std::vector<ExportFile>& files) {
          columns[Publication::without_questionnaires].sentence(
              "n/a for answers to questionnaires, unless named by --with-questions") +
          columns[Publication::without_free_text].sentence(
-             "Without what a person or a driver worded (then n/a; codes: \"typed\"; data: without "
-             "the "
-             "members that hold it)") +
+             "Without texts by a person or a driver (then n/a; codes: \"typed\"; data: without the "
+             "members that hold them)") +
          columns[Publication::kept].sentence("Kept of each participant") +
          "Whether these identify a participant is for you to judge before you publish them.\n";
 }

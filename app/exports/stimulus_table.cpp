@@ -48,7 +48,7 @@ Columns StimulusTable::columns() {
   add("protocol", "text", "", "name of the protocol");
   add("protocol_version", "text", "", "version of the protocol");
   add("virtual", "boolean", "", "1: presented to simulated participants");
-  add("mode", "text", "", "what the sessions were run for");
+  add("mode", "text", "", "mode of the sessions");
   columns.back().levels = {"run", "pilot", "simulate"};
   add("stimulus", "text", "", "stimulus of the protocol");
   add("model", "text", "", "force model");
@@ -59,7 +59,7 @@ Columns StimulusTable::columns() {
       "SHA-256 of the height field's sidecar, as in presentations.tsv", kNoField);
   add("height_field_state", "text", "",
       "complete: the study has the height field as the sessions used it; missing: the file or its "
-      "sidecar is not there; changed: the file that is there is another one",
+      "sidecar is missing; changed: the file is another one",
       kNoField);
   columns.back().levels = {name_of(FileState::complete), name_of(FileState::missing),
                            name_of(FileState::changed)};
@@ -69,7 +69,8 @@ Columns StimulusTable::columns() {
       kNoFile);
   add("height_field_width_m", "number", "m", "width of the height field", kNoFile);
   add("height_field_rms_m", "number", "m", "RMS of the heights about their mean", kNoFile);
-  add("height_field_range_m", "number", "m", "greatest less smallest height", kNoFile);
+  add("height_field_range_m", "number", "m", "difference of the greatest and the smallest height",
+      kNoFile);
   add("height_field_dominant_wavelength_m", "number", "m",
       "wavelength with the greatest power per third of an octave, whatever its direction",
       "no height field is involved, its file is no longer in the study as it was used, or it is a "
@@ -77,9 +78,9 @@ Columns StimulusTable::columns() {
   add("presentations", "integer", "1", "how often it was presented");
   add("matched_texture_force_N", "number", "N",
       "RMS of the texture force that was aimed at on the prescribed path",
-      "no equal force was asked for");
+      "no equal force was requested");
   add("achieved_presentations", "integer", "1",
-      "presentations that the following two are of: touched for long enough, in attempts that "
+      "presentations in the following two columns: touched for long enough, in attempts that "
       "analyses count");
   add("achieved_texture_force_mean_N", "number", "N",
       "RMS of the texture force along the participants' own paths: mean over presentations",

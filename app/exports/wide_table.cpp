@@ -145,11 +145,11 @@ WideTable::Made WideTable::make() const {
     add(number_column(name, "integer", description, 0.0, std::nullopt, "never"),
         [member](const Person& person) { return Cell{person.*member}; });
   };
-  count("answers", "answers that are counted in the columns of conditions", &Person::answers);
-  count("answers_flagged", "of these: of attempts that were flagged", &Person::flagged);
+  count("answers", "responses that are counted in the columns of conditions", &Person::answers);
+  count("answers_flagged", "those of them from flagged attempts", &Person::flagged);
   count("answers_left_out",
-        "answers of main trials, without anchors, that are not counted, because the attempt is not "
-        "valid or was excluded",
+        "responses in main trials, without anchors, that are not counted because the attempt is "
+        "not valid or was excluded",
         &Person::left_out);
 
   const bool gives_numbers = std::any_of(people_.begin(), people_.end(), [](const Person& person) {

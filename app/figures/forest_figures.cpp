@@ -99,7 +99,7 @@ Phrase word_of_cell(const Cell& cell) {
   if (*text == "Total") return phrase("Figures", "all participants");
   if (*text == "Female") return phrase("Figures", "women");
   if (*text == "Male") return phrase("Figures", "men");
-  if (*text == "Other or not told") return phrase("Figures", "other or not told");
+  if (*text == "Other or not told") return phrase("Figures", "other or not reported");
   return *text;
 }
 

@@ -54,16 +54,15 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   const std::vector<const Finding*> means = found.all(choice.means);
   const bool has_both = means.size() == 2 && means[0]->value && means[1]->value;
   const std::string percent = percent_of(means);
-  Figure both{
-      .name = "group_means",
-      .title = phrase("Figures", "Both groups: means of the participants"),
-      .note = phrase("Figures",
-                     "Points are means of the participants' own results, bars their %1 % CIs "
-                     "by t, of proportions on the logit scale. That intervals overlap is no test "
-                     "of a difference.")
-                  .with(percent),
-      .shape = FigureShape::rows,
-      .series = {{}}};
+  Figure both{.name = "group_means",
+              .title = phrase("Figures", "Both groups: means of the participants"),
+              .note = phrase("Figures",
+                             "Points are means of the participants' own results, bars their %1 % "
+                             "CIs by t, of proportions on the logit scale. Overlapping intervals "
+                             "are not a test of a difference.")
+                          .with(percent),
+              .shape = FigureShape::rows,
+              .series = {{}}};
   Figure less{
       .name = "group_difference",
       .title = phrase("Figures", "The difference between the groups"),

@@ -53,14 +53,14 @@ Phrase name_of_line(const std::vector<std::string>& parts, const Factors& within
 
 Figure rating_figure(const FoundNumbers& found) {
   const std::vector<const Finding*> means = found.all("mean.score");
-  Figure figure{.name = "ratings",
-                .title = phrase("Figures", "Scores by item"),
-                .note = phrase("Figures",
-                               "Points are means over the participants who scored every item, bars "
-                               "their %1 % t intervals. The tests beside them use the order of the "
-                               "scores alone.")
-                            .with(percent_of(means)),
-                .shape = FigureShape::rows};
+  Figure figure{
+      .name = "ratings",
+      .title = phrase("Figures", "Scores by item"),
+      .note = phrase("Figures",
+                     "Points are means over the participants who scored every item, bars their %1 "
+                     "% t intervals. The tests next to them use only the ranks of the scores.")
+                  .with(percent_of(means)),
+      .shape = FigureShape::rows};
   bool is_first = true;
   FigureSeries points{};
   for (const Finding* mean : means) {
@@ -92,17 +92,17 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
   Figure figure{
       .name = "means",
       .title = phrase("Figures", "Means by condition"),
-      .note = has_within_intervals
-                  ? phrase("Figures",
-                           "Points are means over the participants, moved aside where several "
-                           "stand at one place. Bars: %1 % intervals without the participants' own "
-                           "levels (Cousineau and Morey), which show differences within "
-                           "participants. Lines lead the eye.")
-                        .with(percent_of(means))
-                  : phrase("Figures",
-                           "Points are means over the participants, moved aside where several "
-                           "stand at one place. Bars: %1 % t intervals. Lines lead the eye.")
-                        .with(percent_of(means))};
+      .note =
+          has_within_intervals
+              ? phrase("Figures",
+                       "Points are means over the participants, shifted where several coincide. "
+                       "Bars: %1 % intervals without the participants' own levels (Cousineau and "
+                       "Morey), which show differences within participants. Lines guide the eye.")
+                    .with(percent_of(means))
+              : phrase("Figures",
+                       "Points are means over the participants, shifted where several coincide. "
+                       "Bars: %1 % t intervals. Lines guide the eye.")
+                    .with(percent_of(means))};
   if (means.empty()) {
     const Finding* status = found.find("status");
     figure.instead = status != nullptr

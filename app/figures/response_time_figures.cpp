@@ -118,7 +118,7 @@ Figure course_figure(const FoundNumbers& found) {
 
 Phrase with_note_on_lines(const Phrase& note, const Figure& figure) {
   if (!shows_singles(figure)) return note;
-  return phrase("Figures", "%1 Thin pale lines: single participants.").with(note);
+  return phrase("Figures", "%1 Thin pale lines: individual participants.").with(note);
 }
 
 }  // namespace

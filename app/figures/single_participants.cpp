@@ -106,7 +106,7 @@ bool shows_singles(const Figure& figure) {
 
 Phrase with_note_on_singles(const Phrase& note, const Figure& figure) {
   if (!shows_singles(figure)) return note;
-  return phrase("Figures", "%1 Small pale marks: single participants.").with(note);
+  return phrase("Figures", "%1 Small pale marks: individual participants.").with(note);
 }
 
 }  // namespace asperity

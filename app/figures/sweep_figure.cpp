@@ -162,7 +162,7 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
     }
   }
   if (all.empty()) {
-    figure.instead = phrase("Figures", "There is no curve: nothing moved the tool.");
+    figure.instead = phrase("Figures", "There is no curve: the tool was not moved.");
     return figure;
   }
   const auto [left, right] = std::minmax_element(

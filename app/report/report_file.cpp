@@ -41,7 +41,7 @@ void require_report_path(const std::filesystem::path& path, Overwrite overwrite)
                        path);
   }
   if (std::filesystem::is_directory(path, error)) {
-    throw ResultsError(path.string() + " is a folder; a report is a file", path);
+    throw ResultsError(path.string() + " is a folder; name a file", path);
   }
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path, error)) {
     throw ResultsError("the file " + path.string() +

@@ -48,8 +48,8 @@ Recording recording_of(const std::filesystem::path& study, const RecordingRow& r
   Recording recording = read_recording(file);
   if (sha256_of(read_file(file)) != row.sha256) {
     throw ResultsError("the recording " + file.string() +
-                           " is not the one that was stored with the attempt: its SHA-256 is "
-                           "another",
+                           " differs from the one that was stored with the attempt (its SHA-256 "
+                           "differs); restore it from a copy of the study",
                        file);
   }
   return recording;

@@ -53,10 +53,9 @@ void refuse_name_of_another_format(const std::filesystem::path& out) {
     if (out.extension() != other) continue;
     std::filesystem::path right = out;
     right.replace_extension(".mesh");
-    throw std::invalid_argument(out.string() +
-                                ": what is written is a textured mesh, which no other program "
-                                "reads; call it " +
-                                right.string());
+    throw std::invalid_argument(
+        out.string() + ": the output is a textured mesh, which no other program reads; name it " +
+        right.string());
   }
 }
 

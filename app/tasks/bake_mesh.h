@@ -40,7 +40,7 @@ struct BakeOutcome {
   std::vector<std::string> findings{};  ///< what was found in the file and done about it
 };
 
-/// Reads, mends, simplifies, bakes and writes. `progress` is told fractions of the whole.
+/// Reads, repairs, simplifies, bakes and writes. `progress` receives fractions of the whole.
 ///
 /// Errors: ResultsError or std::invalid_argument, naming the file; nothing is written then.
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress);

@@ -1,4 +1,4 @@
-// Sessions whose program died: what somebody who comes back is told first.
+// Sessions whose program crashed, which a user who returns to the study is shown first.
 
 #pragma once
 
@@ -23,8 +23,8 @@ struct BrokenOffSession {
   int trials = 0;
 };
 
-/// Sessions that crashed, or are open and nobody holds them; people's before virtual participants',
-/// each the latest first. Left out is what somebody has excluded: they have seen it.
+/// Sessions that crashed, or are open without a process that holds them; people's before virtual participants',
+/// each the latest first. Excluded sessions are left out: the experimenter has seen them.
 ///
 /// Reads, and writes nothing. Ends early, with what it has, when it is asked to stop. Errors:
 /// ResultsError as Study's.

@@ -48,8 +48,8 @@ void tell_unknown(const SoughtDevice& device, const Warn& warn) {
   if (missing.empty()) return;
   const std::string real(model_stood_for(device.wanted.which.model));
   warn("of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
-       " stands for, are not known: " + listed_traits(missing).english() +
-       "; no stimulus was compared with what these would tell");
+       " models, these traits are unknown: " + listed_traits(missing).english() +
+       "; no stimulus was compared with them");
 }
 
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
@@ -83,10 +83,12 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
   }
   if (!missing.empty()) {
     warn("the profile has no number for " + comma_separated(missing) +
-         ", and no stimulus was compared with what these would tell");
+         ", and no stimulus was compared with these values");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
-    warn("the profile is dated " + profile.measured_utc + ", which is still to come");
+    warn("the profile is dated " + profile.measured_utc +
+         ", which is in the future; correct the clock of the computer, and measure the device "
+         "again");
   }
 }
 
@@ -144,7 +146,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   const std::string name = in_quotation_marks(name_of(device.wanted));
   const bool is_simulated = kind_of_device(name_of(device.wanted)) == DeviceKind::simulated;
   if (!device.absence.empty()) {
-    warn("no session can begin on " + name + " here and now: " + device.absence);
+    warn("no session can start on " + name + " at present: " + device.absence);
   }
   if (!comparison.refusal.empty()) return comparison;
   const auto warn_of = [&](const std::vector<RehearsalWarning>& found) {
@@ -160,13 +162,13 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
         protocol, models,
         {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)}));
   };
-  const std::string of_itself = "the force and the rate that " + name + " gives";
+  const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
-      warn("but for friction, nothing that is felt was compared with " + name +
-           ": what it was measured to do lies with a study, which --study DIR names");
+      warn("except for friction, no stimulus was compared with " + name +
+           ": its profile is stored with a study; name it with --study DIR");
     }
     warn_of_friction();
   } else {
@@ -180,17 +182,16 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
       if (!found.profile) warn_of_friction();
       if (found.profile) {
         comparison.compared =
-            "compared with what " + name + " was measured to do on " + found.profile->measured_utc +
+            "compared with the profile of " + name + ", measured on " +
+            found.profile->measured_utc +
             (found.profile->serial.empty() ? "" : ", serial " + found.profile->serial) +
             (is_simulated ? ", and with " + of_itself
-                          : "; with the force and the rate that it gives a session does that opens "
-                            "it");
+                          : "; a session compares the force and the rate when it opens the device");
         tell_gaps(*found.profile, protocol, now_utc, warn);
       } else if (device.wanted.has_motors) {
         warn("the study has no profile of " + words_for(device) +
-             ": but for their friction, no stimulus and no limit of the protocol was compared with "
-             "it; "
-             "measure it by " +
+             ": except for friction, no stimulus and no limit of the protocol was compared with "
+             "it; measure it with " +
              command_to_measure(device.wanted, *study));
       }
       comparison.profile = std::move(found.profile);
@@ -200,7 +201,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     }
   }
   if (!device.wanted.has_motors) {
-    warn(name + " gives no force: nothing that is felt was compared with it");
+    warn(name + " exerts no force: no stimulus was compared with it");
   }
   return comparison;
 }

@@ -13,7 +13,7 @@
 
 namespace asperity {
 
-/// What was found of the device that somebody named.
+/// The result of comparing protocols with a named device.
 struct SoughtDevice {
   WantedDevice wanted{};
   bool is_attached = false;  ///< its driver sees it

@@ -58,8 +58,7 @@ class StageForce final : public ForceRenderer {
 Phrase loss_of(const StageRecord& record, Pacing pacing) {
   if (!record.trouble.empty()) {
     return phrase("DeviceTest",
-                  "the device was lost while it was measured: %1 When that is mended, measure it "
-                  "again.")
+                  "the device was lost while it was measured: %1 Fix that, then measure it again.")
         .with(record.trouble);
   }
   const bool was_lost_in_a_tick =
@@ -67,15 +66,15 @@ Phrase loss_of(const StageRecord& record, Pacing pacing) {
                   [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
   if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
     return phrase("DeviceTest",
-                  "the device was lost while it was measured: it did not call for %1 ms, because "
-                  "its maker's thread hangs or had to wait. End what else keeps this computer "
-                  "busy, see that its cable sits, and measure it again.")
+                  "the device was lost while it was measured: its maker's thread made no call for "
+                  "%1 ms: it hangs or had to wait. Close other programs that keep this computer "
+                  "busy, check its cable, and measure it again.")
         .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));
   }
   return phrase("DeviceTest",
-                "the device was lost while it was measured: it did not answer, and its driver does "
-                "not say why. See that its cable and its power sit, end what else keeps this "
-                "computer busy, and measure it again.");
+                "the device was lost while it was measured: it did not answer, and its driver "
+                "reports no cause. Check its cable and its power, close other programs that keep "
+                "this computer busy, and measure it again.");
 }
 
 }  // namespace
@@ -116,7 +115,7 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
     if (record.trouble.empty()) record.trouble = device_.complaint();
     throw PhrasedError(loss_of(record, device_.capability().pacing));
   }
-  if (stop_.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
+  if (stop_.stop_requested()) throw DeviceStageStopped("stopped on request; the force is zero");
   const auto first = std::find_if(
       record.ticks.begin(), record.ticks.end(),
       [](const TickRecord& tick) { return tick.has(TickFlag::first_of_presentation); });

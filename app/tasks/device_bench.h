@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// Somebody asked the work to stop; the force is zero.
+/// The work was stopped on request; the force is zero.
 class DeviceStageStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,7 +30,7 @@ struct DeviceStage {
   /// Farther than this from where the stage began the force is let go of, for good.
   double reach_m = 0.030;
   ServoSettings servo{};
-  /// Called again and again by whoever conducts the loop, every 5 ms or so; empty: nothing to do.
+  /// Called repeatedly by the thread that conducts the loop, every 5 ms or so; empty: nothing to do.
   std::function<void(ServoLoop& loop, double since_s)> conduct{};
   /// From then on the loop hears no heartbeat.
   std::optional<double> falls_silent_at_s{};
@@ -65,7 +65,7 @@ enum class StagePacing {
 /// Threads: belongs to one.
 class DeviceBench final {
  public:
-  /// The device outlives the bench, and is read by nobody else. `watch` may be empty.
+  /// The device outlives the bench, and has no other reader. `watch` may be empty.
   DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop, WatchTicks watch = {});
 
   StageRecord run(const DeviceStage& stage, StagePacing pacing);

@@ -30,7 +30,7 @@ std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surv
 /// Those that are there whatever is attached.
 std::vector<DeviceChoice> devices_without_hardware();
 
-/// What a driver is told, as a command takes it: " --library FILE"; empty where it is told nothing.
+/// The options of a driver, as a command takes them: " --library FILE"; empty without options.
 std::string as_command_options(const DriverOptions& options);
 
 /// Whose profile belongs to what `device` names, as far as the name says.

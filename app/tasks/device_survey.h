@@ -23,7 +23,7 @@ struct SurveyedDriver {
 /// Asks each driver in turn. May take seconds; a device that a session uses is left alone.
 std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
                                            const DriverOptions& options);
-/// Likewise, where what a driver is told depends on which it is: two makers have two libraries.
+/// The same with options that depend on the driver: two makers have two libraries.
 std::vector<SurveyedDriver> survey_devices(
     const DriverRegistry& drivers,
     const std::function<DriverOptions(const std::string& driver)>& options_of);

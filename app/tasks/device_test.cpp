@@ -250,8 +250,8 @@ class DeviceTest final {
       }
       return;
     }
-    tell(DeviceTestPart::safety, "safety: a limit, a stop, a force that is no number, and silence",
-         0.05);
+    tell(DeviceTestPart::safety,
+         "safety: a limit, a stop, a force that is not a number, and a missing heartbeat", 0.05);
     const double limit_N = std::min(kGentle_N, force_N_);
     device_.set_limits({.force_N = limit_N});
     check_limiter(limit_N);
@@ -636,7 +636,7 @@ class DeviceTest final {
     constexpr int kLevels = 11;  // by √2, up to 8000 N/m
     ByAxis found{.text = phrase_of(DeviceRemark::stiffest)};
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(DeviceTestPart::springs, "ever stiffer springs along ", axis, 0.63 + 0.04 * axis);
+      tell(DeviceTestPart::springs, "increasingly stiff springs along ", axis, 0.63 + 0.04 * axis);
       Phrase hindrance{};
       for (int level = 0; level < kLevels && hindrance.empty(); ++level) {
         const double stiffness_N_per_m = kSoftest_N_per_m * std::pow(2.0, 0.5 * level);
@@ -703,7 +703,7 @@ class DeviceTest final {
     constexpr double kPushed_s = 0.060;
     ByAxis found{.text = phrase_of(DeviceRemark::weakest)};
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(DeviceTestPart::small_pushes, "ever stronger small pushes along ", axis,
+      tell(DeviceTestPart::small_pushes, "increasingly strong small pushes along ", axis,
            0.75 + 0.08 * axis);
       Phrase hindrance = phrase_of(DeviceRemark::nothing_moves_it).with(fixed(0.8 * force_N_, 1));
       for (double push_N = kWeakest_N; push_N <= 0.8 * force_N_; push_N *= std::numbers::sqrt2) {

@@ -40,12 +40,12 @@ struct DeviceTestOptions {
   double force_N = 3.0;
   /// The name of an item with a number → what it is held to, instead of its own limit.
   std::map<std::string, double> limits{};
-  /// A simulated device's timing is told and not judged.
+  /// A simulated device's timing is reported and not judged.
   bool is_simulated = false;
   /// Of what moves the device; timing and safety are always in real time with `real_time`.
   StagePacing mechanics = StagePacing::real_time;
   StagePacing timing = StagePacing::real_time;
-  /// How long a person has to move the handle along the borders of its workspace; 0: nobody does.
+  /// How long a person has to move the handle along the borders of its workspace; 0: it is not moved.
   double workspace_s = 0.0;
   std::function<void(const DeviceTestNews&)> tell{};  ///< before each part, and each axis of it
   WatchTicks watch{};                                 ///< see DeviceBench

@@ -40,17 +40,17 @@ constexpr const char* kCodebook = "codebook.tsv";
 /// What codebook.tsv and MANIFEST.tsv say of themselves.
 std::vector<ExportColumn> columns_about_columns() {
   constexpr std::array<std::pair<const char*, const char*>, 11> kMeanings{
-      {{"file", "file within the folder; * stands for anything"},
+      {{"file", "file within the folder; * matches any text"},
        {"column", "name of the column"},
-       {"description", "what a cell of it is"},
+       {"description", "meaning of a cell"},
        {"type", "text, integer, number, boolean (1 or 0), utc_time or json"},
-       {"unit", "unit, spelt as SI spells it; 1 for a pure number"},
-       {"levels", "what a cell can be, with | between"},
-       {"minimum", "smallest value that is declared or met"},
-       {"maximum", "largest value that is declared or met"},
+       {"unit", "unit, in SI notation; 1 for a dimensionless number"},
+       {"levels", "possible values of a cell, separated by |"},
+       {"minimum", "smallest declared or observed value"},
+       {"maximum", "largest declared or observed value"},
        {"missing", "when a cell is missing"},
-       {"publication", "what becomes of it in an export for the public"},
-       {"source", "who says so: the program, a force model, a place in a protocol"}}};
+       {"publication", "how it appears in a public export"},
+       {"source", "source of the description: the program, a force model, a place in a protocol"}}};
   std::vector<ExportColumn> columns{};
   for (const auto& [name, meaning] : kMeanings) {
     ExportColumn& column = columns.emplace_back();
@@ -69,13 +69,13 @@ std::vector<ExportColumn> manifest_columns() {
   columns[1].name = "rows";
   columns[1].description = "rows of a table, without the names of the columns";
   columns[1].type = "integer";
-  columns[1].missing = "the file is no table";
+  columns[1].missing = "the file is not a table";
   columns[2].name = "sha256";
   columns[2].description = "SHA-256 of the file";
   columns[2].type = "text";
   columns[3].name = "left_out";
   columns[3].description =
-      "columns that the public does not get; answer(NAME): the answers to this question";
+      "columns that a public export omits; answer(NAME): the answers to this question";
   columns[3].type = "text";
   columns[3].missing = "none";
   return columns;
@@ -128,12 +128,11 @@ MadeBy made_by(Group group) {
       return {};
     case Group::pilot:
       return {" (pilot sessions)",
-              "These are pilot sessions: they were run to try the experiment out, and are no part "
-              "of its data."};
+              "These are pilot sessions: they tested the experiment and are not part of its data."};
     case Group::virtual_people:
       return {" (virtual participants)",
-              "The participants are virtual: a program simulated all answers, and no person gave "
-              "any of them."};
+              "The participants are virtual: a program simulated all responses; there were no "
+              "human participants."};
   }
   return {};
 }
@@ -438,8 +437,8 @@ class StudyExport final {
       const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
       if (is_asked && vocabulary_.goes_to_public(name)) continue;
       throw std::invalid_argument(
-          "answers to \"" + name + "\" cannot go to the public: " +
-          (is_asked ? "they are typed freely" : "no questionnaire of the study asks it") +
+          "answers to \"" + name + "\" cannot be published: " +
+          (is_asked ? "they are free text" : "no questionnaire of the study asks this question") +
           (possible.empty() ? "" : "; those that can: " + possible));
     }
   }
@@ -574,44 +573,33 @@ std::string readme(const ExportOptions& options, const std::optional<Phrase>& re
   if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
   for (const Phrase& warning : warnings) text += "INCOMPLETE: " + warning.english() + "\n\n";
   text +=
-      "codebook.tsv says what every column of every file means; MANIFEST.tsv has the "
-      "SHA-256 of every file; events.json describes each kind of event.\n"
-      "import.R and import.py load everything with the right types.\n\n";
+      "codebook.tsv describes every column of every file; MANIFEST.tsv has the SHA-256 of every "
+      "file; events.json describes each kind of event.\nimport.R and import.py load everything "
+      "with the right types.\n\n";
   if (options.audience == ExportAudience::published) {
     std::string named{};
     for (const std::string& question : options.questions_for_public) {
       named += (named.empty() ? ", but for " : ", ") + question;
     }
-    text +=
-        "This is the form for the public: without dates, what was typed freely and answers to "
-        "questionnaires" +
-        named + ". Participants who withdrew are not in it.\n" + publication + "\n";
+    text += "This is the public form: without dates, free text and answers to questionnaires" +
+            named + ". Participants who withdrew are not in it.\n" + publication + "\n";
   }
   return text +
-         "The .tsv files of this folder hold everything, also what does not count, what was "
-         "excluded, pilots and virtual\n"
-         "participants; the columns virtual, mode, phase, valid, excluded and flagged state it, "
-         "and "
-         "counts_in_analyses\n"
-         "of attempts.tsv which attempts analyses count. All other files of this\n"
-         "folder hold people's sessions alone. Pilots are in pilot/, virtual participants in "
-         "virtual/. Rows that do not\n"
-         "count are marked there too, but for wide.csv and wide.sav, which count only what "
-         "counts.\n\n"
-         "Spreadsheets: a text that begins with = + - @, a tab or a line break would be taken for "
-         "a formula. In every "
-         ".tsv and .csv file such a\n"
-         "text has an apostrophe before it; so has a text that itself begins with an apostrophe or "
-         "is exactly n/a.\n"
-         "Take one apostrophe away from every text that begins with one, and the texts are as they "
-         "were typed: import.R and\n"
-         "import.py do. Numbers are never touched. The .sav files have the texts as they were "
-         "typed.\n"
-         "Tabs and line breaks within a text are spaces in a .tsv file; the program said in how "
-         "many cells.\n\n"
-         "Missing is n/a in .tsv, empty in .csv. Times in seconds count from the beginning of the "
-         "session. Labels of\n"
-         "participants and seeds are texts, even if they look like numbers.\n";
+         "The .tsv files of this folder hold everything, including attempts that do not count, "
+         "excluded ones, pilots and virtual\nparticipants; the columns virtual, mode, phase, "
+         "valid, excluded and flagged state which, and counts_in_analyses\nof attempts.tsv states "
+         "which attempts analyses count. All other files of this\nfolder hold only sessions of "
+         "human participants. Pilots are in pilot/, virtual participants in virtual/. Rows that do "
+         "not\ncount are marked there too, except in wide.csv and wide.sav, which include only "
+         "what counts.\n\nSpreadsheets: a text that begins with = + - @, a tab or a line break "
+         "would be read as a formula. In every .tsv and .csv file such a\ntext has an apostrophe "
+         "before it; the same applies to a text that begins with an apostrophe or is exactly "
+         "n/a.\nRemove one apostrophe from every text that begins with one to restore the original "
+         "texts; import.R and\nimport.py do this. Numbers are never changed. The .sav files have "
+         "the original texts.\nTabs and line breaks within a text are spaces in a .tsv file; the "
+         "program reported in how many cells.\n\nMissing is n/a in .tsv, empty in .csv. Times in "
+         "seconds count from the beginning of the session. Labels of\nparticipants and seeds are "
+         "texts, even if they look like numbers.\n";
 }
 
 }  // namespace

@@ -36,28 +36,28 @@ std::set<ExportFormat> usual_export_formats();
 struct ExportOptions {
   ExportAudience audience = ExportAudience::own;
   Overwrite overwrite = Overwrite::refuse;
-  /// Questions of questionnaires whose answers the public gets as well. Errors: std::invalid_argument
-  /// for one that no questionnaire asks, or that is answered freely.
+  /// Questions of questionnaires whose answers are published as well. Errors: std::invalid_argument
+  /// for one that no questionnaire asks, or whose answer is free text.
   std::set<std::string> questions_for_public{};
-  /// Beside the tables and their codebook, which are always written.
+  /// In addition to the tables and their codebook, which are always written.
   std::set<ExportFormat> formats = usual_export_formats();
 };
 
-/// What an export came to.
+/// The result of an export.
 struct ExportOutcome {
   std::vector<ExportedFile> files{};  ///< by name; none when it was asked to stop
   /// What of the study could not be exported, and what to do, a sentence each. README.txt has them too.
   std::vector<Phrase> warnings{};
-  /// Which of the formats that were asked for there was nothing to write of, and why.
+  /// The requested formats that were not written, and why.
   std::vector<Phrase> not_written{};
 };
 
-/// Writes a study into `folder`, which appears complete or not at all: docs/formats/export.md says
-/// which files. When asked to stop it leaves nothing behind. `progress` is told 0 to 1.
+/// Writes a study into `folder`, which appears only when complete: docs/formats/export.md states
+/// which files. When asked to stop it leaves nothing behind. `progress` receives 0 to 1.
 ///
 /// Rows are ordered by natural keys and carry no row ids, so that two simulations that did the same
 /// export the same bytes. From the tables nothing is left out for being invalid, excluded, flagged,
-/// virtual or of a pilot: columns say so. What is meant to be analysed as it is (the wide table, the
+/// virtual or of a pilot: columns state it. What is meant to be analysed as it is (the wide table, the
 /// SPSS files, the datasets) has people's sessions at the top; those of a pilot are in `pilot/`,
 /// those of virtual participants in `virtual/`.
 ///

@@ -20,16 +20,16 @@ MeasuringLock::MeasuringLock(const std::filesystem::path& study) {
   const std::vector<std::string> held = StudyLock::held(study, of_session);
   if (held.empty()) return;
   throw PhrasedError(
-      phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
+      phrase("DeviceTest",
+             "A session of %1 is running. Measure the device when the session has ended.")
           .with(held.front().substr(of_session.size())));
 }
 
 void require_nothing_measured(const std::filesystem::path& study) {
   if (!StudyLock::holder(study, kLock)) return;
-  throw PhrasedError(
-      phrase("DeviceTest",
-             "A device is being measured for this study: stop that or let it end, then begin the "
-             "session."));
+  throw PhrasedError(phrase("DeviceTest",
+                            "A device is being measured for this study. Stop the measurement or "
+                            "wait until it has ended, then start the session."));
 }
 
 MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
@@ -48,7 +48,7 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
     test.limits.emplace(name, limit);
   }
   MeasuredDevice measured{.profile = test_device(device, test, stop)};
-  if (stop.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
+  if (stop.stop_requested()) throw DeviceStageStopped("stopped on request; the force is zero");
   if (order.study) {
     const std::filesystem::path file = profile_path(*order.study, measured.profile);
     make_folders(file.parent_path());
@@ -59,11 +59,10 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
 }
 
 Phrase what_measuring_does(const std::string& device, double force_N) {
-  return phrase(
-             "DeviceTest",
-             "the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with "
-             "at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair "
-             "away, and let nobody hold it.")
+  return phrase("DeviceTest",
+                "the handle of %1 will move by itself for a minute and a half, by at most 3 cm, "
+                "with at most %2 N. Let it hang free in the middle of its workspace, keep hands "
+                "and hair away, and make sure that it is not held.")
       .with(device, fixed(force_N, 1));
 }
 

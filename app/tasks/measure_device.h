@@ -1,4 +1,4 @@
-// A device measured because somebody wants it, at a terminal or in a window, and its profile kept.
+// Measurement of a device on request, at a terminal or in a window, with its profile kept.
 
 #pragma once
 
@@ -18,11 +18,11 @@
 namespace asperity {
 
 struct MeasureOrder {
-  /// Rate, force, limits, who is told; what depends on the device is filled in.
+  /// Rate, force, limits, receivers of progress; what depends on the device is filled in.
   DeviceTestOptions test{};
   /// What a protocol holds the device to, where `test.limits` says nothing else.
   std::map<std::string, double> protocol_limits{};
-  /// How long somebody is there to move the handle of a real device along its borders; 0: nobody is.
+  /// How long a person moves the handle of a real device along its borders; 0: it is not moved.
   double borders_s = 0.0;
   std::optional<std::filesystem::path> study{};  ///< keeps the profile
 };
@@ -47,9 +47,9 @@ class MeasuringLock final {
 /// Errors: PhrasedError where a device is measured for this study now.
 void require_nothing_measured(const std::filesystem::path& study);
 
-/// Measures an open device: see `test_device`. Of a simulated one, which nobody feels, the mechanics are
-/// stepped, and a protocol's limits on timing are left out: timing is told and not judged. Whoever asks for a
-/// real one has told somebody beside it what it will do, and has been told yes; from before it is opened there is
+/// Measures an open device: see `test_device`. Of a simulated one, which no participant feels, the mechanics are
+/// stepped, and a protocol's limits on timing are left out: timing is reported and not judged. Before a
+/// real one moves, a person next to it has been informed and has agreed; from before it is opened there is
 /// a MeasuringLock of `order.study`.
 ///
 /// Errors: as `test_device`, DeviceStageStopped also where the stop comes after the last force: nothing is
@@ -61,10 +61,10 @@ MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
 /// `device` is its model and serial number. In the middle of a sentence.
 Phrase what_measuring_does(const std::string& device, double force_N);
 
-/// What holds the probe of a simulated device that is measured: the same for everybody.
+/// The hand that holds the probe of a simulated device that is measured: always the same.
 VirtualHand hand_to_measure();
 
-/// For somebody to move the handle once around.
+/// Time for moving the handle once around.
 inline constexpr double kBorders_s = 20.0;
 
 }  // namespace asperity

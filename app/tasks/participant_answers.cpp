@@ -81,7 +81,7 @@ std::optional<Phrase> complaint_about_answer(const Question& question, const std
       return {};
     case Question::Form::choice:
       if (std::count(question.options.begin(), question.options.end(), answer) > 0) return {};
-      return phrase("ParticipantAnswers", "\"%1\" is none of the answers to \"%2\".")
+      return phrase("ParticipantAnswers", "\"%1\" is not one of the answers to \"%2\".")
           .with(answer, question.prompt);
     case Question::Form::number:
       break;

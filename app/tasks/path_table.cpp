@@ -122,8 +122,9 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
                          at(*orientation, 3)};
       const double length = glm::length(q);
       if (length < 1e-6) {
-        throw std::runtime_error(file_name + ':' + std::to_string(row + 2) +
-                                 ": qw qx qy qz are no rotation, all are zero");
+        throw std::runtime_error(
+            file_name + ':' + std::to_string(row + 2) +
+            ": qw qx qy qz are all zero, which is not a rotation; enter a unit quaternion");
       }
       probe.orientation = q / length;
     }

@@ -96,7 +96,8 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       }
       case NamedFile::Kind::speech:
         if (!is_wav(read_file(study / named.path, kSpeechFile))) {
-          return "the file " + named.path + " is no WAV file, as recorded speech has to be";
+          return "the file " + named.path +
+                 " is not a WAV file, which recorded speech has to be; save it as WAV";
         }
         break;
     }
@@ -189,21 +190,20 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
   const std::string tool_name = "the tool \"" + stimulus.tool->name + '"';
   std::string sentence =
       touch == FirstTouch::never
-          ? "nothing of " + surface_name + " lies under the way of " + tool_name
-          : tool_name + " begins inside " + surface_name + " and never comes out of it";
+          ? "no part of " + surface_name + " lies under the path of " + tool_name
+          : tool_name + " begins inside " + surface_name + " and never leaves it";
   sentence +=
       ": strokes begin " + fixed(0.5e3 * habits.stroke_length_m, 1) +
-      " mm beside the middle, where the hand comes down on the plane z = 0, and the surface "
-      "lies at x " +
+      " mm from the middle, where the hand meets the plane z = 0, and the surface lies at x " +
       in_mm(low_m.x, high_m.x) + ", y " + in_mm(low_m.y, high_m.y) + ", z " +
       in_mm(low_m.z, high_m.z);
   const double off_m = 0.01 * (high_m.z - low_m.z);
   if (stimulus.surface->mesh && std::abs(high_m.z) > off_m) {
     sentence += std::abs(low_m.z) <= off_m
-                    ? "; its lowest point lies in that plane, as `asperity bake --for tool` puts "
-                      "it: bake it again with `--for surface`"
-                    : "; a surface has its highest point in that plane, where `asperity bake --for "
-                      "surface` puts it";
+                    ? "; its lowest point lies in that plane, as after `asperity bake --for tool`: "
+                      "bake it again with `--for surface`"
+                    : "; the highest point of a surface must lie in that plane: bake it again with "
+                      "`--for surface`";
   }
   const auto ends_before = [&](const glm::dvec2& place_m) {
     return place_m.x < low_m.x || place_m.x > high_m.x || place_m.y < low_m.y ||
@@ -239,9 +239,9 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
   const double cell_m = number_of(own, "cell_m");
   if (!(kSamplesPerWave * cell_m > finest_m)) return {};
   return ": its finest waves are " + micrometres_text(finest_m) + " long, and samples of " +
-         micrometres_text(cell_m) + " (cell_m) hold waves of " +
+         micrometres_text(cell_m) + " (cell_m) represent waves of " +
          micrometres_text(kSamplesPerWave * cell_m) +
-         " and longer; a texture without finer waves would be right, or a cell_m of " +
+         " and longer; use a texture without finer waves, or a cell_m of " +
          micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
          " or less, which takes longer to render. A step where a tile that is repeated does not "
          "close is the finest wave of all";
@@ -270,7 +270,7 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
     sentence += " is beyond the limit " + std::string(count.name) + " of " + described.model +
                 " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
-                " ticks of contact, where its force is not what the model promises";
+                " ticks of contact, where its force is not the declared one";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     if (count.name == "fine_detail" && has_bodies) sentence += why_too_fine(stimulus);
     doubts.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
@@ -514,15 +514,16 @@ std::vector<Phrase> complaints_about_device(const Protocol& protocol,
   const bool has_motors = device.actuated_degrees_of_freedom > 0;
   if (has_motors && protocol.force_limit_N > device.peak_force_N) {
     complaints.push_back(
-        phrase("ProtocolFiles",
-               "the protocol's force_limit_N of %1 N is more than the device \"%2\" can give, %3 N")
+        phrase(
+            "ProtocolFiles",
+            "the protocol's force_limit_N of %1 N is more than the device \"%2\" can exert, %3 N")
             .with(text_of_number(protocol.force_limit_N), called(device),
                   text_of_number(device.peak_force_N)));
   }
   if (protocol.rate_Hz > device.maximum_rate_Hz) {
     complaints.push_back(
         phrase("ProtocolFiles",
-               "the protocol's rate_Hz of %1 Hz is more than the device \"%2\" can do, %3 Hz")
+               "the protocol's rate_Hz of %1 Hz is more than the device \"%2\" can run at, %3 Hz")
             .with(text_of_number(protocol.rate_Hz), called(device),
                   text_of_number(device.maximum_rate_Hz)));
   }
@@ -536,8 +537,9 @@ std::optional<Phrase> complaint_about_label(const std::string& label, bool is_vi
   if (characters && !label.empty() && label.size() <= 32) {
     if (is_virtual || !label.starts_with("virtual")) return {};
     return phrase("ProtocolFiles",
-                  "the participant label \"%1\" is not acceptable for a person: labels that begin "
-                  "with \"virtual\" are those of virtual participants")
+                  "the participant label \"%1\" is not acceptable for a human participant: labels "
+                  "that begin with \"virtual\" are reserved for virtual participants; use another "
+                  "label")
         .with(label);
   }
   return phrase("ProtocolFiles",

@@ -47,7 +47,7 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
 /// The same, and what is rendered otherwise than the model promises: of every stimulus that the hand
 /// touches, a doubt for each limit of the model that counts half of the contact or more, with the
 /// texture and, of `fine_detail`, both numbers. The hand strokes on for 20 ms: what a stimulus is beyond
-/// in other places or under a hand that presses is not told.
+/// in other places or under a hand that presses is not reported.
 struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
   std::vector<Diagnostic> doubts{};
@@ -55,22 +55,22 @@ struct RehearsedStimuli {
 RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::string& file_name,
                                       StimulusBuilder& builder);
 
-/// Every problem of one file, and what its plan amounts to when there is none.
+/// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
   std::string file{};
   std::vector<Diagnostic> diagnostics{};  ///< of all layers, in the order of lines
   std::vector<Diagnostic>
-      warnings{};  ///< of what has the form of a protocol (`doubts_about`), likewise
+      warnings{};  ///< of what has the form of a protocol (`doubts_about`), in the order of lines
   std::optional<Protocol> protocol{};
   PlanCost cost{};
 };
 
-/// Never throws for what the file says. With a study, the files that the protocol names are looked
+/// Never throws because of the file's content. With a study, the files that the protocol names are looked
 /// for and the height fields read; with a device, its capability is compared.
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);
-/// The same for a text that need not be on disk. `file_name` is what its problems are said to be in.
+/// The same for a text that need not be on disk. `file_name` names the file in its problems.
 ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,
                                   const ModelRegistry& models,
                                   const std::optional<std::filesystem::path>& study,

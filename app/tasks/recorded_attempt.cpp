@@ -28,7 +28,7 @@ std::uint64_t seed_of(const SessionRow& session) {
   if (const auto read = std::from_chars(session.seed.data(), end, seed);
       read.ec != std::errc{} || read.ptr != end) {
     throw std::runtime_error(session_name(session) + ": its seed \"" + session.seed +
-                             "\" is no number from 0 to 2^64 - 1");
+                             "\" is not a number from 0 to 2^64 - 1");
   }
   return seed;
 }
@@ -57,7 +57,7 @@ Plan PlansOfSessions::of(const SessionRow& session) {
                   is_as_stored)) {
     throw std::runtime_error(
         session_name(session) +
-        ": its stored plan is not the one that its protocol, seed and row give");
+        ": its stored plan differs from the one that its protocol, seed and row determine");
   }
   return plan;
 }
@@ -98,7 +98,8 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
       if (loaded.sha256 != *row.height_field_sha256) {
         throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the file " +
                                  *described.height_field +
-                                 " is not the one that was felt (its SHA-256 differs)");
+                                 " differs from the one that was presented (its SHA-256 differs); "
+                                 "restore it from a copy of the study");
       }
       stimulus.inputs.height_field = loaded.field;
       stimulus.height_field_sha256 = loaded.sha256;
@@ -107,12 +108,12 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
                              const std::optional<BodyDescription>& body, BodyRole role,
                              std::shared_ptr<const TexturedMesh>& mesh) {
       if (!sha256) return;
-      if (!body) throw std::logic_error("a body was felt that the plan does not have");
+      if (!body) throw std::logic_error("a body was presented that the plan does not have");
       const LoadedBody loaded = builder.body(*body, role);
       if (loaded.sha256 != *sha256) {
         throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the body \"" +
                                  body->name + "\" is not the " + text_of(role) +
-                                 " that was felt (its SHA-256 differs)");
+                                 " that was presented (its SHA-256 differs)");
       }
       mesh = loaded.mesh;
     };

@@ -15,7 +15,7 @@ namespace asperity {
 struct ReportText {
   enum class Tone {
     plain,
-    lead,    ///< the sentence that somebody in a hurry reads
+    lead,    ///< the sentence for a reader in a hurry
     notice,  ///< to be read before believing a number
   };
   std::string text{};

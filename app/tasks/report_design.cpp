@@ -49,8 +49,8 @@ std::string task_text(const Protocol& protocol) {
       return text + '.';
     }
     case ProtocolKind::matching:
-      return "Task: each trial presents several textures, and each is to be given one of as many "
-             "pictures.";
+      return "Task: each trial presents several textures, and each is to be assigned one of as "
+             "many pictures.";
     case ProtocolKind::recognition:
       return "Task: each trial presents one texture, and its picture is to be chosen among "
              "several.";
@@ -212,7 +212,7 @@ std::string guidance_text(const Exploration& exploration, const ReportFacts& fac
       break;
     case Exploration::Guidance::moving_target:
       requested =
-          "a mark that moves to and fro at the target speed" +
+          "a mark that moves back and forth at the target speed" +
           std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
                           ? ", and a bar that shows the force with its band"
                           : "");

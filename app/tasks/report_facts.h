@@ -33,7 +33,7 @@ struct ReportedSession {
   int done_trials = 0;  ///< as SessionOverview has them
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
-  bool is_unguided = false;  ///< nobody saw or heard what the protocol guides the hand by
+  bool is_unguided = false;  ///< the guidance that the protocol requests was neither seen nor heard
   std::set<std::string> unmet_criteria{};  ///< the blocks that ended without their criterion
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};

@@ -102,7 +102,7 @@ std::string fate_text(const std::string& fate) {
       {"device_fault", "stopped by a fault"},
       {"emergency_stop", "ended by the emergency stop"},
       {"excluded", "excluded"},
-      {"not_compliant", "not explored as asked"},
+      {"not_compliant", "not explored as instructed"},
       {"skipped", "skipped"},
       {"timed_out", "not answered in time"}};
   const auto found = kWords.find(fate);
@@ -275,9 +275,8 @@ ReportSection participants_section(const ReportFacts& facts) {
       text = who + " took part in pilot sessions." + hands_text(facts);
       break;
     case AnswerGroup::virtual_participants:
-      text = who + (all == 1 ? " stands" : " stand") +
-             " in for people: a virtual hand and arithmetic in the place of judgement. No person "
-             "took part.";
+      text = who + (all == 1 ? " was" : " were") +
+             " simulated by a virtual hand and a computational observer. No person took part.";
       break;
   }
   const SampleTexts sample = sample_texts(facts);
@@ -321,7 +320,7 @@ std::string late_text(const ReportedSession& session, const EventRow& event) {
   };
   return stopped(
       capitalised(reported_session_name(session)) + " was resumed " + fixed(hours("age_hours"), 1) +
-      " hours after it had last run (the protocol has at most " +
+      " hours after it had last run (the protocol allows at most " +
       reading_number(hours("maximum_age_hours")) + " hours): " + phrase_of(event).english());
 }
 

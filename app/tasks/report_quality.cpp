@@ -136,7 +136,8 @@ ReportText losses_text(const ReportFacts& facts) {
     limited.push_back("the limiter slowed its change in " + ticks_of(servo.slew_limited));
   }
   if (servo.not_finite.total > 0) {
-    limited.push_back("a force that was no number became zero in " + ticks_of(servo.not_finite));
+    limited.push_back("a force that was not a number was set to zero in " +
+                      ticks_of(servo.not_finite));
   }
   text +=
       limited.empty() ? "The force limiter never had to act." : capitalised(listed(limited)) + '.';
@@ -172,14 +173,14 @@ ReportTable times_table(const ReportedServo& servo) {
 ReportTable counts_table(const ReportFacts& facts) {
   const ReportedServo& servo = facts.servo;
   ReportTable table{};
-  table.title = "Forces that did not come as they were meant";
+  table.title = "Missed deadlines and changed forces";
   table.columns = {{"what", false}, {"ticks in all", true}, {"in", true}, {"most in one", true}};
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
                 count_row("force shortened to the limit", servo.saturated, "attempts"),
                 count_row("change of force slowed", servo.slew_limited, "attempts"),
-                count_row("force that was no number", servo.not_finite, "attempts")};
+                count_row("force that was not a number", servo.not_finite, "attempts")};
   for (const auto& [limit, count] : facts.limits) {
     const auto& [model, name, felt] = limit;
     std::string kind = name;

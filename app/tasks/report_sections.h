@@ -31,7 +31,7 @@ ReportSection presentation_section(const ReportFacts& facts);
 ReportSection exploration_section(const ReportFacts& facts);
 /// Each question with its answer, method and figure; what was counted and tested; refusals.
 ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
-/// Program, device, files, seeds: what somebody needs to do it again.
+/// Program, device, files, seeds: what a replication needs.
 ReportSection making_section(const ReportFacts& facts);
 /// To look up: every session.
 ReportSection sessions_section(const ReportFacts& facts);

@@ -149,15 +149,13 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
       find_unfinished(study, protocol, inputs.participant, inputs.resumed_session);
   const bool was_stepped = row.pacing == "stepped";
   if (was_stepped != (inputs.pacing == RunPacing::stepped)) {
-    throw PhrasedError(
-        (was_stepped
-             ? phrase("RunSession",
-                      "session %1 of participant %2 runs on a simulated clock; go on without "
-                      "--realtime")
-             : phrase("RunSession",
-                      "session %1 of participant %2 was begun in real time; go on with "
-                      "--realtime"))
-            .with(std::to_string(row.session), inputs.participant));
+    throw PhrasedError((was_stepped ? phrase("RunSession",
+                                             "session %1 of participant %2 runs on a simulated "
+                                             "clock; resume it without --realtime")
+                                    : phrase("RunSession",
+                                             "session %1 of participant %2 was begun in real time; "
+                                             "resume it with --realtime"))
+                           .with(std::to_string(row.session), inputs.participant));
   }
   return row;
 }
@@ -186,20 +184,18 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
       continue;
     }
     if (row.state != SessionState::completed && !has_ended_by_rule(study, protocol, row)) {
-      throw PhrasedError(
-          phrase("RunSession",
-                 "participant %1 has an unfinished session %2 of this protocol; go on with it by "
-                 "--resume")
-              .with(inputs.participant, std::to_string(row.session)));
+      throw PhrasedError(phrase("RunSession",
+                                "participant %1 has an unfinished session %2 of this protocol; "
+                                "resume it with --resume")
+                             .with(inputs.participant, std::to_string(row.session)));
     }
     ++completed;
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
-    throw PhrasedError(
-        phrase("RunSession",
-               "participant %1 has done all sessions of this protocol, which plans %2 per "
-               "participant")
-            .with(inputs.participant, std::to_string(protocol.sessions)));
+    throw PhrasedError(phrase("RunSession",
+                              "participant %1 has done all sessions of this protocol, which plans "
+                              "%2 per participant; choose another participant")
+                           .with(inputs.participant, std::to_string(protocol.sessions)));
   }
 }
 
@@ -213,9 +209,9 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     throw PhrasedError(*complaint);
   }
   if (inputs.is_virtual && kind_of_device(inputs.device) != DeviceKind::simulated) {
-    throw std::runtime_error("a virtual participant has no hand for the device \"" + inputs.device +
-                             "\"; leave --device out, or take simulated or what it stands for, "
-                             "such as simulated:falcon");
+    throw std::runtime_error(
+        "a virtual participant cannot hold the device \"" + inputs.device +
+        "\"; leave out --device, or use simulated or one of its models, such as simulated:falcon");
   }
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol =
@@ -230,7 +226,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
         (known->is_virtual
              ? phrase("RunSession", "participant %1 is a virtual participant; use --virtual")
              : phrase("RunSession",
-                      "participant %1 is a person; --virtual is for virtual participants"))
+                      "participant %1 is human; leave out --virtual, or use another label"))
             .with(inputs.participant));
   }
   Sitting sitting{};
@@ -270,7 +266,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     if (sitting.mode == SessionMode::run && study_data_blocker(protocol, now)) {
       inputs.resumed(phrase("RunSession",
                             "the session began on a device with which no participant feels the "
-                            "surfaces, and is resumed so; its report states it"));
+                            "surfaces, and is resumed this way; its report states this"));
     }
   }
   if (inputs.ready) inputs.ready(protocol);

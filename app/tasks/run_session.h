@@ -37,13 +37,13 @@ struct RunInputs {
   RunPacing pacing = RunPacing::real_time;
   /// What to run on, as DriverRegistry::open names it; a virtual participant has the simulated one.
   std::string device = "simulated";
-  DriverOptions driver_options{};       ///< what that device's driver is told
+  DriverOptions driver_options{};       ///< options of that device's driver
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
   /// As ServoSettings; a test on a busy machine sets a longer time.
   double standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
   /// The workspace and the strokes are mirrored left to right, for a left hand.
   bool mirrored = false;
-  /// Somebody who is new and was already asked the protocol's questions (the label is
+  /// A new participant who was already asked the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
   /// What was found when the plan was compared with this device before; null: nothing.
@@ -64,7 +64,7 @@ struct RunInputs {
 /// Runs it. `respondent` is null for a virtual participant.
 ///
 /// The device comes first: it is opened, and compared with the protocol and with the study's profile of it, so that
-/// nobody is asked anything for a session that is refused. Then the participant is added when new: a person is asked to
+/// no question is asked for a session that is refused. Then the participant is added when new: a person is asked to
 /// agree to the protocol's statement and then its questions, before anything is stored. `stop` asks the session to end after the trial
 /// under way.
 ///

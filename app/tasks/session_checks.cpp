@@ -62,7 +62,7 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
                      .with(short_hash(inputs.protocol_sha256), short_hash(sha256));
     check.remedy =
         phrase("SessionChecks",
-               "Choose the protocol again to read the new version, or put the old file back.");
+               "Choose the protocol again to read the new version, or restore the earlier file.");
     return check;
   }
   check.text = phrase("SessionChecks", "Valid, version %1, SHA-256 %2.")
@@ -81,7 +81,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   SessionCheck check{.state = State::stop};
   const bool is_virtual = inputs.mode == SessionMode::simulate;
   if (inputs.participant.empty()) {
-    check.text = phrase("SessionChecks", "Nobody is chosen yet.");
+    check.text = phrase("SessionChecks", "No participant is chosen yet.");
     check.remedy = phrase("SessionChecks", "Choose a participant, or enter a new label.");
     return check;
   }
@@ -92,7 +92,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   }
   if (const auto holder =
           StudyLock::holder(inputs.study, Study::session_lock_name(inputs.participant))) {
-    check.text = phrase("SessionChecks", "A session of %1 runs in %2.")
+    check.text = phrase("SessionChecks", "A session of %1 is running in %2.")
                      .with(inputs.participant, holder_text(*holder));
     check.remedy = phrase("SessionChecks", "Wait until it has ended, or stop it there.");
     return check;
@@ -105,7 +105,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
                      .with(inputs.participant);
     check.remedy =
         known->is_virtual
-            ? phrase("SessionChecks", "Choose a person, or switch to Simulate.")
+            ? phrase("SessionChecks", "Choose a human participant, or switch to Simulate.")
             : phrase("SessionChecks", "Leave the label to the program, or switch to Run or Pilot.");
     return check;
   }
@@ -135,7 +135,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
       return check;
     }
     check.state = State::fine;
-    check.text = phrase("SessionChecks", "Session %1 is free and can go on.")
+    check.text = phrase("SessionChecks", "Session %1 can be resumed.")
                      .with(std::to_string(going_on->session));
     return check;
   }
@@ -155,22 +155,22 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   if (!is_virtual && unfinished) {
     check.text = phrase("SessionChecks", "Session %1 of this protocol is unfinished.")
                      .with(std::to_string(unfinished->session));
-    check.remedy =
-        phrase("SessionChecks", "Go on with it; a new one can begin when it is complete.");
+    check.remedy = phrase("SessionChecks", "Resume it; a new one can start when it is complete.");
     return check;
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     check.text =
         phrase("SessionChecks", "%1 has done %2 of %3 planned sessions.")
             .with(inputs.participant, std::to_string(completed), std::to_string(protocol.sessions));
-    check.remedy = phrase("SessionChecks", "Choose somebody else.");
+    check.remedy = phrase("SessionChecks", "Choose another participant.");
     return check;
   }
   check.state = State::fine;
-  check.text = (known ? phrase("SessionChecks",
-                               "%1 is known to the study; no session of theirs runs elsewhere.")
-                      : phrase("SessionChecks", "%1 is new; no session of theirs runs elsewhere."))
-                   .with(inputs.participant);
+  check.text =
+      (known ? phrase("SessionChecks",
+                      "%1 is a participant of the study and has no session running elsewhere.")
+             : phrase("SessionChecks", "%1 is new and has no session running elsewhere."))
+          .with(inputs.participant);
   return check;
 }
 
@@ -200,13 +200,11 @@ SessionCheck study_check(const CheckInputs& inputs) {
 Phrase files_in_words(std::size_t files, bool resume) {
   if (files == 0) return phrase("SessionChecks", "The protocol names no files.");
   if (files == 1) {
-    return resume
-               ? phrase("SessionChecks", "1 file, the same as when the session began.")
-               : phrase("SessionChecks", "1 file, all there and unchanged since they were made.");
+    return resume ? phrase("SessionChecks", "1 file, the same as when the session began.")
+                  : phrase("SessionChecks", "1 file, present and unchanged since it was made.");
   }
-  return (resume
-              ? phrase("SessionChecks", "%1 files, the same as when the session began.")
-              : phrase("SessionChecks", "%1 files, all there and unchanged since they were made."))
+  return (resume ? phrase("SessionChecks", "%1 files, the same as when the session began.")
+                 : phrase("SessionChecks", "%1 files, present and unchanged since they were made."))
       .with(std::to_string(files));
 }
 
@@ -221,8 +219,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
       const Phrase sentence = Phrase(problem.message).as_sentence();
       check.text = check.text.empty() ? sentence : Phrase("%1 %2").with(check.text, sentence);
     }
-    check.remedy = phrase("SessionChecks",
-                          "Put the files into the study as they were made, or make them again.");
+    check.remedy = phrase("SessionChecks", "Restore the files in the study, or make them again.");
     return check;
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, inputs.study);
@@ -237,8 +234,9 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
       if (same) continue;
       check.text = phrase("SessionChecks", "The file %1 has changed since session %2 began.")
                        .with(before.path, std::to_string(row.session));
-      check.remedy = phrase("SessionChecks",
-                            "Put the old file back; this session cannot go on with another one.");
+      check.remedy =
+          phrase("SessionChecks",
+                 "Restore the earlier file; this session cannot be resumed with another one.");
       return check;
     }
   }
@@ -285,13 +283,13 @@ SessionCheck untried_device_check(const CheckInputs& inputs) {
   SessionCheck check{.state = State::stop};
   if (inputs.tried != nullptr) {
     check.text = inputs.tried->failure;
-    check.remedy = phrase("SessionChecks", "Mend it, then try the device again.");
+    check.remedy = phrase("SessionChecks", "Fix the problem, then try the device again.");
     return check;
   }
   check.text = phrase("SessionChecks", "“%1” has not been tried yet.").with(inputs.device);
   check.remedy = phrase("SessionChecks",
-                        "Press “Try this device” while nobody holds it: it is opened, and the "
-                        "loop runs for a third of a second without force.");
+                        "Press “Try this device” while its handle is not held: the device is "
+                        "opened, and the loop runs for a third of a second without force.");
   return check;
 }
 
@@ -300,8 +298,8 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (!inputs.device_hindrance.empty()) {
     check.state = State::stop;
     check.text = inputs.device_hindrance;
-    check.remedy =
-        phrase("SessionChecks", "Mend it, then look for devices again; or choose another device.");
+    check.remedy = phrase(
+        "SessionChecks", "Fix the problem, then look for devices again; or choose another device.");
     return check;
   }
   const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
@@ -310,8 +308,8 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (!complaints.empty()) {
     check.state = State::stop;
     check.text = complaints.front().as_sentence();
-    check.remedy =
-        phrase("SessionChecks", "Choose another device, or ask for less in the protocol.");
+    check.remedy = phrase("SessionChecks",
+                          "Choose another device, or lower the requirements in the protocol.");
     return check;
   }
   const std::optional<SessionRow> unfinished = resumed_row(inputs, protocol);
@@ -324,15 +322,17 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     }
   }
   if (!has_motors(*device)) {
-    check.text = phrase("SessionChecks",
-                        "“%1” moves and presses, and gives no force: nobody feels anything.")
-                     .with(device->name);
+    check.text =
+        phrase("SessionChecks",
+               "“%1” moves and presses but exerts no force: the participant feels nothing.")
+            .with(device->name);
   } else {
-    check.text = phrase("SessionChecks",
-                        "“%1” gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
-                     .with(called(*device), fixed(device->peak_force_N, 1),
-                           fixed(device->maximum_rate_Hz, 0), fixed(protocol.force_limit_N, 1),
-                           fixed(protocol.rate_Hz, 0));
+    check.text =
+        phrase("SessionChecks",
+               "“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.")
+            .with(called(*device), fixed(device->peak_force_N, 1),
+                  fixed(device->maximum_rate_Hz, 0), fixed(protocol.force_limit_N, 1),
+                  fixed(protocol.rate_Hz, 0));
   }
   const std::string before = other_device_before(inputs, unfinished, *device);
   if (!before.empty()) {
@@ -346,13 +346,11 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   }
   if (inputs.mode == SessionMode::run && study_data_blocker(protocol, recorded_device(*device))) {
     check.state = State::look;
-    check.text =
-        phrase("SessionChecks",
-               "%1 The session began without a force that a participant felt, and is resumed as "
-               "such; the report states it.")
-            .with(check.text);
-    check.remedy =
-        phrase("SessionChecks", "For sessions that begin now choose a device with motors.");
+    check.text = phrase("SessionChecks",
+                        "%1 The session began without a force that a participant felt, and is "
+                        "resumed this way; the report states this.")
+                     .with(check.text);
+    check.remedy = phrase("SessionChecks", "For new sessions choose a device with motors.");
   }
   return check;
 }
@@ -380,7 +378,7 @@ std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings
                       .state = State::look,
                       .text = warning.text};
     if (alike > 1) {
-      line.text = phrase("SessionChecks", "%1 So it is with %2 more.")
+      line.text = phrase("SessionChecks", "%1 The same applies to %2 more.")
                       .with(warning.text, std::to_string(alike - 1));
     }
     lines.push_back(line);
@@ -427,15 +425,15 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
       return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
     }
     if (device && !has_motors(*device)) {
-      return {fine(phrase("SessionChecks", "Not needed: it gives no force."))};
+      return {fine(phrase("SessionChecks", "Not needed: it exerts no force."))};
     }
     return {{.state = State::look,
              .text = phrase("SessionChecks",
                             "The study has no profile of this device: whether it can render these "
-                            "stimuli has not been looked at."),
+                            "stimuli has not been checked."),
              .remedy = phrase("SessionChecks",
-                              "Measure it once, while nobody holds it: asperity device-test \"%1\" "
-                              "--study \"%2\"")
+                              "Measure it once, while its handle is not held: asperity device-test "
+                              "\"%1\" --study \"%2\"")
                            .with(inputs.device, inputs.study.string())}};
   }
   const Phrase age = age_in_words(age_days(*found.profile, now_utc));
@@ -446,29 +444,28 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   const std::vector<DeviceTrait> uncompared = not_compared(found.profile->not_known);
   SessionCheck profile{};
   if (is_beyond) {
-    profile.text = phrase("SessionChecks", "%1; some stimuli are beyond what it can do.").with(age);
+    profile.text = phrase("SessionChecks", "%1; some stimuli exceed its capabilities.").with(age);
   } else if (breaks_limits) {
-    const Phrase text =
-        uncompared.empty()
-            ? phrase("SessionChecks",
-                     "%1; every stimulus is within what it can do, but it does not keep the "
-                     "protocol's limits.")
-            : phrase("SessionChecks",
-                     "%1; every stimulus is within what is known of it, but it does not keep the "
-                     "protocol's limits.");
+    const Phrase text = uncompared.empty()
+                            ? phrase("SessionChecks",
+                                     "%1; every stimulus is within its capabilities, but it does "
+                                     "not meet the protocol's limits.")
+                            : phrase("SessionChecks",
+                                     "%1; every stimulus is within its known capabilities, but it "
+                                     "does not meet the protocol's limits.");
     profile.text = text.with(age);
   } else {
     const Phrase text =
         uncompared.empty()
-            ? phrase("SessionChecks", "%1; every stimulus is within what it can do.")
-            : phrase("SessionChecks", "%1; every stimulus is within what is known of it.");
+            ? phrase("SessionChecks", "%1; every stimulus is within its capabilities.")
+            : phrase("SessionChecks", "%1; every stimulus is within its known capabilities.");
     profile.text = text.with(age);
   }
   if (!uncompared.empty()) {
     profile.state = State::look;
-    profile.text = phrase("SessionChecks", "%1 Not known of %2, and compared with nothing: %3.")
+    profile.text = phrase("SessionChecks", "%1 Unknown for %2 and not compared: %3.")
                        .with(profile.text, found.profile->stands_for(), listed_traits(uncompared));
-    profile.remedy = phrase("SessionChecks", "Measure a real one as soon as it is there.");
+    profile.remedy = phrase("SessionChecks", "Measure a real device as soon as one is available.");
   }
   // What breaks a limit of the protocol's has a line of its own.
   DeviceProfile unlimited = *found.profile;
@@ -479,7 +476,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     profile.state = State::look;
     profile.text =
         phrase("SessionChecks", "%1 It failed an item of the measurement.").with(profile.text);
-    profile.remedy = phrase("SessionChecks", "Look into its profile, and measure it again.");
+    profile.remedy = phrase("SessionChecks", "Check its profile, and measure it again.");
   }
   std::vector<SessionCheck> lines{profile};
   lines.insert(lines.end(), beyond.begin(), beyond.end());
@@ -514,7 +511,7 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
                        const DriverRegistry& drivers) {
   if (inputs.pacing == RunPacing::stepped) {
     return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
-            fine(phrase("SessionChecks", "Not needed: a fast simulation has a clock of its own."))};
+            fine(phrase("SessionChecks", "Not needed: a fast simulation has its own clock."))};
   }
   const TriedDevice trial =
       inputs.tried != nullptr ? *inputs.tried : try_loop(inputs, protocol, drivers);
@@ -525,13 +522,13 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
     zero.state = State::stop;
     zero.text =
         phrase("SessionChecks", "The device reported a fault: %1.").with(phrase_of(trial.fault));
-    zero.remedy = phrase("SessionChecks", "See to the device, then check again.");
+    zero.remedy = phrase("SessionChecks", "Fix the device, then check again.");
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;
-    zero.text = phrase("SessionChecks", "A force of %1 N was sent with nothing to feel.")
+    zero.text = phrase("SessionChecks", "A force of %1 N was sent without a surface.")
                     .with(fixed(trial.strongest_N, 3));
     zero.remedy = phrase("SessionChecks",
-                         "Let go of the handle, switch the device off and on, then check again.");
+                         "Release the handle, switch the device off and on, then check again.");
   } else {
     zero.text =
         phrase("SessionChecks", "Exactly 0 N in %1 ticks.").with(std::to_string(quality.ticks));
@@ -559,16 +556,17 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
 
 SessionCheck screens_check(const CheckInputs& inputs) {
   if (inputs.mode == SessionMode::simulate) {
-    return fine(phrase("SessionChecks", "Not needed: nobody looks at the participant's window."));
+    return fine(
+        phrase("SessionChecks", "Not needed: no participant looks at the participant's window."));
   }
   if (inputs.screens >= 2) {
     return fine(phrase("SessionChecks", "%1 screens: one for each window.")
                     .with(std::to_string(inputs.screens)));
   }
   return {.state = State::look,
-          .text = phrase("SessionChecks",
-                         "One screen: the two windows stand side by side, and the participant can "
-                         "see both."),
+          .text = phrase(
+              "SessionChecks",
+              "One screen: the two windows are side by side, and the participant can see both."),
           .remedy = phrase("SessionChecks", "Connect a second screen for the participant.")};
 }
 
@@ -580,9 +578,10 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (guides_by_tones && !inputs.sound_card && inputs.mode != SessionMode::simulate) {
     SessionCheck unheard{};
     unheard.state = inputs.mode == SessionMode::run ? State::stop : State::look;
-    unheard.text = phrase("SessionChecks",
-                          "There is no sound output: nobody hears the tones by which the protocol "
-                          "guides the hand, and silence means that all is right.");
+    unheard.text =
+        phrase("SessionChecks",
+               "There is no sound output: the tones by which the protocol guides the hand cannot "
+               "be heard, and silence would indicate that force and speed are correct.");
     unheard.remedy = phrase("SessionChecks", "Connect headphones, then check again.");
     return unheard;
   }
@@ -591,19 +590,20 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     const bool led_by_cues =
         protocol.vision == Vision::blindfold && inputs.mode != SessionMode::simulate;
     if (inputs.sound_card || !led_by_cues) {
-      return fine(phrase("SessionChecks", "The protocol asks for none."));
+      return fine(phrase("SessionChecks", "The protocol requires none."));
     }
     SessionCheck check{};
     check.state = State::look;
     check.text =
         phrase("SessionChecks",
                "There is no sound output: a participant who wears an eye mask hears no cues.");
-    check.remedy = phrase("SessionChecks",
-                          "Connect headphones, then check again; or lead them by your voice.");
+    check.remedy =
+        phrase("SessionChecks",
+               "Connect headphones, then check again; or guide the participant by voice.");
     return check;
   }
   if (inputs.mode == SessionMode::simulate) {
-    return fine(phrase("SessionChecks", "Not needed: nobody listens."));
+    return fine(phrase("SessionChecks", "Not needed: no participant listens."));
   }
   SessionCheck check{};
   // A pilot may find out what the level has to be; study data needs it as declared.
@@ -613,7 +613,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.state = when_wrong;
     check.text =
         phrase("SessionChecks",
-               "There is no sound output: nobody hears the noise that the protocol asks for.");
+               "There is no sound output: the noise that the protocol requires cannot be heard.");
     check.remedy = phrase(
         "SessionChecks",
         "Connect headphones, then check again; or play the noise from elsewhere, measure it at the "
@@ -622,9 +622,10 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
   }
   if (!inputs.noise.is_attested()) {
     check.state = when_wrong;
-    check.text = inputs.noise.measured_dBA
-                     ? phrase("SessionChecks", "It is not said who measured the level at the ear.")
-                     : phrase("SessionChecks", "The level at the ear was not measured.");
+    check.text =
+        inputs.noise.measured_dBA
+            ? phrase("SessionChecks", "It is not stated who measured the level at the ear.")
+            : phrase("SessionChecks", "The level at the ear was not measured.");
     check.remedy =
         phrase("SessionChecks",
                "Play the noise, measure it at the ear, and enter the level and your name.");
@@ -635,7 +636,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
       std::abs(*inputs.noise.measured_dBA - *declared.declared_dBA) > kNoiseTolerance_dBA) {
     check.state = when_wrong;
     check.text =
-        phrase("SessionChecks", "%1 dBA at the ear; the protocol asks for %2 dBA within %3 dBA.")
+        phrase("SessionChecks", "%1 dBA at the ear; the protocol requires %2 dBA within %3 dBA.")
             .with(measured_dBA, fixed(*declared.declared_dBA, 1), fixed(kNoiseTolerance_dBA, 0));
     check.remedy = phrase("SessionChecks", "Change the gain and measure again.");
     return check;
@@ -659,7 +660,8 @@ SessionCheck disk_check_of(const CheckInputs& inputs, const Protocol& protocol) 
   if (error) {
     return {
         .state = State::look,
-        .text = phrase("SessionChecks", "The free space cannot be told: %1.").with(error.message()),
+        .text = phrase("SessionChecks", "The free space cannot be determined: %1.")
+                    .with(error.message()),
         .remedy = phrase("SessionChecks", "Make sure that the disk has room for the recordings.")};
   }
   return disk_check({.wanted_bytes = recording_bytes(protocol) + kStoreBytes,
@@ -675,7 +677,7 @@ SessionCheck looked_at(const std::string& id, const Phrase& title, Look look) {
   } catch (const std::exception& error) {
     check = {.state = State::stop,
              .text = phrase_of(error).as_sentence(),
-             .remedy = phrase("SessionChecks", "Mend it, then check again.")};
+             .remedy = phrase("SessionChecks", "Fix the problem, then check again.")};
   }
   check.id = id;
   check.title = title;

@@ -24,7 +24,7 @@ namespace asperity {
 struct SessionCheck {
   enum class State {
     fine,
-    look,  ///< the session can begin, and somebody should know this
+    look,  ///< the session can begin, and the experimenter should know this
     stop,  ///< it cannot
   };
   std::string id{};  ///< "disk", for programs
@@ -34,7 +34,7 @@ struct SessionCheck {
   Phrase remedy{};  ///< what to do about it; empty when fine
 };
 
-/// What a check is told by whoever has looked already.
+/// Results that the caller has already.
 struct CheckInputs {
   std::filesystem::path study{};
   std::filesystem::path protocol{};
@@ -49,7 +49,7 @@ struct CheckInputs {
   std::string device = "simulated";  ///< see RunInputs
   DriverOptions
       driver_options{};  ///< that the session's driver is told; here for the command that measures
-  /// A sentence of whoever looked for devices: why this one cannot be used. Empty: nothing is against it.
+  /// From the search for devices: why this one cannot be used. Empty: it can.
   std::string device_hindrance{};
   DeviceTrial trial = try_device;
   /// Of an attached device, which is opened by a person's wish alone: what it did then. Null: not yet.

@@ -92,7 +92,7 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
   if (!inputs.resume) return {inputs.seed, there.largest_number + 1, inputs.participants};
   if (there.begun) return *there.begun;
   if (!there.any_virtual) return {inputs.seed, 1, inputs.participants};
-  throw std::runtime_error("there is nothing to go on with in " + inputs.study.string() +
+  throw std::runtime_error("there is nothing to resume in " + inputs.study.string() +
                            ": no simulation of " + std::to_string(inputs.participants) +
                            " participants with the seed " + std::to_string(inputs.seed) +
                            " was begun there; leave out --resume to add one");
@@ -182,8 +182,9 @@ void Simulation::check_sessions(const Study& study) const {
   for (std::size_t i = 0; i < protocols_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (protocols_[i].source == protocols_[j].source) {
-        throw std::runtime_error("the protocol \"" + protocols_[i].name +
-                                 "\" is given twice; the number of its sessions stands in it");
+        throw std::runtime_error(
+            "the protocol \"" + protocols_[i].name +
+            "\" is given twice; give it once: it states the number of its sessions");
       }
     }
   }
@@ -202,7 +203,7 @@ void Simulation::check_sessions(const Study& study) const {
         throw std::runtime_error("session " + std::to_string(before[repeat].session) + " of " +
                                  label +
                                  " was not begun with these protocols in this order; nothing was "
-                                 "written");
+                                 "written. Name the same protocols in the same order");
       }
     }
   }
@@ -237,14 +238,12 @@ bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
 void Simulation::prepare(Study& study) {
   const Batches there = batches_in(study, inputs_);
   if (!inputs_.resume && there.begun && is_interrupted(study, *there.begun)) {
-    throw PhrasedError(
-        phrase(
-            "Simulation",
-            "the simulation of %1 participants with the seed %2 in %3 is not complete; to complete "
-            "it, add --resume; to add further participants, take another --seed. No participant "
-            "was added")
-            .with(std::to_string(inputs_.participants), std::to_string(inputs_.seed),
-                  inputs_.study.string()));
+    throw PhrasedError(phrase("Simulation",
+                              "the simulation of %1 participants with the seed %2 in %3 is not "
+                              "complete; to complete it, add --resume; to add further "
+                              "participants, use another --seed. No participant was added")
+                           .with(std::to_string(inputs_.participants), std::to_string(inputs_.seed),
+                                 inputs_.study.string()));
   }
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
@@ -280,10 +279,9 @@ SimulationResult Simulation::run() {
   }
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
-    throw PhrasedError(phrase(
-        "Simulation",
-        "stopped as asked; every finished trial is stored, go on with the same arguments and "
-        "--resume"));
+    throw PhrasedError(phrase("Simulation",
+                              "stopped on request; every finished trial is stored, resume with the "
+                              "same arguments and --resume"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result_;
@@ -359,7 +357,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
       !stop_.stop_requested()) {
     throw PhrasedError(phrase("Simulation",
                               "the session of %1 with \"%2\" stopped: %3; every finished trial is "
-                              "stored, go on with --resume")
+                              "stored, resume with --resume")
                            .with(person.label, protocol.name, end.reason));
   }
   const std::lock_guard result_lock(mutex_);

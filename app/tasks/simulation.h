@@ -27,7 +27,7 @@ struct SimulationInputs {
   bool resume = false;
 };
 
-/// Of the sessions that were begun or gone on with now.
+/// Of the sessions that were begun or resumed now.
 struct SimulationResult {
   int sessions = 0;
   int attempts = 0;
@@ -40,12 +40,12 @@ struct SimulationResult {
 ///
 /// Deterministic in the seed, whatever `jobs`: labels, seeds, counterbalance rows and clocks are
 /// dealt out before the first session begins. When it is stopped, sessions under way end after
-/// their trial and can be gone on with; each participant's row says which simulation it belongs to.
+/// their trial and can be resumed; each participant's row states which simulation it belongs to.
 ///
 /// `progress` and `done` may be empty. Both are called from the jobs' threads.
 ///
 /// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
-/// nothing to go on with; an interrupted simulation of the same seed, number of participants and protocols, without
+/// nothing to resume; an interrupted simulation of the same seed, number of participants and protocols, without
 /// `resume`).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
                           const std::stop_token& stop, const std::function<void(double)>& progress,

@@ -56,14 +56,13 @@ std::optional<Phrase> record_output(const Study& study, OutputKind kind,
   if (study.schema_version() < Study::kSchemaVersion) {
     return phrase("StudyOutputs",
                   "The study is of an older version of Asperity and was not changed: it does not "
-                  "list %1 among what was made of it. Keep a note of it for the case that a "
-                  "participant withdraws.")
+                  "list %1 among its outputs. Keep a note of it in case a participant withdraws.")
         .with(path.string());
   }
   if (!Study::can_be_written(study.folder())) {
     return phrase("StudyOutputs",
-                  "The study can only be read here: it does not list %1 among what was made of it. "
-                  "Keep a note of it for the case that a participant withdraws.")
+                  "The study can only be read here: it does not list %1 among its outputs. Keep a "
+                  "note of it in case a participant withdraws.")
         .with(path.string());
   }
   try {

@@ -51,11 +51,10 @@ int sessions_of(const Study& study, const std::string& name, const std::string& 
 void require_never_run(const Study& study, const std::filesystem::path& file) {
   const int sessions = sessions_of_protocol(study, file);
   if (sessions == 0) return;
-  throw PhrasedError(
-      phrase("StudyProtocols",
-             "Sessions of %1 are stored (%2), which refer to its name and its text. Duplicate the "
-             "protocol to make another one of it.")
-          .with(file.filename().string(), std::to_string(sessions)));
+  throw PhrasedError(phrase("StudyProtocols",
+                            "Sessions of %1 are stored (%2), which refer to its name and its text. "
+                            "Duplicate the protocol, and change the copy.")
+                         .with(file.filename().string(), std::to_string(sessions)));
 }
 
 /// "height_3" → "height": what a further copy is numbered after.
@@ -121,7 +120,7 @@ std::filesystem::path rename_protocol(const Study& study, const std::filesystem:
   require_never_run(study, file);
   if (wanted != file && std::filesystem::exists(wanted)) {
     throw PhrasedError(
-        phrase("StudyProtocols", "The study has a file %1 already. Choose another name.")
+        phrase("StudyProtocols", "The study already has a file %1. Choose another name.")
             .with(wanted.filename().string()));
   }
   if (sessions_of(study, name, {}) > 0) {

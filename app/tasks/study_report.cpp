@@ -87,7 +87,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
     return chapter;
   }
   ReportTable table{};
-  table.title = "Protocols and who did them";
+  table.title = "Protocols and participants";
   table.columns = {{"protocol", false},    {"kind", false},          {"who", false},
                    {"participants", true}, {"sessions", true},       {"completed", true},
                    {"attempts", true},     {"answers counted", true}};
@@ -113,7 +113,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                 " sets of sessions, one for each version of a protocol and each group of "
                 "participants. They never mix: each has a separate chapter, whose heading states "
                 "where data are simulated or of pilot sessions.";
-  text += " What is to be looked up, not read, is in appendices at the end.";
+  text += " Reference tables are in appendices at the end.";
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));
   if (groups.contains(AnswerGroup::virtual_participants)) {

@@ -233,7 +233,8 @@ Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::stri
     const std::optional<double> spacing_m = number(row, 3);
     const auto* status = std::get_if<std::string>(&row[10]);
     if (!value || !spacing_m || status == nullptr) {
-      throw std::runtime_error(name + " has a row that no sweep wrote; --force replaces the file");
+      throw std::runtime_error(
+          name + " has a row that was not written by a sweep; --force replaces the file");
     }
     SweepRow read{.value = *value, .spacing_m = *spacing_m, .status = *status};
     if (const std::optional<double> greatest = number(row, 5)) {
@@ -421,7 +422,7 @@ void require_sweep(const SweepOrder& order) {
       }
       if (std::count(numbers.begin(), numbers.end(), number) > 1) {
         throw std::invalid_argument(std::string(name) + ": " + number_text(number) +
-                                    " is there twice");
+                                    " occurs twice");
       }
     }
   };
@@ -453,8 +454,8 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
     } else if (!is_same && file.overwrite == Overwrite::refuse) {
       throw std::runtime_error(
           file.out.string() +
-          " is there and is not of this sweep, whose declaration differs from " + beside.string() +
-          "; --force replaces it, another --out keeps it");
+          " exists and belongs to another sweep: the declaration of this one differs from " +
+          beside.string() + "; --force replaces it, another --out keeps it");
     }
   }
   return SweepWork(std::move(known), &file, stop, progress).done(file.jobs);

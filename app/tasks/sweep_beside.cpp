@@ -255,11 +255,11 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
       instead += (instead.empty() ? "" : " or") + std::string(" --vary ") + text_of(other) +
                  (numbers ? " --values " + option_values(*numbers) : "");
     }
-    refuse_beside(protocol, "has the conditions " + enumerated(conditions) +
-                                ", which do not differ in " + words_of(order.varied) +
-                                ", what --vary " + text_of(order.varied) + " varies; " +
-                                (instead.empty() ? "no sweep varies what they differ in"
-                                                 : "beside it goes a sweep with" + instead));
+    refuse_beside(
+        protocol,
+        "has the conditions " + enumerated(conditions) + ", which do not differ in " +
+            words_of(order.varied) + ", what --vary " + text_of(order.varied) + " varies; " +
+            (instead.empty() ? "a sweep cannot vary what they differ in" : "use" + instead));
   }
   const auto numbers = numbers_by_condition(conditions, varied);
   const std::string theirs =
@@ -284,8 +284,8 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
     if (same == numbers->end()) {
       refuse_beside(protocol, "has " + theirs + ", and the level of " +
                                   quantity_text(order.varied, value) +
-                                  " is none of them: --values " + option_values(*numbers) +
-                                  " has the protocol's");
+                                  " is not one of them: --values " + option_values(*numbers) +
+                                  " has those of the protocol");
     }
     by_level.push_back(conditions[static_cast<std::size_t>(same - numbers->begin())]);
   }
@@ -336,8 +336,8 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
       lowest_m = std::min(lowest_m.value_or(height_m), height_m);
       highest_m = std::max(highest_m.value_or(height_m), height_m);
     } catch (const std::exception& error) {
-      remarks.push_back("how high the textures of " + protocol.name +
-                        " are is not known here, and not compared: " + error.what());
+      remarks.push_back("the heights of the textures of " + protocol.name +
+                        " are unknown and were not compared: " + error.what());
       return;
     }
   }
@@ -348,8 +348,7 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
                                  ? height_text(*highest_m)
                                  : height_text(*lowest_m) + " to " + height_text(*highest_m);
   remarks.push_back("the texture of the sweep is " + height_text(here_m) +
-                    " from trough to crest (--texture), and those of " + protocol.name + " " +
-                    theirs);
+                    " from trough to crest (--texture), those of " + protocol.name + " " + theirs);
 }
 
 void compare_spacings(const SweepOrder& order, const Protocol& protocol,
@@ -358,7 +357,7 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
   for (const auto& [level, spacing_m] : protocol.estimation->spacing_m) {
     theirs_m.push_back(spacing_m);
   }
-  if (theirs_m.empty()) refuse_beside(protocol, "says no spacing of its textures");
+  if (theirs_m.empty()) refuse_beside(protocol, "states no spacing of its textures");
   const auto [shortest, longest] = std::minmax_element(theirs_m.begin(), theirs_m.end());
   const auto [first, last] = std::minmax_element(order.spacings_m.begin(), order.spacings_m.end());
   const auto range = [](double from_m, double to_m) {
@@ -372,10 +371,10 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
       });
   const std::string both = "has textures " + range(*shortest, *longest) + " apart, and the sweep " +
                            range(*first, *last) + " (--spacings)";
-  if (!is_any) refuse_beside(protocol, both + ": none of these would be drawn");
+  if (!is_any) refuse_beside(protocol, both + ": there are none in common; change --spacings");
   if (is_alike(*first, *shortest, kSameNumber) && is_alike(*last, *longest, kSameNumber)) return;
   remarks.push_back(protocol.name + ' ' + both +
-                    ": drawn is what both have, and the parabola's peak is of all");
+                    ": the figure shows those in common, and the parabola's peak that of all");
 }
 
 void compare_material(const SweepOrder& order, const Protocol& protocol,
@@ -407,8 +406,8 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
     }
   }
   if (felt.empty() || felt == std::set<std::string>{here}) return;
-  remarks.push_back("the sweep predicts by the force model " + here + " (--model), and " +
-                    protocol.name + " is felt with " + enumerated({felt.begin(), felt.end()}));
+  remarks.push_back("the sweep predicts with the force model " + here + " (--model), and " +
+                    protocol.name + " presents " + enumerated({felt.begin(), felt.end()}));
 }
 
 /// Of what neither of the two varies.
@@ -441,7 +440,7 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
 SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
                          const std::filesystem::path& study) {
   if (protocol.kind != ProtocolKind::magnitude || !protocol.estimation) {
-    refuse_beside(protocol, "asks for no estimates by spacing");
+    refuse_beside(protocol, "does not request estimates by spacing");
   }
   SweepBeside beside{.conditions = conditions_of_levels(order, protocol)};
   compare_models(order, protocol, beside.remarks);

@@ -98,7 +98,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
     const std::filesystem::path file = study / use.height_field;
     const HeightFieldProvenance made = provenance_of(file);
     const std::string place = pointer_to("/textures", name);
-    const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), felt in " +
+    const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), used in " +
                               enumerated_in_quotes(use.stimuli) + ": ";
     const auto texture = protocol.textures.find(name);
     const std::optional<double> spacing_m = spacing_among(made);
@@ -109,13 +109,13 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
       if (std::abs(said_m - felt_m) > kSameSpacing * felt_m) {
         doubts.push_back(document.at(
             place + "/spacing_m",
-            whose + "the protocol says a spacing of " + number_text(said_m) +
-                " m, and the file's sidecar that it was made with " + number_text(*spacing_m) +
-                " m" +
+            whose + "the protocol states a spacing of " + number_text(said_m) +
+                " m, but according to its sidecar the file was made with " +
+                number_text(*spacing_m) + " m" +
                 (motion_scale == 1.0 ? std::string()
                                      : ", which a motion scale of " + number_text(motion_scale) +
                                            " makes " + number_text(felt_m) + " m") +
-                "; a spacing_m of " + number_text(felt_m) + " or another file would be right"));
+                "; a spacing_m of " + number_text(felt_m) + " or another file is correct"));
       }
     }
     const HeightField::Grid grid = load_height_field(file).field->grid();

@@ -47,10 +47,9 @@ std::optional<LateResume> late_resume(const Study& study, const Protocol& protoc
 }
 
 Phrase complaint_about(const LateResume& late) {
-  return phrase(
-             "UnfinishedSession",
-             "the session last ran %1 hours ago, and the protocol has sessions resumed within %2 "
-             "hours")
+  return phrase("UnfinishedSession",
+                "the session last ran %1 hours ago, and the protocol requires sessions to be "
+                "resumed within %2 hours")
       .with(fixed(late.age_hours, 1), number_text(late.maximum_age_hours));
 }
 

@@ -119,7 +119,7 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     }
     const Trial& planned = plan.trials[number - 1];
     if (!are_as_planned(answers.surfaces_of(attempt), answers.words, planned)) {
-      problems.push_back(where() + ": its surfaces are not those of the planned trial");
+      problems.push_back(where() + ": its surfaces differ from those of the planned trial");
     }
     const TrialQuestion& question = planned.question;
     const std::string options_json = options_json_of(planned);
@@ -127,13 +127,15 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       const std::string& answer = answers.words[reply.answer];
       const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
       if (answers.words[reply.options_json] != options_json) {
-        problems.push_back(item() +
-                           "the options beside the answer are not those of the planned trial");
+        problems.push_back(
+            item() + "the options stored with the answer differ from those of the planned trial");
       }
       if (question.form == TrialQuestion::Form::number) {
         const std::optional<double> stored = number_in(answer);
         if (!stored || !(*stored > 0.0) || stored != reply.number) {
-          problems.push_back(item() + "the answer is no number above 0, or not the one beside it");
+          problems.push_back(
+              item() +
+              "the answer is not a number above 0, or differs from the number stored with it");
         }
         continue;
       }
@@ -147,7 +149,8 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       std::optional<bool> correct{};
       if (place < question.correct.size()) correct = answer == question.correct[place];
       if (correct != reply.correct) {
-        problems.push_back(item() + "the answer is not marked as the planned trial says");
+        problems.push_back(item() +
+                           "the answer is not marked correct or incorrect as in the planned trial");
       }
     }
   }
@@ -176,8 +179,8 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         if (difference_N <= tolerance_N) continue;
         std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
                                surface.row.model +
-                               "): the recorded hand is not given the recorded force again; "
-                               "largest difference " +
+                               "): the replay of the recorded hand does not reproduce the recorded "
+                               "force; largest difference " +
                                text_of_number(difference_N) + " N";
         if (attempt.servo && attempt.servo->lost_records > 0) {
           sentence +=
@@ -216,10 +219,10 @@ void check_protocol_files(const Study& study, VerifyResult& result) {
       byte = static_cast<std::size_t>(here - text.begin());
     }
     if (is_stored || nearly == nullptr) continue;
-    result.problems.push_back(name + ": its byte " + std::to_string(byte) +
-                              " is not what it was when sessions ran " + nearly->name + " " +
-                              nearly->version +
-                              "; restore the file, or give it another version if that was meant");
+    result.problems.push_back(
+        name + ": its byte " + std::to_string(byte) + " has changed since sessions ran " +
+        nearly->name + " " + nearly->version +
+        "; restore the file, or give it another version if the change was intended");
   }
 }
 

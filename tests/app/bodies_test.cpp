@@ -196,7 +196,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
   EXPECT_GT(of_a_tool[0].line, 1);
   for (const char* said :
        {"nothing of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
-        "10.0 mm beside the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
+        "10.0 mm from the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
         "again with `--for surface`", "it ends before the strokes do"}) {
     EXPECT_THAT(of_a_tool[0].message, HasSubstr(said));
   }
@@ -215,7 +215,8 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
   ASSERT_EQ(of_its_own_frame.size(), 1U);
   EXPECT_THAT(of_its_own_frame[0].message,
               HasSubstr("the tool \"ball\" begins inside the surface \"plate\""));
-  EXPECT_THAT(of_its_own_frame[0].message, HasSubstr("has its highest point in that plane"));
+  EXPECT_THAT(of_its_own_frame[0].message,
+              HasSubstr("the highest point of a surface must lie in that plane"));
 }
 
 /// A wave of 1.6 mm, 0.2 mm high, on a tile of that width, in the place of the grain.
@@ -280,14 +281,14 @@ TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeR
        {"the stimulus \"felt_grain_pd_gradient_ball\" with the texture \"grain\" "
         "(stimuli/grain.png)",
         "under the tool \"ball\"", "the limit fine_detail of pd_gradient in ",
-        "samples of 100 µm (cell_m) hold waves of 800 µm and longer", "a cell_m of"}) {
+        "samples of 100 µm (cell_m) represent waves of 800 µm and longer", "a cell_m of"}) {
     EXPECT_THAT(found[0].message, HasSubstr(said));
   }
   EXPECT_EQ(found[3].pointer, "/textures/grain");
-  EXPECT_THAT(found[3].message,
-              HasSubstr("felt in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
-                        "\"felt_grain_pd_gradient_roll\": "
-                        "0.02 m along x hold 12.5 spacings of 0.0016 m"));
+  EXPECT_THAT(
+      found[3].message,
+      HasSubstr("used in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
+                "\"felt_grain_pd_gradient_roll\": 0.02 m along x hold 12.5 spacings of 0.0016 m"));
   EXPECT_THAT(found[3].message, HasSubstr("0.0192 m or 0.0208 m"));
 
   // On a plate that shows less than one tile there is no seam to feel.
@@ -310,9 +311,8 @@ TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileAreDoubted) {
   EXPECT_EQ(said(), "");
   replace_in_protocol(R"("spacing_m": 0.0016)", R"("spacing_m": 0.003)");
   EXPECT_THAT(said(), HasSubstr("/textures/grain/spacing_m the texture \"grain\""));
-  EXPECT_THAT(said(),
-              HasSubstr("a spacing of 0.003 m, and the file's sidecar that it was made with "
-                        "0.0016 m; a spacing_m of 0.0016 or another file"));
+  EXPECT_THAT(said(), HasSubstr("a spacing of 0.003 m, but according to its sidecar the file was "
+                                "made with 0.0016 m; a spacing_m of 0.0016 or another file"));
 }
 
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {

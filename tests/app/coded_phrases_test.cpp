@@ -13,6 +13,7 @@
 #include "app/device_remarks.h"
 #include "app/offered_reasons.h"
 #include "results_schema/atomic_file.h"
+#include "tests/app/made_up_study.h"
 
 namespace asperity {
 namespace {
@@ -79,9 +80,10 @@ TEST(CodedPhrases, StandInsideOthers) {
                          .with(phrase_of(Reason::not_ready).with(phrase_of(Reason::does_not_tick))),
                      phrase_of(Reason::every_trial_stored));
   const StoredWords words = stored(nested);
-  EXPECT_EQ(loud(phrase_of(words)),
-            "THE DEVICE FAILED BETWEEN TRIALS: THE DEVICE IS NOT READY: IT DOES NOT TICK; "
-            "EVERY FINISHED TRIAL IS STORED, GO ON WITH --RESUME");
+  EXPECT_EQ(
+      loud(phrase_of(words)),
+      "THE DEVICE FAILED BETWEEN TRIALS: THE DEVICE IS NOT READY: ITS SERVO LOOP DOES NOT RUN; "
+      "EVERY FINISHED TRIAL IS STORED, RESUME WITH --RESUME");
   EXPECT_EQ(codes_of(words), "device_failed_between_trials; finished_trials_stored");
 }
 
@@ -93,8 +95,9 @@ TEST(CodedPhrases, AreListedInTheirOrder) {
   const Phrase flags = with_semicolon(phrase_of(Reason::force_limited).with("7"),
                                       phrase_of(Reason::not_explored_as_asked).with(failures));
   const StoredWords words = stored(flags);
-  EXPECT_THAT(words.text, testing::StartsWith("force limited in 7 ticks; not explored as asked: "
-                                              "speed of surface 1, speed of surface 2, "));
+  EXPECT_THAT(words.text,
+              testing::StartsWith("force limited in 7 ticks; not explored as instructed: "
+                                  "speed of surface 1, speed of surface 2, "));
   EXPECT_THAT(words.text, testing::EndsWith(", speed of surface 12"));
   EXPECT_EQ(phrase_of(words).english(), words.text);
   EXPECT_EQ(codes_of(words), "force_limited; exploration_not_compliant");
@@ -110,14 +113,31 @@ TEST(CodedPhrases, LeaveTheWordsOfPeopleAlone) {
     EXPECT_EQ(words, StoredWords(typed));
     EXPECT_EQ(loud(phrase_of(words)), typed);
     EXPECT_EQ(codes_of(words), "typed");
-    EXPECT_EQ(loud(phrase_of(set_aside_because(words))), std::string("SET ASIDE: ") + typed);
+    EXPECT_EQ(loud(phrase_of(set_aside_because(words))),
+              std::string("REPEATED BY THE EXPERIMENTER: ") + typed);
+  }
+}
+
+// The store has the English of the codes that it puts together by itself; other tools read it next to the codes.
+TEST(CodedPhrases, OfTheStoreHaveTheSameWordsThere) {
+  const StoredWords repeated = set_aside_because("a sneeze");
+  EXPECT_EQ(phrase_of(repeated).english(), repeated.text);
+  for (const WithdrawalReason reason : {WithdrawalReason::consent_withdrawn,
+                                        WithdrawalReason::not_eligible, WithdrawalReason::other}) {
+    MadeUpStudy made{};
+    made.add_person("P1", "female");
+    made.add_session("P1", made.add_protocol("sorting", "selection"), {});
+    made.study().withdraw("P1", {.reason = reason, .decided_by = "R. Hook"});
+    const StoredWords excluded = made.study().sessions().front().excluded.value();
+    EXPECT_EQ(phrase_of(excluded).english(), excluded.text) << text_of(reason);
+    EXPECT_TRUE(phrase_of(excluded).can_be_translated()) << text_of(reason);
   }
 }
 
 TEST(CodedPhrases, OfAnEventAreThoseOfItsKind) {
   const EventRow stopped = event_row(7, "session_stopped", phrase_of(Reason::as_asked));
-  EXPECT_EQ(stopped.text, "as asked");
-  EXPECT_EQ(loud(phrase_of(stopped)), "AS ASKED");
+  EXPECT_EQ(stopped.text, "on request");
+  EXPECT_EQ(loud(phrase_of(stopped)), "ON REQUEST");
   const EventRow input = event_row(7, "input", "aborted");  // a name, not words
   EXPECT_TRUE(input.text_json.empty());
   EXPECT_EQ(loud(phrase_of(input)), "aborted");

@@ -86,13 +86,13 @@ class ComparedDevice : public testing::Test {
 
 TEST_F(ComparedDevice, IsSaidToHaveNoProfileAndHowItGetsOneAsItWasNamed) {
   const std::string command =
-      "measure it by asperity device-test simulated:falcon --study " + study.string();
+      "measure it with asperity device-test simulated:falcon --study " + study.string();
   EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(HasSubstr(command)));
   EXPECT_TRUE(compared("simulated:falcon").refusal.empty()) << "nothing asks for one";
   keep(good("in place of Novint Falcon"));
   EXPECT_THAT(warnings(compared("simulated:falcon")), Each(Not(HasSubstr("no profile"))));
   EXPECT_THAT(compared("simulated:falcon").compared,
-              HasSubstr("\"simulated:falcon\" was measured to do on 2026-01-30"));
+              HasSubstr("the profile of \"simulated:falcon\", measured on 2026-01-30"));
   EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("no profile")))
       << "that of a stand-in is not that of the ideal device";
   const DeviceComparison nowhere = compare_with(sought_device("simulated", {}, built_in_drivers()),
@@ -129,18 +129,20 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
 // No measurement of the virtual hand tells of the real one.
 TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
   const std::string not_known =
-      "of delta.3, which \"simulated:delta.3\" stands for, are not known: friction, weakest force, "
-      "steps of positions, damping, moving mass, stiffest spring, resonance; no stimulus was "
-      "compared";
+      "of delta.3, which \"simulated:delta.3\" models, these traits are unknown: friction, force "
+      "resolution, position step, damping, moving mass, stiffest spring, resonance; no stimulus "
+      "was compared";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));
-  EXPECT_THAT(warnings(compared("simulated:falcon")),
-              Contains(HasSubstr("friction, weakest force, damping, moving mass, stiffest spring, "
-                                 "resonance;")))
+  EXPECT_THAT(
+      warnings(compared("simulated:falcon")),
+      Contains(HasSubstr("friction, force resolution, damping, moving mass, stiffest spring, "
+                         "resonance;")))
       << "its steps are";
-  EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("not known"))));
-  EXPECT_THAT(warnings(compared("simulated:lambda.7")),
-              Contains(HasSubstr("are not known: friction, weakest force, steps of positions, "
-                                 "damping, moving mass, stiffest spring, resonance; no stimulus")))
+  EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("unknown"))));
+  EXPECT_THAT(
+      warnings(compared("simulated:lambda.7")),
+      Contains(HasSubstr("these traits are unknown: friction, force resolution, position step, "
+                         "damping, moving mass, stiffest spring, resonance; no stimulus")))
       << "nor is its workspace, but what its driver tells is compared";
   // Of an earlier version, which took the virtual hand's friction for a delta.3's.
   DeviceProfile earlier = good("in place of delta.3");
@@ -152,7 +154,7 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
   json["items"].front()["value"] = 0.9;
   write_file(study / "profiles" / "delta.json", json.dump(), Overwrite::allow);
   const auto told = warnings(compared("simulated:delta.3"));
-  EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr("was measured to do"));
+  EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr(", measured on "));
   EXPECT_THAT(told, Contains(HasSubstr(not_known)));
   EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
   EXPECT_THAT(told, Each(Not(HasSubstr("has no number for"))));
@@ -216,7 +218,7 @@ TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
     return "no \"" + text + '"';
   };
   EXPECT_EQ(place_of("own friction"), "/stimuli/rendered \"rendered\"");
-  EXPECT_EQ(place_of("asks for a device whose friction_N"),
+  EXPECT_EQ(place_of("requires a device whose friction_N"),
             "/device/limits/friction_N \"friction_N\"");
   EXPECT_EQ(place_of("The surface lies").substr(0, 8), "/surface");
   EXPECT_EQ(place_of("has no number for"), "/device \"device\"");
@@ -234,19 +236,20 @@ TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
   EXPECT_EQ(compared("simulated:falcon").refusal, "");
   profile.measured_utc = "2031-01-01T10:00:00.000Z";
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("still to come"));
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("in the future"));
 }
 
 TEST_F(ComparedDevice, IsRefusedWithoutAProfileWhereWarningsAreRefused) {
   ask_for(R"("refuse_rehearsal_warnings": true)");
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("no profile in the study to tell by"));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("the study has no profile of"));
   EXPECT_EQ(compared("mouse").refusal, "") << "whoever chooses it knows that nothing is felt";
   keep(good());
   EXPECT_EQ(compared("simulated").refusal, "");
   DeviceProfile sticky = good();
   sticky.items.front().value = 0.9;
   keep(sticky);
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("falls short of it in"));
+  EXPECT_THAT(compared("simulated").refusal,
+              HasSubstr("does not meet the requirements of the protocol in"));
   EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("0.900 N")));
 }
 
@@ -349,7 +352,7 @@ TEST(KeptProfile, IsRefusedWithNumbersThatNoMeasurementGives) {
   };
   EXPECT_THAT(refusal(), HasSubstr("stiffness_N_per_m is -5"));
   profile.items.front() = {.name = "stifness_N_per_m", .status = Status::pass, .value = 5.0};
-  EXPECT_THAT(refusal(), HasSubstr("stifness_N_per_m\", which this program does not know"));
+  EXPECT_THAT(refusal(), HasSubstr("stifness_N_per_m\", which is unknown to this program"));
   profile.items.clear();
   profile.rate_Hz = 0.0;
   EXPECT_THAT(refusal(), HasSubstr("rate_Hz is 0"));

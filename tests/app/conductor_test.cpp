@@ -96,7 +96,8 @@ TEST_F(ConductorTest, ReportsWhetherAnAttemptCountsAndWhyItsTrialIsRepeated) {
   }
   EXPECT_THAT(reported,
               testing::ElementsAre("1/1 counts", "2/1 skipped", "3/1 counts", "3/2 counts"));
-  EXPECT_THAT(lines, testing::ElementsAre("Trial 3 is repeated: set aside: the door banged."));
+  EXPECT_THAT(lines, testing::ElementsAre(
+                         "Trial 3 is repeated: repeated by the experimenter: the door banged."));
 }
 
 // The loop ticks late sixty times, where fifty are allowed: after a surface was felt, then while one is felt.
@@ -270,7 +271,7 @@ TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAg
   EXPECT_EQ(rows[1].trial, 2);
   EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
   EXPECT_EQ(rows[1].invalid_reason.value().text,
-            "not explored as asked: normal force of surface 1");
+            "not explored as instructed: normal force of surface 1");
   EXPECT_EQ(force_of(rows[1]).passed, false);
   EXPECT_GT(force_of(rows[1]).p50, 1.25);
   EXPECT_LT(*force_of(rows[1]).fraction_in_band, 0.3);  // while the force rises
@@ -428,7 +429,7 @@ TEST_F(ConductorTest, TakesANaturalHandOnTargetAndAsksOneThatIsTooFastAgain) {
   }
   EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
   EXPECT_EQ(rows[1].invalid_reason.value().text,
-            "not explored as asked: speed of surface 1, speed of surface 2");
+            "not explored as instructed: speed of surface 1, speed of surface 2");
   EXPECT_LT(shown[1], 0.4);
 }
 

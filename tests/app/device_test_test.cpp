@@ -105,7 +105,7 @@ TEST(DeviceTest, LeavesOutOfAStandInWhatIsNotKnownOfTheRealOne) {
     EXPECT_FALSE(item(delta, name).value) << name;
     EXPECT_TRUE(item(delta, name).by_axis.empty()) << name;
     EXPECT_EQ(item(delta, name).text.english(),
-              "Not known of delta.3, which the simulated device stands for.");
+              "Unknown for delta.3, which the simulated device models.");
   }
   EXPECT_EQ(item(delta, "friction_N").limit, 0.5) << "it is open whether it is kept";
   EXPECT_TRUE(delta.responses.empty()) << "they are its virtual hand's";
@@ -138,9 +138,9 @@ TEST(DeviceTest, PassesFunctionAndSafetyOfEveryStandInAndOnlyTellsItsTiming) {
 TEST(DeviceProfile, OfAStandInSaysWhatIsKnownAndIsReadAsItWasWritten) {
   const DeviceProfile delta = in_place_of("delta.3");
   EXPECT_EQ(what_is_known(delta).english(),
-            "Simulated in place of delta.3; known of it: workspace, peak force, rate, latency; not "
-            "known: continuous force, steps of positions, noise of positions, friction, damping, "
-            "moving mass, resonance, stiffest spring, weakest force.");
+            "Simulated model of delta.3; known: workspace, peak force, rate, latency; unknown: "
+            "continuous force, position step, position noise, friction, damping, moving mass, "
+            "resonance, stiffest spring, force resolution.");
   EXPECT_TRUE(what_is_known(measured({})).empty());
   const std::string text = json_text_of(delta);
   const auto json = nlohmann::json::parse(text);
@@ -180,25 +180,25 @@ TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
   using Status = DeviceItem::Status;
   DeviceProfile profile{.items = {{.name = "friction_N", .status = Status::pass, .value = 0.1},
                                   {.name = "latency_s"}}};
-  EXPECT_EQ(verdict_on(profile).english(), "The device was held to no limit.");
+  EXPECT_EQ(verdict_on(profile).english(), "No limit applied to the device.");
   EXPECT_FALSE(profile.has_open_limit());
   const DeviceItem open{.name = "workspace_reached", .limit = 0.8};
   profile.items.push_back(open);
-  EXPECT_EQ(verdict_on(profile).english(), "Not measured, though limited: workspace_reached.");
+  EXPECT_EQ(verdict_on(profile).english(), "Limited, but not measured: workspace_reached.");
   EXPECT_TRUE(profile.has_open_limit());
   profile.items = {{.name = "limiter", .status = Status::pass}, {.name = "latency_s"}};
-  EXPECT_EQ(verdict_on(profile).english(), "The device kept every limit.");
+  EXPECT_EQ(verdict_on(profile).english(), "The device met every limit.");
   EXPECT_FALSE(profile.has_open_limit()) << "latency has none";
   profile.items.push_back(open);
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device kept every limit of what was measured. Not measured, though limited: "
+            "The device met every limit that was measured. Limited, but not measured: "
             "workspace_reached.");
   EXPECT_EQ(verdict_on(profile, [](const std::string& item) { return '<' + item + '>'; }).english(),
-            "The device kept every limit of what was measured. Not measured, though limited: "
+            "The device met every limit that was measured. Limited, but not measured: "
             "<workspace_reached>.");
   profile.items.front().status = Status::fail;
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device did not keep every limit: limiter. Not measured, though limited: "
+            "The device did not meet every limit: limiter. Limited, but not measured: "
             "workspace_reached.");
 }
 
@@ -320,18 +320,16 @@ std::string loss_of(HapticDevice& device, const DeviceTestOptions& options = ste
 TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
   ScriptedDevice device(kStuck);
   device.at_read = [&device](ProbeState&) { device.answers = device.reads <= 3000; };
-  EXPECT_EQ(
-      loss_of(device),
-      "the device was lost while it was measured: it did not answer, and its driver does not "
-      "say why. See that its cable and its power sit, end what else keeps this computer busy, "
-      "and measure it again.");
+  EXPECT_EQ(loss_of(device),
+            "the device was lost while it was measured: it did not answer, and its driver reports "
+            "no cause. Check its cable and its power, close other programs that keep this computer "
+            "busy, and measure it again.");
   ScriptedDevice unplugged(kStuck);
   unplugged.at_read = [&unplugged](ProbeState&) { unplugged.answers = unplugged.reads <= 3000; };
   unplugged.trouble_text = "The Stuck 7 is unplugged: plug it in again.";
-  EXPECT_EQ(
-      loss_of(unplugged),
-      "the device was lost while it was measured: The Stuck 7 is unplugged: plug it in again. "
-      "When that is mended, measure it again.");
+  EXPECT_EQ(loss_of(unplugged),
+            "the device was lost while it was measured: The Stuck 7 is unplugged: plug it in "
+            "again. Fix that, then measure it again.");
 }
 
 TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
@@ -347,8 +345,8 @@ TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
   device.readings_left = 100;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   // A busy machine may keep its thread from calling before it is lost.
-  EXPECT_TRUE(loss.find("The Calling 7 is too warm. When that is mended") != std::string::npos ||
-              loss.find("it did not call for 50 ms") != std::string::npos)
+  EXPECT_TRUE(loss.find("The Calling 7 is too warm. Fix that") != std::string::npos ||
+              loss.find("made no call for 50 ms") != std::string::npos)
       << loss;
 }
 
@@ -356,7 +354,7 @@ TEST(DeviceTest, SaysOfADeviceThatDoesNotCallThatItDoesNot) {
   CallingDevice device;
   device.is_silent = true;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
-  EXPECT_NE(loss.find("it did not call for 50 ms"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("made no call for 50 ms"), std::string::npos) << loss;
   EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
 }
 

@@ -56,6 +56,22 @@ TEST(EarlierWordings, AreSeveralOfOneAttempt) {
   EXPECT_EQ(codes_of({"force limited in 7 ticks; aborted", ""}), "force_limited; aborted");
 }
 
+// Their codes have other words since version 0.2.0.
+TEST(EarlierWordings, AreFoundThoughTheirCodesWereReworded) {
+  EXPECT_EQ(meaning_of("Somebody came in"), "person_came_in");
+  EXPECT_EQ(meaning_of("The participant does not want to go on"), "participant_declines");
+  EXPECT_EQ(meaning_of("The participant asks for it"), "participant_asked");
+  EXPECT_EQ(meaning_of("agreement seen by AB"), "agreement_witnessed(AB)");
+  EXPECT_EQ(phrase_of_earlier("Jemand kam herein").english(), "A person entered the room");
+  EXPECT_EQ(phrase_of_earlier("every finished trial is stored, go on with --resume").english(),
+            "every finished trial is stored, resume with --resume");
+  const Phrase ran_away =
+      remark_of_earlier("the handle ran farther than 30 mm away, and the force was let go of");
+  EXPECT_EQ(meaning(ran_away), "device_test_handle_ran_away(30)");
+  EXPECT_EQ(ran_away.english(),
+            "the handle moved more than 30 mm away, and the force was switched off");
+}
+
 // The windows of then stored what was chosen in their own language.
 TEST(EarlierWordings, AreOfBothLanguagesWhereAWindowOfferedThem) {
   EXPECT_EQ(meaning_of("The participant was distracted"), "participant_distracted");

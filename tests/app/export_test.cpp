@@ -613,12 +613,12 @@ TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
     options.questions_for_public = {question};
     EXPECT_EQ(
         refusal_of<std::invalid_argument>([&] { export_to(made, made.beside("out"), options); }),
-        "answers to \"" + question + "\" cannot go to the public: " + because +
+        "answers to \"" + question + "\" cannot be published: " + because +
             "; those that can: hand, pain, scars");
   };
-  refused("comment", "they are typed freely");
-  refused("pian", "no questionnaire of the study asks it");
-  refused("which", "no questionnaire of the study asks it");
+  refused("comment", "they are free text");
+  refused("pian", "no questionnaire of the study asks this question");
+  refused("which", "no questionnaire of the study asks this question");
   EXPECT_FALSE(std::filesystem::exists(made.beside("out")));
 }
 

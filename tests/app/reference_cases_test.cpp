@@ -43,7 +43,7 @@ std::map<Name, std::string> results_in(const std::string& text) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string value = values[row].empty() ? "NA" : std::string(values[row]);
     const bool first = results.emplace(Name{quantities[row], keys[row]}, value).second;
-    EXPECT_TRUE(first) << quantities[row] << ' ' << keys[row] << " stands twice";
+    EXPECT_TRUE(first) << quantities[row] << ' ' << keys[row] << " occurs twice";
   }
   return results;
 }

@@ -180,7 +180,7 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
   EXPECT_THAT(kinds, testing::HasSubstr("device_profile rehearsal"));
   inputs_.participant = "p2";
   ask_for(R"("refuse_rehearsal_warnings": true)");
-  EXPECT_THAT(refusal(), testing::HasSubstr("not for this device"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("does not meet the requirements"));
   EXPECT_EQ(study().sessions().size(), 1U);
 }
 

@@ -127,7 +127,7 @@ TEST_F(SessionChecks, NameTheHolderOfAParticipantWhoseSessionRuns) {
   const StudyLock elsewhere(study, Study::session_lock_name("P001"));
   const SessionCheck held = check("participant");
   EXPECT_EQ(held.state, State::stop);
-  EXPECT_NE(held.text.english().find("A session of P001 runs in process "), std::string::npos)
+  EXPECT_NE(held.text.english().find("A session of P001 is running in process "), std::string::npos)
       << held.text.english();
   EXPECT_NE(held.text.english().find(" on host "), std::string::npos);
 }
@@ -237,7 +237,8 @@ TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {
 TEST_F(SessionChecks, CompareWithWhatTheSimulatedDeviceStandsFor) {
   inputs.mode = SessionMode::pilot;
   inputs.device = "simulated:delta.3";
-  EXPECT_NE(check("device").text.english().find("gives 20.0 N at up to 4000 Hz"), std::string::npos)
+  EXPECT_NE(check("device").text.english().find("exerts up to 20.0 N at up to 4000 Hz"),
+            std::string::npos)
       << check("device").text.english();
   inputs.device = "simulated:falcon";
   EXPECT_EQ(check("device").state, State::fine);
@@ -272,7 +273,8 @@ TEST_F(SessionChecks, TakeAMouseForStudyDataWhereTheProtocolNeedsNoForce) {
   inputs.mode = SessionMode::run;
   inputs.device = "mouse";
   EXPECT_EQ(check("device").state, State::fine) << check("device").text.english();
-  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
+  EXPECT_NE(check("device").text.english().find("the participant feels nothing"),
+            std::string::npos);
   inputs.device = "simulated";
   EXPECT_EQ(check("device").state, State::stop) << "a virtual hand is nobody's";
   EXPECT_EQ(check("device").remedy.english().find("device.input_only"), std::string::npos)
@@ -293,7 +295,7 @@ TEST_F(SessionChecks, ResumeASessionThatBeganWhereNobodyFelt) {
   inputs.mode = SessionMode::run;
   inputs.resume = true;
   EXPECT_EQ(check("device").state, State::look) << check("device").text.english();
-  EXPECT_NE(check("device").text.english().find("is resumed as such"), std::string::npos);
+  EXPECT_NE(check("device").text.english().find("is resumed this way"), std::string::npos);
 }
 
 /// As when somebody has pressed "Try this device".
@@ -320,7 +322,7 @@ TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
 
   inputs.tried = tried_falcon();
   EXPECT_EQ(check("device").state, State::fine) << check("device").text.english();
-  EXPECT_NE(check("device").text.english().find("gives 9.0 N"), std::string::npos);
+  EXPECT_NE(check("device").text.english().find("exerts up to 9.0 N"), std::string::npos);
   EXPECT_EQ(check("force_zero").text.english(), "Exactly 0 N in 300 ticks.");
   EXPECT_EQ(check("rate").state, State::fine);
 
@@ -352,8 +354,9 @@ TEST_F(SessionChecks, SayThatAnAttachedDeviceWithoutMotorsGivesNoForce) {
   inputs.pacing = RunPacing::real_time;
   inputs.mode = SessionMode::pilot;
   EXPECT_EQ(check("device").state, State::fine) << "whatever force the protocol asks for";
-  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
-  EXPECT_EQ(check("calibration").text.english(), "Not needed: it gives no force.");
+  EXPECT_NE(check("device").text.english().find("the participant feels nothing"),
+            std::string::npos);
+  EXPECT_EQ(check("calibration").text.english(), "Not needed: it exerts no force.");
   inputs.mode = SessionMode::run;
   EXPECT_EQ(check("device").state, State::stop);
   EXPECT_NE(check("device").remedy.english().find("device.input_only"), std::string::npos);
@@ -422,10 +425,10 @@ TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
   measure(12.0, 0.0);
   EXPECT_EQ(check("calibration").state, State::fine);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured 12 days ago; every stimulus is within what it can do.");
+            "Measured 12 days ago; every stimulus is within its capabilities.");
   measure(0.1, 0.9);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; some stimuli are beyond what it can do.");
+            "Measured within the last day; some stimuli exceed its capabilities.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 1U) << "one kind of warning is one line";
   EXPECT_EQ(lines.front().state, State::look);
@@ -444,14 +447,13 @@ TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor)
   measure(0.1, 0.9, "in place of delta.3", {DeviceTrait::friction, DeviceTrait::damping});
   EXPECT_EQ(check("calibration").state, State::look);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; every stimulus is within what is known of it. Not known "
-            "of delta.3, and compared with nothing: friction, damping.");
+            "Measured within the last day; every stimulus is within its known capabilities. "
+            "Unknown for delta.3 and not compared: friction, damping.");
   ask_for(R"("limits": {"friction_N": 0.1})");
   const std::string limited = check("calibration").text.english();
-  EXPECT_NE(
-      limited.find("is within what is known of it, but it does not keep the protocol's limits. "
-                   "Not known of delta.3"),
-      std::string::npos)
+  EXPECT_NE(limited.find("is within its known capabilities, but it does not meet the protocol's "
+                         "limits. Unknown for delta.3"),
+            std::string::npos)
       << limited;
   EXPECT_EQ(check("calibration").state, State::look);
   inputs.device = "simulated";
@@ -464,12 +466,12 @@ TEST_F(RehearsedChecks, CallNothingUncomparedThatWasCompared) {
   inputs.tried = nullptr;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::peak_force});
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; every stimulus is within what it can do.");
+            "Measured within the last day; every stimulus is within its capabilities.");
   EXPECT_EQ(check("calibration").state, State::fine);
   reach_m = 0.001;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::friction});
   const std::string text = check("calibration").text.english();
-  EXPECT_TRUE(text.ends_with("and compared with nothing: friction.")) << text;
+  EXPECT_TRUE(text.ends_with("and not compared: friction.")) << text;
   ASSERT_FALSE(rehearsed().empty());
   EXPECT_NE(rehearsed().front().text.english().find("The surface lies from"), std::string::npos);
 }
@@ -494,13 +496,13 @@ TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   ask_for(R"("limits": {"friction_N": 0.0001, "latency_s": 0.01})");
   measure(1.0, 0.0002);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured a day ago; every stimulus is within what it can do, but it does not keep the "
-            "protocol's limits.");
+            "Measured a day ago; every stimulus is within its capabilities, but it does not meet "
+            "the protocol's limits.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
   EXPECT_EQ(lines[0].text.english(),
-            "The protocol asks for a device whose friction_N is at most 0.000100, and it was "
-            "measured to be 0.000200.");
+            "The protocol requires a device whose friction_N is at most 0.000100; measured was "
+            "0.000200.");
   EXPECT_NE(lines[1].text.english().find("latency_s"), std::string::npos);
   ask_for(R"("limits": {"friction_N": 0.0001}, "refuse_rehearsal_warnings": true)");
   EXPECT_EQ(check("calibration").state, State::stop);
@@ -624,7 +626,9 @@ TEST_F(SessionChecks, RefuseARunWhoseGuidingTonesNobodyHears) {
   write_protocol(
       small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 0.5})"));
   EXPECT_EQ(check("masking_noise").state, State::stop) << check("protocol").text.english();
-  EXPECT_NE(check("masking_noise").text.english().find("silence means that all is right"),
+  EXPECT_NE(check("masking_noise")
+                .text.english()
+                .find("silence would indicate that force and speed are correct"),
             std::string::npos);
   inputs.mode = SessionMode::pilot;
   EXPECT_EQ(check("masking_noise").state, State::look);

@@ -49,7 +49,7 @@ TEST_F(SpeechFiles, HaveToBeWav) {
     write("speech/which.wav", content);
     const std::vector<Diagnostic> found = problems();
     ASSERT_EQ(found.size(), 1U) << content;
-    EXPECT_NE(found.front().message.find("is no WAV file"), std::string::npos);
+    EXPECT_NE(found.front().message.find("is not a WAV file"), std::string::npos);
   }
   write("speech/which.wav", "RIFF1234WAVEfmt ");
   EXPECT_TRUE(problems().empty());

@@ -851,7 +851,8 @@ TEST(ReportTests, TellsWholesFromTheirParts) {
   EXPECT_TRUE(tests[1].is_of_whole);
   EXPECT_TRUE(tests[2].is_of_whole) << "there is no whole of its kind";
   EXPECT_EQ(words_of_key("column=all item=a"), "a (all repetitions)");
-  EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "repetition 1, Other or not told");
+  EXPECT_EQ(words_of_key("column=1 person=Other or not told"),
+            "repetition 1, Other or not reported");
   EXPECT_EQ(words_of_key("condition:spacing"), "spacing by condition");
   EXPECT_EQ(words_of_quantity("peak.fieller"), "Fieller’s CI of the peak");
 }

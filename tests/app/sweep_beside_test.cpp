@@ -133,7 +133,7 @@ TEST_F(SweepBesideTest, RefusesOtherLevelsThanTheConditions) {
       HasSubstr("3 conditions, light, medium and firm (0.5 N, 1 N and 2 N), and the sweep 2 "
                 "levels, 0.5 N and 1 N"));
   EXPECT_THAT(refusal(like_the_library(VariedQuantity::applied_force, {0.25, 0.5, 1.0}), force),
-              HasSubstr("the level of 0.25 N is none of them: --values 0.5,1,2"));
+              HasSubstr("the level of 0.25 N is not one of them: --values 0.5,1,2"));
 }
 
 TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
@@ -156,7 +156,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
       remark([](SweepOrder& order) {
         order.texture.values = {{"amplitude_m", 2e-4}};
       }),
-      HasSubstr("0.4 mm from trough to crest (--texture), and those of roughness_force 0.2 mm"));
+      HasSubstr("0.4 mm from trough to crest (--texture), those of roughness_force 0.2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
               HasSubstr("1000 N/m (--stiffness-n-per-m), and that of roughness_force 3000 N/m"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.friction = 0.0; }),
@@ -171,8 +171,8 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force 60 mm/s"));
   EXPECT_THAT(
       remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
-      HasSubstr("by the force model height_map (--model), and roughness_force is felt with "
-                "pd_gradient"));
+      HasSubstr(
+          "with the force model height_map (--model), and roughness_force presents pd_gradient"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
 }

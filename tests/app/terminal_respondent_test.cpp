@@ -53,7 +53,7 @@ class AtTerminal : public testing::Test {
 TEST_F(AtTerminal, IsToldOfAFaultAndWhatToDo) {
   person_.hear_of_fault("The device failed between trials.");
   EXPECT_THAT(said_.str(), HasSubstr("The device failed between trials.\n"));
-  EXPECT_THAT(said_.str(), HasSubstr("press Return to go on"));
+  EXPECT_THAT(said_.str(), HasSubstr("press Return to continue"));
   EXPECT_EQ(person_.after_fault(), AfterFault::nothing);
 }
 

@@ -59,7 +59,7 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
             "the option \"conf\" is 95; it must lie between 0 and 1");
   EXPECT_THAT(refusal_of<std::runtime_error>([] { FamilyOptions::of_json("{", "o.json"); }),
-              HasSubstr("o.json: the options are no JSON"));
+              HasSubstr("o.json: the options are not JSON"));
 }
 
 TEST(FamilyOptions, KnowWhichNobodyAskedFor) {
@@ -117,10 +117,11 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
   EXPECT_THAT(single, testing::ContainsRegex("replicates +none\n"));
   const std::string stray = text_of("rmanova", input_of(kTipRows + std::string("B,c,1\n"), kTips));
   EXPECT_THAT(stray, testing::ContainsRegex("key  cells\\.with\\.k\n1    8\n2    1\n"));
-  EXPECT_THAT(stray,
-              HasSubstr("! unequal: B has 2 values in the cell c, while 8 of 9 cells have 1 "
-                        "value. The values of a cell are averaged: see whether a row stands twice, "
-                        "or names another"));
+  EXPECT_THAT(
+      stray,
+      HasSubstr(
+          "! unequal: B has 2 values in the cell c, while 8 of 9 cells have 1 value. The values of "
+          "a cell are averaged: check whether a row occurs twice, or names another"));
   std::string twice = kTipRows;
   for (const char* row :
        {"A,a,2", "A,b,1", "A,c,4", "B,a,4", "B,b,4", "B,c,5", "C,a,1", "C,b,4", "C,c,8"}) {
@@ -135,11 +136,10 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
       input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nA,p,4,3\nA,p,4,4\nB,p,1,1\n"
                "B,p,2,3\nB,p,4,2\nB,p,4,3\nB,p,1,2\nB,p,2,3\nA,p,1,2\n",
                R"({"zero_rule": "exclude", "normalisation": "geomean"})"));
-  EXPECT_THAT(
-      estimates,
-      HasSubstr("! unequal: A has 1 value in the cell p|2, while 5 of 6 cells have 2 "
-                "values. The values of a cell are averaged: see whether a row is missing or "
-                "has no value that counts, or names another"));
+  EXPECT_THAT(estimates,
+              HasSubstr("! unequal: A has 1 value in the cell p|2, while 5 of 6 cells have 2 "
+                        "values. The values of a cell are averaged: check whether a row is missing "
+                        "or has no value that counts, or names another"));
 }
 
 TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {
@@ -224,13 +224,13 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
   const TidyInput input = input_of("id,k,n,p0\nnobody,0,0,0.5\n", "{}");
   const TableFindings findings{.kind = "proportion", .findings = proportion_findings(input)};
   EXPECT_THAT(reading_text_of(findings),
-              HasSubstr("! no_data: there are no trials: nothing can be said"));
+              HasSubstr("! no_data: there are no trials: nothing can be estimated"));
 }
 
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
   EXPECT_EQ(refusal_of<std::runtime_error>(
                 [] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
-            "table.csv:2:2: k is 3 of n 2; at most all can be hits");
+            "table.csv:2:2: k is 3 of n 2; hits cannot exceed trials");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));
@@ -240,7 +240,7 @@ TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
               ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
                                         R"({"items": ["a", "b"]})"));
             }),
-            "table.csv:3:4: the rank stands twice in its trial; tied items are for the family "
+            "table.csv:3:4: the rank occurs twice in its trial; tied items are for the family "
             "\"rating\"");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               selection_findings(input_of("subject,sample,choice\nx,1,a\n",

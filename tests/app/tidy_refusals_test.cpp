@@ -57,7 +57,7 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
             "t.csv:2:4: k is 1 at x 0, where a weibull with gamma 0 has no hits; set gamma to the "
             "rate of hits without a stimulus, or to free, or correct the row");
   EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
-              HasSubstr("t.csv:3:2: \"q\" is no level of s"));
+              HasSubstr("t.csv:3:2: \"q\" is not a level of s"));
   EXPECT_THAT(family_refusal("group", "subject,group,correct,trials\nA,a,5,4\n", kGroups),
               HasSubstr("t.csv:2:3"));
   EXPECT_THAT(family_refusal("power", "id,kind,n,alpha,p0\none,binom_two,9,0.05,\n", "[]"),
@@ -78,22 +78,22 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   const std::string once = "; there is one row per participant, who is in one group";
   EXPECT_EQ(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
-      "t.csv:4:1: \"A\" stands a second time" + once);
+      "t.csv:4:1: \"A\" occurs a second time" + once);
   EXPECT_EQ(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,0,4\n", kGroups),
-      "t.csv:4:1: \"A\" stands a second time" + once);
+      "t.csv:4:1: \"A\" occurs a second time" + once);
   EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
-            "t.csv:3:1: \"A\" stands a second time" + once);
+            "t.csv:3:1: \"A\" occurs a second time" + once);
   EXPECT_EQ(family_refusal("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
-            "t.csv:4:1: \"x\" stands a second time; there is one row per count of hits");
+            "t.csv:4:1: \"x\" occurs a second time; there is one row per count of hits");
   EXPECT_EQ(family_refusal("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n",
                            "[]"),
-            "t.csv:3:1: \"x\" stands a second time; there is one row per plan");
+            "t.csv:3:1: \"x\" occurs a second time; there is one row per plan");
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
                            "A,2,x,x,M\nA,2,y,y,M\n",
                            "[]"),
-            "t.csv:4:5: A stands in two groups");
+            "t.csv:4:5: A is in two groups");
   const std::string times = "the rows of a trial must stand for as many trials";
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
@@ -119,7 +119,7 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
   EXPECT_EQ(
       replicates(once + "A,1,1.0,1,4\n"),
       "unequal: A has 2 values in the cell 1|1, while 3 of 4 cells have 1 value. The values of a "
-      "cell are averaged: see whether a row stands twice, or names another participant or cell");
+      "cell are averaged: check whether a row occurs twice, or names another participant or cell");
 }
 
 TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
@@ -150,7 +150,7 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
       "t.csv:3:2: a response time must be above 0 s; leave the cell empty where there is none");
   EXPECT_THAT(
       family_refusal("response_times", columns + "A,1.5,c\n", R"({"factors": {"tip": ["a"]}})"),
-      HasSubstr("tip is \"c\", which is none of a"));
+      HasSubstr("tip is \"c\", which is not one of a"));
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,,a\n", "{}"), "status"), "no_data");
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,2,a\n", "{}"), "geomean.status"),
             "too_few");
@@ -259,7 +259,7 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
   const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
   EXPECT_EQ(
       why(findings_of("selection", "subject,sample,choice\nA,1,a\n", choices), "subj.t.p.two"),
-      "NA: one participant shows no differences between participants: run more");
+      "NA: differences between participants need at least two participants: run more");
   EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
                 "subj.t.p.two"),
             "NA: all participants have the same proportion");

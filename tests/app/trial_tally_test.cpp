@@ -61,7 +61,7 @@ TEST(TrialTally, ATrialIsOpenAgainOnceItWasSetAside) {
   session.tally.set_aside(2, 1, "the sample lay there after all");
   EXPECT_FALSE(session.tally.is_done(session.plan.trials[1]));
   EXPECT_EQ(session.tally.attempts().back().invalid_reason.value().text,
-            "set aside: the sample lay there after all");
+            "repeated by the experimenter: the sample lay there after all");
   EXPECT_EQ(session.tally.last_done()->trial, 1);
   session.tally.set_aside(1, 1, "a cough");
   EXPECT_FALSE(session.tally.is_done(session.plan.trials[0]));

@@ -417,7 +417,7 @@ TEST_F(WatchedSession, EndsAReadingPromptlyWhenAskedToStop) {
   once_in(SessionPhase::ready, [&] { requests_.stop_after(StopAfter::trial); });
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_EQ(end.reason, "as asked");
+  EXPECT_EQ(end.reason, "on request");
   EXPECT_LT(end.duration_s, 0.05);  // the welcome takes 0.1 s
 }
 
@@ -469,8 +469,9 @@ TEST_F(WatchedSession, AsksASkippedTrialAgainWhenWanted) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
-  EXPECT_EQ(rows[0].invalid_reason.value().text,
-            "the wrong sample lay there; set aside: the right sample lies there now");
+  EXPECT_EQ(
+      rows[0].invalid_reason.value().text,
+      "the wrong sample lay there; repeated by the experimenter: the right sample lies there now");
   EXPECT_EQ(monitor_.snapshot().attempts->at(0).reason.english(), rows[0].invalid_reason->text);
   EXPECT_TRUE(rows[1].valid);
 }
@@ -688,7 +689,7 @@ TEST_F(WatchedSession, TellsWhatTheDeviceComplainsOfUntilItIsWell) {
   EXPECT_EQ(shown.back(), "");
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_THAT(lines[0], HasSubstr("Its motors gave less"));
-  EXPECT_EQ(lines[1], "The device is well again.");
+  EXPECT_EQ(lines[1], "The device reports no problem any more.");
   std::vector<std::string> kinds{};
   std::vector<EventRow> events = study_->events(session_.row.id);
   for (const AttemptRow& attempt : attempts()) {

@@ -585,13 +585,13 @@ TEST(BadName, OfAPictureIsRefusedBeforeTheWork) {
             0);
   const auto before = contents_of(place.path());
   expect_refused(place.path(), {"synth", "noise", "--out", place / "z.jpg"},
-                 {"z.jpg: what is written is a PNG; call it ", "z.png"});
+                 {"z.jpg: the output is a PNG; name it ", "z.png"});
   expect_refused(place.path(), {"texture", photo, "--width-m", "0.02", "--out", place / "z.jpg"},
-                 {"z.jpg: what is written is a PNG; call it ", "z.png"});
+                 {"z.jpg: the output is a PNG; name it ", "z.png"});
   expect_refused(place.path(),
                  {"texture", photo, "--width-m", "0.02", "--out", place / "z.png", "--preview",
                   place / "steps.jpg"},
-                 {"steps.jpg: what is written is a PNG; call it ", "steps.png"});
+                 {"steps.jpg: the output is a PNG; name it ", "steps.png"});
   write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n0.001\t0\t0\t0\n");
   expect_refused(place.path(),
                  {"render", "--model", "pd_gradient", "--stimulus", photo, "--tool", "sphere:0.005",

@@ -91,7 +91,7 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
   const std::string good = obj_of(original());
   const std::tuple<std::string, std::string, std::string, std::string> all[] = {
       {"empty.obj", "", "200", "empty"},
-      {"torn.ply", ply_of(original()).substr(0, 9000), "200", "cut off"},
+      {"torn.ply", ply_of(original()).substr(0, 9000), "200", "truncated"},
       {"garbage.stl", std::string(300, '\x9c'), "200", "none of OBJ, PLY, STL and OFF"},
       {"garbage.ply", "ply\nformat binary_little_endian 1.0\n\x1b\x02\xff\n", "200",
        "garbage.ply:3: \"???\" is not a keyword of a PLY header"},
@@ -123,7 +123,7 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
   const Outcome named =
       asperity({"bake", place / "many.obj", "--triangles", "200", "--out", place / "simple.obj"});
   EXPECT_EQ(named.status, 1);
-  EXPECT_THAT(named.err, HasSubstr("simple.obj: what is written is a textured mesh"));
+  EXPECT_THAT(named.err, HasSubstr("simple.obj: the output is a textured mesh"));
   EXPECT_THAT(named.err, HasSubstr("simple.mesh"));
   EXPECT_FALSE(fs::exists(place / "simple.obj"));
 }

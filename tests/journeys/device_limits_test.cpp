@@ -60,8 +60,8 @@ TEST_F(DeviceLimits, JudgeTheDeviceAreKeptWithItAndComparedByCheck) {
   const Outcome compared =
       asperity({"check", small.selection(), "--study", small.study(), "--device", "simulated"});
   EXPECT_EQ(compared.status, 0) << compared.err;
-  EXPECT_NE(compared.err.find("warning: The protocol asks for a device whose moving_mass_kg is at "
-                              "most 0.0100, and it was measured to be 0.0"),
+  EXPECT_NE(compared.err.find("warning: The protocol requires a device whose moving_mass_kg is at "
+                              "most 0.0100; measured was 0.0"),
             std::string::npos)
       << compared.err;
   EXPECT_EQ(compared.err.find("lateness_p99_s"), std::string::npos) << compared.err;
@@ -89,10 +89,9 @@ TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
   const Outcome test = asperity(
       {"device-test", "simulated:delta.3", "--limit", "friction_N=1", "--limit", "latency_s=1"});
   EXPECT_EQ(test.status, 0) << test.err;
-  EXPECT_EQ(
-      test.out.find("Simulated in place of delta.3; known of it: workspace, peak force, rate, "
-                    "latency; not known: continuous force, steps of positions,"),
-      0U)
+  EXPECT_EQ(test.out.find("Simulated model of delta.3; known: workspace, peak force, rate, "
+                          "latency; unknown: continuous force, position step,"),
+            0U)
       << test.out;
   const auto line_of = [&test](const std::string& item) {
     const std::size_t at = test.out.find('\n' + item);
@@ -101,8 +100,8 @@ TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
   EXPECT_NE(line_of("friction_N").find("not measured"), std::string::npos) << test.out;
   EXPECT_NE(line_of("friction_N").find("Not known of delta.3"), std::string::npos) << test.out;
   EXPECT_NE(line_of("latency_s").find("pass"), std::string::npos) << test.out;
-  EXPECT_NE(test.out.find("\nThe device kept every limit of what was measured. Not measured, "
-                          "though limited: friction_N, workspace_reached.\n"),
+  EXPECT_NE(test.out.find("\nThe device met every limit that was measured. Limited, but not "
+                          "measured: friction_N, workspace_reached.\n"),
             std::string::npos)
       << test.out;
 }
@@ -125,14 +124,13 @@ TEST_F(CheckedDevice, IsRefusedAsARunRefusesItWithACommandThatHelps) {
   EXPECT_EQ(before.status, 1);
   const std::string command =
       "asperity device-test simulated:falcon --study " + small.study().string();
-  EXPECT_NE(before.err.find("error: the protocol asks for a device that was measured"),
-            std::string::npos)
+  EXPECT_NE(before.err.find("error: the protocol requires a device measured"), std::string::npos)
       << before.err;
   EXPECT_NE(before.err.find(command), std::string::npos) << before.err;
   EXPECT_EQ(asperity({"device-test", "simulated:falcon", "--study", small.study()}).status, 0);
   const Outcome after = checked("simulated:falcon");
   EXPECT_EQ(after.status, 0) << after.err;
-  EXPECT_NE(after.out.find("compared with what \"simulated:falcon\" was measured to do on"),
+  EXPECT_NE(after.out.find("compared with the profile of \"simulated:falcon\", measured on"),
             std::string::npos)
       << after.out;
   // Who waits at a terminal sees how far it is, and no pipe gets a bar.
@@ -155,9 +153,10 @@ TEST_F(CheckedDevice, IsSaidNotToBeKnownWhereAProgramReadsItToo) {
   const auto json = nlohmann::json::parse(read.out);
   const auto& not_known = json["protocols"][0]["device"]["not_known"];
   EXPECT_NE(std::find(not_known.begin(), not_known.end(), "friction"), not_known.end()) << read.out;
-  EXPECT_NE(read.err.find("of delta.3, which \"simulated:delta.3\" stands for, are not known: "
-                          "friction, "),
-            std::string::npos)
+  EXPECT_NE(
+      read.err.find(
+          "of delta.3, which \"simulated:delta.3\" models, these traits are unknown: friction, "),
+      std::string::npos)
       << read.err;
   EXPECT_NE(read.err.find("(/device)"), std::string::npos);
   EXPECT_EQ(read.err.find(":1:1: warning"), std::string::npos) << "it has a place: " << read.err;

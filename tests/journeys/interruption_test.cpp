@@ -183,10 +183,9 @@ TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
   // The same arguments once more would add other participants next to those that are not complete.
   const Outcome again = asperity(arguments);
   EXPECT_EQ(again.status, 1);
-  EXPECT_NE(
-      again.err.find("to complete it, add --resume; to add further participants, take another "
-                     "--seed"),
-      std::string::npos)
+  EXPECT_NE(again.err.find(
+                "to complete it, add --resume; to add further participants, use another --seed"),
+            std::string::npos)
       << again.err;
   EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
 }

@@ -78,7 +78,7 @@ TEST_F(MovingDevice, IsNotMovedByATestThatIsToldNo) {
   program.type("no\n");
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("nobody agreed"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("was not confirmed"), std::string::npos) << outcome.err;
   EXPECT_FALSE(has_moved());
 }
 

@@ -318,7 +318,7 @@ TEST(Check, WarnsOfATileThatDoesNotClose) {
   EXPECT_NE(cut.err.find("0.02 m along x hold 12.5 spacings of 0.0016 m"), std::string::npos);
   const Outcome warned = checked();
   EXPECT_EQ(warned.status, 0) << warned.err;
-  EXPECT_NE(warned.err.find("the texture \"walnut\" (stimuli/walnut.png), felt in "),
+  EXPECT_NE(warned.err.find("the texture \"walnut\" (stimuli/walnut.png), used in "),
             std::string::npos)
       << warned.err;
   EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m hold complete ones"), std::string::npos);

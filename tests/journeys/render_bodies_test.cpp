@@ -177,7 +177,7 @@ TEST_F(RenderBodies, SaysWhatIsMissingOrWrong) {
   refused({}, {"needs something to touch", "--stimulus"});
   refused({"--stimulus", "plane:0.02,0.02"}, {"needs a tool", "sphere:D_m"});
   refused({"--stimulus", "sphere", "--tool", "sphere:0.01"},
-          {"--stimulus sphere says no size", "sphere:[FILE.png,]D_m", "metres"});
+          {"--stimulus sphere states no size", "sphere:[FILE.png,]D_m", "metres"});
   refused({"--stimulus", "plane:0.02,0.02", "--tool", "cylinder"}, {"D_m,L_m"});
   refused({"--stimulus", "plane:0.02", "--tool", "sphere:0.01"},
           {"--stimulus plane:0.02", "plane:[FILE.png,]X_m,Y_m"});
@@ -209,8 +209,8 @@ TEST_F(RenderBodies, AModelOfAPointTakesNone) {
     EXPECT_THAT(outcome.err, HasSubstr(words));
   };
   refused({"--stimulus", "sphere:0.01"}, "takes a height field");
-  refused({"--tool", "sphere:0.01"}, "--tool goes with a model that has two bodies");
-  refused({"--coupling", "none"}, "--coupling goes with a model that has two bodies");
+  refused({"--tool", "sphere:0.01"}, "--tool needs a model with two bodies");
+  refused({"--coupling", "none"}, "--coupling needs a model with two bodies");
 }
 
 }  // namespace

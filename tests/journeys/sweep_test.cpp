@@ -96,7 +96,7 @@ TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndGoesOnWithThem) {
     program.send(SIGINT);
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1);
-    EXPECT_THAT(stopped.err, HasSubstr("the same command goes on with it"));
+    EXPECT_THAT(stopped.err, HasSubstr("repeat the command to continue"));
     return text_of(place / "sweep.tsv");
   };
   const std::string first = interrupted();
@@ -280,7 +280,7 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   again.push_back("--force");
   const Outcome unnamed = outcome(again);
   EXPECT_EQ(unnamed.status, 1);
-  EXPECT_THAT(unnamed.err, HasSubstr("say which by --protocol, roughness_force, roughness_speed"));
+  EXPECT_THAT(unnamed.err, HasSubstr("name one with --protocol, roughness_force, roughness_speed"));
   again.insert(again.end(), {"--protocol", "roughness_force"});
   EXPECT_EQ(outcome(again).status, 0);
 
@@ -288,14 +288,14 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "2.0.0");
   const Outcome either = outcome(again);
   EXPECT_EQ(either.status, 1);
-  EXPECT_THAT(either.err, HasSubstr("2 versions of roughness_force: say which by --protocol, "
+  EXPECT_THAT(either.err, HasSubstr("2 versions of roughness_force: name one with --protocol, "
                                     "roughness_force@1, roughness_force@2.0.0"));
   for (const char* version : {"1", "2.0.0"}) {
     again.back() = std::string("roughness_force@") + version;
     const Outcome one = outcome(again);
     EXPECT_EQ(one.status, 0) << one.err;
-    EXPECT_THAT(one.err,
-                HasSubstr(std::string("beside it: roughness_force ") + version + ", people, 36"));
+    EXPECT_THAT(one.err, HasSubstr(std::string("estimates in the figure: roughness_force ") +
+                                   version + ", people, 36"));
   }
   again.back() = "roughness_force@3.0.0";
   EXPECT_THAT(outcome(again).err,
@@ -310,7 +310,7 @@ TEST(Sweep, SaysWhyANumberIsMissing) {
   const Outcome two = asperity(order);
   EXPECT_EQ(two.status, 0) << two.err;
   EXPECT_THAT(two.out, HasSubstr("n/a"));
-  EXPECT_THAT(two.err, HasSubstr("need three spacings at least"));
+  EXPECT_THAT(two.err, HasSubstr("need at least three fitted spacings"));
 }
 
 TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
@@ -321,9 +321,10 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   const Outcome still = asperity(order);
   EXPECT_EQ(still.status, 0) << still.err;
   EXPECT_THAT(tsv(text_of(place / "sweep.tsv")).column("status"), Each("ok"));
-  EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows whose stroke went well and whose max_accel "
-                                   "is 0: nothing accelerated the tool"));
-  EXPECT_THAT(still.err, HasSubstr("height_map as it is here has none: --drag constant_force"));
+  EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows whose stroke was complete and whose "
+                                   "max_accel is 0: the tool was not accelerated"));
+  EXPECT_THAT(still.err,
+              HasSubstr("height_map has none with these parameters: --drag constant_force"));
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 

@@ -27,7 +27,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
 void answer_everything(Program& program, const std::string& choice, std::size_t done) {
   std::size_t answered = 0;
   const auto prompts = [](const std::string& out) {
-    return count_of(out, "Your answer: ") + count_of(out, "Press Return to go on. ");
+    return count_of(out, "Your answer: ") + count_of(out, "Press Return to continue. ");
   };
   while (program.read_until([&](const std::string& out, const std::string& err) {
     return prompts(out) > answered || done_lines(err).size() >= done;
@@ -134,8 +134,9 @@ TEST(Terminal, StatesWhyATrialIsRepeatedAndThatItsFirstAttemptDoesNotCount) {
   answer_everything(program, "1", 1);
   EXPECT_NE(program.err().find("stored anna 1 1 1 not_compliant\n"), std::string::npos)
       << program.err();
-  EXPECT_NE(program.err().find("Trial 1 is repeated: not explored as asked: strokes of surface 1"),
-            std::string::npos)
+  EXPECT_NE(
+      program.err().find("Trial 1 is repeated: not explored as instructed: strokes of surface 1"),
+      std::string::npos)
       << program.err();
   EXPECT_EQ(done_lines(program.err()).front(), "done anna 1 1 2");
 }
@@ -175,13 +176,13 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   invocation.on_terminal = true;
   {
     Program program(invocation);
-    EXPECT_TRUE(program.read_until_told("a terminal has none of them")) << program.err();
+    EXPECT_TRUE(program.read_until_told("a terminal cannot present them")) << program.err();
   }
   invocation.arguments.insert(invocation.arguments.end(), {"--device", "falcon:9"});
   Program program(invocation);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err.find("a terminal has none of them"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("a terminal cannot present them"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("Falcon"), std::string::npos) << outcome.err;
 }
 
@@ -199,7 +200,7 @@ TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1) << stopped.err;
     EXPECT_EQ(done_lines(stopped.err).size(), 2U) << stopped.err;
-    EXPECT_NE(stopped.err.find("as asked, after the trial"), std::string::npos);
+    EXPECT_NE(stopped.err.find("on request, after the trial"), std::string::npos);
     EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
   }
   invocation.arguments.emplace_back("--resume");

@@ -89,14 +89,14 @@ TEST_F(Verify, FindsEverythingAsItWas) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("bit for bit"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("4 recordings replayed"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("everything holds"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("no problems found"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Verify, FindsAChangedByteOfARecording) {
   expect_found(first_recording(), "trial-0001_attempt-1.rec");
   for (const Outcome& outcome : {verify(), verify({"--replay"})}) {
     EXPECT_NE(outcome.err.find("is damaged in chunk "), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.out.find("1 thing does not hold\n"), std::string::npos)
+    EXPECT_NE(outcome.out.find("1 problem found\n"), std::string::npos)
         << outcome.out << outcome.err;
   }
 }
@@ -136,7 +136,7 @@ TEST_F(Verify, WhoeverReadsAChangedStudyIsToldAndWhatTheyReadSaysSo) {
   for (const auto& [name, arguments] : readers()) {
     const Outcome outcome = asperity(arguments);
     EXPECT_EQ(outcome.status, 0) << name << outcome.err;
-    const std::size_t said = outcome.err.find("\"asperity verify\" says what does not hold");
+    const std::size_t said = outcome.err.find("Run \"asperity verify\" for the errors");
     EXPECT_NE(said, std::string::npos) << name << outcome.err;
     EXPECT_EQ(outcome.err.find("asperity verify", said + 2), std::string::npos) << name;  // once
     if (name == "analyze") {
@@ -146,7 +146,7 @@ TEST_F(Verify, WhoeverReadsAChangedStudyIsToldAndWhatTheyReadSaysSo) {
                     .at("remarks")
                     .at(0)
                     .get<std::string>()
-                    .find("The file study.sqlite is not what it was"),
+                    .find("The file study.sqlite has changed since"),
                 0U)
           << outcome.out.substr(0, 400);
     }
@@ -164,7 +164,7 @@ TEST_F(Verify, WhoeverReadsAStudyTooLargeToLookAtIsToldToVerifyIt) {
   fs::resize_file(database(), (std::uintmax_t{1} << 30) + 4096);
   const Outcome outcome = asperity({"analyze", study_});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("its checksum was not looked at. \"asperity verify\" says"),
+  EXPECT_NE(outcome.err.find("its checksum was not compared. Run \"asperity verify\""),
             std::string::npos)
       << outcome.err;
   EXPECT_NE(outcome.out.find("larger than 1 GiB"), std::string::npos) << outcome.out;
@@ -226,28 +226,28 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
   };
   for (const char* change : {"block = 'other'", "block_ordinal = 7", "phase = 'practice'",
                              "repetition = 9", "factors_json = '{}'", "plan_json = '{}'"}) {
-    expect_found_after("DROP TRIGGER trial_no_update; UPDATE trial SET " + std::string(change) +
-                           " WHERE session_id = 1 AND trial = 2",
-                       "session 1 of participant virtual0001: its stored plan is not the one");
+    expect_found_after(
+        "DROP TRIGGER trial_no_update; UPDATE trial SET " + std::string(change) +
+            " WHERE session_id = 1 AND trial = 2",
+        "session 1 of participant virtual0001: its stored plan differs from the one");
   }
   for (const char* change : {"item = 'other'", "model = 'other'", "texture = 'other'"}) {
     expect_found_after(
         "DROP TRIGGER presentation_no_update; UPDATE presentation SET " + std::string(change) +
             " WHERE attempt_id = 2 AND position = 1",
-        "attempt virtual0001/1/2/1: its surfaces are not those of the planned trial");
+        "attempt virtual0001/1/2/1: its surfaces differ from those of the planned trial");
   }
   for (const char* options : {"[]", "{}", "[\"other\"]"}) {
-    expect_found_after(
-        "DROP TRIGGER response_no_update; UPDATE response SET options_json = '" +
-            std::string(options) + "' WHERE attempt_id = 2",
-        "attempt virtual0001/1/2/1, item 1: the options beside the answer are not those of the "
-        "planned trial");
+    expect_found_after("DROP TRIGGER response_no_update; UPDATE response SET options_json = '" +
+                           std::string(options) + "' WHERE attempt_id = 2",
+                       "attempt virtual0001/1/2/1, item 1: the options stored with the answer "
+                       "differ from those of the planned trial");
   }
   expect_found_after(
       "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays; UPDATE "
       "session SET seed = "
       "'99999999999999999999' WHERE id = 1",
-      "its seed \"99999999999999999999\" is no number from 0 to 2^64 - 1");
+      "its seed \"99999999999999999999\" is not a number from 0 to 2^64 - 1");
   EXPECT_EQ(verify().status, 0);
 }
 

@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
     listed = re.findall(r"^  \d{4}-\d\d-\d\d \d\d:\d\d  ([a-z ]+)  (.*)$", said, re.MULTILINE)
     assert listed == [("export", str(folder / "before")), ("copy of the study", str(folder / "copy"))], said
 
-    assert "everything holds" in asperity("verify", study)
+    assert "no problems found" in asperity("verify", study)
     holding = [path for path in study.rglob("*") if LABEL in path.name
                or (path.is_file() and LABEL.encode() in path.read_bytes())]
     assert not holding, holding

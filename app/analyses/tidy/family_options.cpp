@@ -78,7 +78,7 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw std::runtime_error(file_name + ": the options are no JSON: " + error.what());
+    throw std::runtime_error(file_name + ": the options are not JSON: " + error.what());
   } catch (const Json::out_of_range& error) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
     const std::string what = error.what();

@@ -146,7 +146,7 @@ void add_difference_of_means(const std::string& quantity, const std::string& key
                              const TwoSamples& samples, const GroupScale& scale,
                              FindingList& findings) {
   Basis basis{.n = samples.first.size() + samples.second.size(),
-              .method = "means of the participants, first less second; Welch's interval"};
+              .method = "difference of the participants' means, first − second; Welch's interval"};
   if (scale.possible) basis.method += ", cut where no difference can be";
   const std::optional<WelchT> welch = welch_t(samples, scale.confidence);
   if (welch) {

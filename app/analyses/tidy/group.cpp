@@ -160,7 +160,7 @@ class GroupComparison final {
         "½ added to every cell; Wald interval of the logarithm" + independent);
     number("or.haldane.selog", haldane.log_standard_error, "of the logarithm");
     const ShareDifference difference = newcombe_difference(table, confidence_);
-    Basis newcombe = basis("first minus second; interval of Newcombe" + independent);
+    Basis newcombe = basis("first − second; interval of Newcombe" + independent);
     newcombe.interval = difference.interval;
     newcombe.confidence = confidence_;
     list_.number("diff", "", difference.difference, newcombe);

@@ -94,7 +94,8 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   const std::optional<Reliability> reliability = reliability_of(rated.complete, confidence);
   if (!reliability) {
     findings.word("icc", "", "undefined_zero_variance",
-                  "all targets have the same scores: there are no differences to be reliable about",
+                  "all targets have the same scores: there are no differences whose reliability "
+                  "could be estimated",
                   basis);
     return findings.take();
   }

@@ -86,7 +86,7 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
       if (values[row] && !has_positive[subjects.codes[row]]) {
         table.refuse(row, "estimate",
                      "all estimates of " + subjects.names[subjects.codes[row]] +
-                         " are 0: half of the least positive one needs a positive one");
+                         " are 0: halfmin needs at least one positive estimate");
       }
     }
   }
@@ -157,7 +157,7 @@ class MagnitudeList final {
     means(normalised);
     if (n_ < 2) {
       list_.word("status", "", "one_participant",
-                 "one participant shows no differences between participants: run more for "
+                 "differences between participants need at least two participants: run more for "
                  "intervals and tests",
                  basis("complete participants"));
       return list_.take();
@@ -290,7 +290,7 @@ class MagnitudeList final {
           of_limit.undefined =
               cell.half_width
                   ? "with a single cell all normalised estimates are the grand mean"
-                  : "one participant shows no differences between participants: run more";
+                  : "differences between participants need at least two participants: run more";
           list_.number(quantity, key, value, of_limit);
         };
         limit("geomean.ci.lower", ends.low, "t interval of logarithms");

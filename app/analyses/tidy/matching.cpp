@@ -114,8 +114,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     std::string& group = read.groups[participants.codes[row]];
     if (group.empty()) group = groups[row];
     if (!groups[row].empty() && groups[row] != group) {
-      table.refuse(row, "group",
-                   participants.names[participants.codes[row]] + " stands in two groups");
+      table.refuse(row, "group", participants.names[participants.codes[row]] + " is in two groups");
     }
   }
 }
@@ -532,7 +531,7 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
       "subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
       {.n = t.n,
        .method = "of the participants' proportions",
-       .undefined = "one participant shows no differences between participants: run more"});
+       .undefined = "differences between participants need at least two participants: run more"});
   add_spread("", shares, findings);
 }
 

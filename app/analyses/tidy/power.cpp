@@ -43,7 +43,7 @@ class Scenario final {
     if (value != std::round(value) || value < 0.0 || value > kMost) {
       table_.refuse(row_, column,
                     std::string(column) + " is " + number_text(value) +
-                        "; a whole number from 0 to a million belongs here");
+                        "; it must be a whole number from 0 to a million");
     }
     return static_cast<std::size_t>(value);
   }

@@ -22,7 +22,7 @@ void refuse_wrong(const TidyTable& table, std::size_t row, const HitCount& count
   if (count.hits > count.trials) {
     table.refuse(row, "k",
                  "k is " + std::to_string(count.hits) + " of n " + std::to_string(count.trials) +
-                     "; at most all can be hits");
+                     "; hits cannot exceed trials");
   }
   if (!(chance >= 0.0 && chance <= 1.0)) {
     table.refuse(row, "p0", "p0 is " + number_text(chance) + "; a chance must lie between 0 and 1");
@@ -56,7 +56,8 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     refuse_wrong(table, row, count, chance, confidence);
     const Basis basis{.n = count.trials};
     if (count.trials == 0) {
-      findings.word("status", id, "no_data", "there are no trials: nothing can be said", basis);
+      findings.word("status", id, "no_data", "there are no trials: nothing can be estimated",
+                    basis);
       continue;
     }
     findings.word("status", id, "ok", "ok", basis);

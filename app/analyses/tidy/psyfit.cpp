@@ -37,7 +37,7 @@ std::vector<Condition> read_conditions(const TidyTable& table, const Psychometri
     if (hits[row] > trials[row]) {
       table.refuse(row, "k",
                    "k is " + std::to_string(hits[row]) + " of n " + std::to_string(trials[row]) +
-                       "; at most all can be hits");
+                       "; hits cannot exceed trials");
     }
     const PsychometricBlock block{.x = levels[row], .trials = trials[row], .hits = hits[row]};
     if (is_impossible(block, model)) {
@@ -100,13 +100,13 @@ Word word_of(PsychometricStatus status) {
     case PsychometricStatus::ok:
       return {"ok", "ok"};
     case PsychometricStatus::no_data:
-      return {"no_data", "no level has trials: nothing can be said"};
+      return {"no_data", "no level has trials: nothing can be estimated"};
     case PsychometricStatus::all_correct:
       return {"all_correct", "every response is correct: present weaker stimuli"};
     case PsychometricStatus::all_wrong:
       return {"all_wrong", "every response is incorrect: present stronger stimuli"};
     case PsychometricStatus::one_level:
-      return {"one_level", "one level has no slope: present more"};
+      return {"one_level", "a slope needs more than one level: present more"};
     case PsychometricStatus::separated:
       return {"separated", "a step fits perfectly: present levels within the bracket"};
     case PsychometricStatus::quasi_separated:
@@ -292,10 +292,10 @@ class PsychometricList final {
 
   void threshold(const PsychometricFit& fit) {
     if (fit.beta_at_bound) {
-      number("threshold", fit.threshold, "x at the asked performance; slope at its bound");
+      number("threshold", fit.threshold, "x at the requested performance; slope at its bound");
       return;
     }
-    Basis estimate = basis("x at the asked performance; delta interval");
+    Basis estimate = basis("x at the requested performance; delta interval");
     estimate.undefined =
         "the fitted function does not take the value pt: its gamma or lambda is too large";
     if (fit.precision) {

@@ -43,11 +43,11 @@ Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
   for (std::size_t i = 0; i < offered.size(); ++i) {
     const OfferedItem& one = offered[i];
     if (!seen.insert(one.item).second) {
-      table.refuse(one.row, "item", "the item stands twice in its trial");
+      table.refuse(one.row, "item", "the item occurs twice in its trial");
     }
     if (i > 0 && one.rank && one.rank == offered[i - 1].rank) {
       table.refuse(one.row, "rank",
-                   "the rank stands twice in its trial; tied items are for the family \"rating\"");
+                   "the rank occurs twice in its trial; tied items are for the family \"rating\"");
     }
     (one.rank ? ranking.ranked : ranking.behind).push_back(one.item);
   }
@@ -75,7 +75,7 @@ Rankings rankings_in(const TidyInput& input) {
     if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
       table.refuse(row, "rank",
                    "rank is " + number_text(*ranks[row]) +
-                       "; it must be a whole number from 1, and empty for what stands behind");
+                       "; it must be a whole number from 1, and empty for items ranked behind");
     }
     const std::pair name{participants.codes[row], trials.codes[row]};
     const auto [found, first] = place.emplace(name, offers.size());
@@ -161,8 +161,8 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
     add_plackett_luce(read, *fit, findings);
   } else {
     findings.word("pl.status", "", "not_estimable",
-                  "some items never stood behind the rest, or were never ranked with it: no finite "
-                  "scale fits best",
+                  "some items were never ranked behind the rest, or were never ranked with it: no "
+                  "finite scale fits best",
                   {.n = n, .method = "Plackett–Luce"});
   }
   if (read.ranks.rows() > 0) {

@@ -157,7 +157,7 @@ class Recognition final {
                    "mean of the participants' own proportions", {.confidence = confidence_}, list_);
     const auto of_spread = [this](const char* method) {
       Basis made = basis(method);
-      made.undefined = "one participant shows no differences between participants: run more";
+      made.undefined = "differences between participants need at least two participants: run more";
       return made;
     };
     list_.number("subj.sd", "", t.sd.value_or(kUndefined),
@@ -178,7 +178,7 @@ class Recognition final {
       number("subj.ci.upper", "", t.test->interval.high, "t interval over participants, uncut");
     } else if (t.n < 2) {
       list_.word("subj.t", "", "undefined_one_participant",
-                 "one participant shows no differences between participants: run more",
+                 "differences between participants need at least two participants: run more",
                  basis("t over participants"));
     } else {
       list_.word("subj.t", "", "undefined_zero_variance",
@@ -279,7 +279,8 @@ class Recognition final {
     permuted.undefined =
         "no participant has both two different stimuli and two different responses";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);
-    list_.count("G.perm.draws", "", drawn, of_trials("random permutations of the responses"));
+    list_.count("G.perm.draws", "", drawn,
+                of_trials("permutations of the responses drawn at random"));
   }
 
   void similarity() {

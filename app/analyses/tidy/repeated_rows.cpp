@@ -21,7 +21,7 @@ void refuse_repeated(const TidyTable& table, std::string_view column, const std:
     if (name == LabelColumn::kMissing) continue;
     if (seen[name]) {
       table.refuse(row, column,
-                   '"' + labels.names[name] + "\" stands a second time; there is " + one_row);
+                   '"' + labels.names[name] + "\" occurs a second time; there is " + one_row);
     }
     seen[name] = true;
   }
@@ -58,8 +58,8 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
                     other->cell + ", while " + std::to_string(most->second) + " of " +
                     std::to_string(cells.size()) + " cells have " + values_of(most->first) +
                     (others > 1 ? "; " + std::to_string(others) + " cells differ from these" : "") +
-                    ". The values of a cell are averaged: see whether a row " +
-                    (other->rows > most->first ? "stands twice"
+                    ". The values of a cell are averaged: check whether a row " +
+                    (other->rows > most->first ? "occurs twice"
                                                : "is missing or has no value that "
                                                  "counts") +
                     ", or names another participant or cell",

@@ -60,7 +60,7 @@ std::vector<std::size_t> codes_of(const TidyTable& table, const DesignFactor& fa
       const auto first = std::find(column.codes.begin(), column.codes.end(), name);
       table.refuse(
           static_cast<std::size_t>(first - column.codes.begin()), factor.first,
-          '"' + column.names[name] + "\" is no level of " + factor.first + " in the options");
+          '"' + column.names[name] + "\" is not a level of " + factor.first + " in the options");
     }
     of_names.push_back(*level);
   }
@@ -123,7 +123,7 @@ Design read_design(const TidyInput& input) {
     }
     if (person.group != groups[row]) {
       table.refuse(row, design.between.front().first,
-                   subjects.names[subjects.codes[row]] + " stands in two groups");
+                   subjects.names[subjects.codes[row]] + " is in two groups");
     }
     person.sums[cells[row]] += *values[row];
     ++person.counts[cells[row]];

@@ -35,8 +35,8 @@ void add_clustered_scale(std::span<const std::string> items, const ClusteredScal
   if (has_errors) return;
   findings.word(names.prefix + ".cluster.status", "", "too_few_participants",
                 "an interval over participants needs " + std::to_string(kFewestClusters) +
-                    " participants at least: with fewer, the data do not show how participants "
-                    "differ; add participants",
+                    " participants at least: with fewer, differences between participants cannot "
+                    "be estimated; add participants",
                 {.n = names.n, .method = error_method});
 }
 
@@ -49,8 +49,8 @@ void add_cluster_errors(std::span<const std::string> items, const Abilities& clu
                     {.n = names.n,
                      .method = names.method + ", participants as clusters (CR0: too small with "
                                               "few participants)",
-                     .undefined = "one participant does not show how participants differ: add "
-                                  "participants"});
+                     .undefined = "differences between participants cannot be estimated from one "
+                                  "participant: add participants"});
   }
 }
 

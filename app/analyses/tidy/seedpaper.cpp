@@ -256,7 +256,7 @@ void add_right_answers(const std::string& table, const RightAnswers& right,
                     {.n = n, .method = "exact test of Fisher, two-sided"});
     findings.number(table + ".sex.diff", block, difference.difference,
                     {.n = n,
-                     .method = "F minus M; interval of Newcombe",
+                     .method = "difference (F − M); interval of Newcombe",
                      .interval = difference.interval,
                      .confidence = kConfidence});
     const Basis newcombe{.n = n, .method = "interval of Newcombe"};

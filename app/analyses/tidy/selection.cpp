@@ -51,7 +51,7 @@ Choices choices_in(const TidyInput& input) {
   return read;
 }
 
-constexpr const char* kNothingChosen = "nothing was chosen here: nothing can be said";
+constexpr const char* kNothingChosen = "nothing was chosen here: nothing can be estimated";
 
 /// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
 /// of the target.
@@ -195,7 +195,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const auto n = static_cast<std::size_t>(counts.rows());
   const std::string undefined =
       n == 0   ? "there are no choices"
-      : n == 1 ? "one participant shows no differences between participants: run more"
+      : n == 1 ? "differences between participants need at least two participants: run more"
                : "all participants have the same proportion";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
@@ -262,7 +262,7 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
           "Cohen's d_z of the participants' differences of counts; interval by the "
           "noncentral t distribution",
       .undefined = numbers.size() < 2
-                       ? "one participant shows no differences between participants: run more"
+                       ? "differences between participants need at least two participants: run more"
                        : "all participants have the same difference"};
   if (!t.test) {
     findings.number("signflip.d", key, kNoNumber, basis);
@@ -406,10 +406,11 @@ void add_cochran(const Choices& read, FindingList& findings) {
       .method = "Cochran's Q over samples, participants who answered all" + first_only};
   findings.count("cochran.n.complete", target, first.size(), basis);
   if (repeated > 0) {
-    findings.count("cochran.repeated", target, repeated,
-                   {.n = first.size(),
-                    .method = "further choices of a participant with a sample, which Cochran's Q "
-                              "alone leaves out"});
+    findings.count(
+        "cochran.repeated", target, repeated,
+        {.n = first.size(),
+         .method =
+             "further choices of a participant with a sample, which only Cochran's Q leaves out"});
   }
   if (samples == 0) return;
   const CochranTest test = cochran_test(answers);
@@ -445,9 +446,9 @@ std::vector<Finding> selection_findings(const TidyInput& input) {
   FindingList findings{};
   add_blocks(read, findings);
   const CountMatrix counts = counts_by_participant(read);
-  findings.count(
-      "subj.n", "", static_cast<std::uint64_t>(counts.rows()),
-      {.n = static_cast<std::size_t>(counts.rows()), .method = "participants who chose at all"});
+  findings.count("subj.n", "", static_cast<std::uint64_t>(counts.rows()),
+                 {.n = static_cast<std::size_t>(counts.rows()),
+                  .method = "participants with at least one choice"});
   add_repeated(read, findings);
   if (counts.rows() == 0) return findings.take();
   for (std::size_t j = 0; j < read.renderers.size(); ++j) {

@@ -18,8 +18,8 @@ constexpr std::array kFamilies{
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
-               "lower, upper: differences between them count as none, both or neither; alpha of "
-               "either one-sided test; groups: two names, in order, of two samples; conf",
+               "lower, upper: differences between them count as equivalent, both or neither; alpha "
+               "of either one-sided test; groups: two names, in order, of two samples; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"glmm",
                "subject,item,correct,trials and one column per factor: the responses of a "
@@ -53,10 +53,11 @@ constexpr std::array kFamilies{
         "place of a trial, response empty where it was left blank; and, where a trial stands "
         "for several, times",
         "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
-    TidyFamily{"paired",
-               "subject,first,second,winner: the item that was put before the other, or tie, empty "
-               "where nothing was judged; and, where rows stand for several judgements, times",
-               "items (all that were compared), conf", paired_findings, "items,conf"},
+    TidyFamily{
+        "paired",
+        "subject,first,second,winner: the item that was preferred to the other, or tie, empty "
+        "where nothing was judged; and, where rows stand for several judgements, times",
+        "items (all that were compared), conf", paired_findings, "items,conf"},
     TidyFamily{
         "power",
         "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row, with id, kind, n, "
@@ -66,16 +67,16 @@ constexpr std::array kFamilies{
                "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
                "conf, where there is no such column", proportion_findings, "conf"},
     TidyFamily{"psyfit",
-               "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
+               "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
                "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; "
                "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
     TidyFamily{"ranking",
-               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
-               "stands behind all that were ranked; an item that was not offered has no row; and, "
-               "where a trial stands for several, times",
+               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and is "
+               "behind all that were ranked; an item that was not offered has no row; and, where a "
+               "trial stands for several, times",
                "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
     TidyFamily{
         "rating",
@@ -92,7 +93,7 @@ constexpr std::array kFamilies{
     TidyFamily{
         "rmanova",
         "subject,y and one column per factor: one measurement per row; several of a participant in "
-        "a cell are averaged, and told",
+        "a cell are averaged and reported",
         "within: factors with their levels, as {\"spacing\": [1, 2, 4]}; between: none or one, as "
         "{\"group\": [\"a\", \"b\"]}; type: 2, 3; trend: a "
         "factor; trend_scale: linear, log10; conf",

@@ -117,7 +117,7 @@ constexpr std::array kHeadings{
 constexpr std::array kPersons{
     Word{"Female", QT_TRANSLATE_NOOP("AnalysisWords", "Female")},
     Word{"Male", QT_TRANSLATE_NOOP("AnalysisWords", "Male")},
-    Word{"Other or not told", QT_TRANSLATE_NOOP("AnalysisWords", "Other or not told")},
+    Word{"Other or not told", QT_TRANSLATE_NOOP("AnalysisWords", "Other or not reported")},
     Word{"Total", QT_TRANSLATE_NOOP("AnalysisWords", "Total")}};
 
 /// Null where the program has no word of its own for it.

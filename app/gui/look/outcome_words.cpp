@@ -13,7 +13,7 @@ QString OutcomeWords::of(AttemptOutcome outcome) {
     case AttemptOutcome::timed_out:
       return tr("no answer in time");
     case AttemptOutcome::not_compliant:
-      return tr("not explored as asked");
+      return tr("not explored as instructed");
     case AttemptOutcome::aborted:
       return tr("aborted");
     case AttemptOutcome::device_fault:

@@ -36,7 +36,7 @@ class SessionText final {
                         const QString& condition, double in_phase_s);
   /// The same beside the number of the trial that is under way or comes: "feeling 6.2 s", "next".
   static QString of_phase(const SessionSnapshot& snapshot, double in_phase_s);
-  /// "4", "not explored as asked"; `tells_right`: and whether it was right.
+  /// "4", "not explored as instructed"; `tells_right`: and whether it was right.
   static QString of_attempt(const AttemptSummary& attempt, bool tells_right);
   static State state_of(const AttemptSummary& attempt);
   static QString of_mode(SessionMode mode);

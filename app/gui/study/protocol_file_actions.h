@@ -18,13 +18,13 @@ namespace asperity {
 class OpenStudy;
 
 /// The question that a renaming or a deletion asks, in place; hidden while there is none. A protocol that was
-/// run is neither renamed nor deleted: why is told before anything is asked.
+/// run is neither renamed nor deleted: the reason is shown before any question.
 class ProtocolFileActions final : public QFrame {
   Q_OBJECT
  public:
   ProtocolFileActions(OpenStudy& study, QWidget* parent);
 
-  /// "More", with a menu of the actions, to stand beside the other buttons of the protocol.
+  /// "More", with a menu of the actions, to stand next to the other buttons of the protocol.
   QPushButton* button() noexcept { return more_; }
   /// What the actions act on. A question about another one is withdrawn.
   void set_file(const std::filesystem::path& file);
@@ -39,7 +39,7 @@ class ProtocolFileActions final : public QFrame {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  /// Asks `then` where the protocol was never run, and says why not otherwise.
+  /// Calls `then` where the protocol was never run, and shows the reason otherwise.
   void unless_run(std::function<void()> then);
   void duplicate();
   void ask_for_name();

@@ -140,8 +140,8 @@
         <translation>Ein Modell gegen ein anderes, unter den Wahlen eines der beiden</translation>
     </message>
     <message>
-        <source>The chance is 1/2: a choice of a third model says nothing about the two.</source>
-        <translation>Der Zufall trifft mit 1/2: Die Wahl eines dritten Modells sagt nichts über die zwei.</translation>
+        <source>The chance level is 1/2: choices of a third model are not counted.</source>
+        <translation>Das Zufallsniveau ist 1/2: Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
         <source>Chance differs between the trials.</source>
@@ -157,11 +157,11 @@
     </message>
     <message>
         <source>This cannot be tested: no participant ever chose %1.</source>
-        <translation>Das lässt sich nicht prüfen: Keine Person hat je %1 gewählt.</translation>
+        <translation>Das lässt sich nicht prüfen: Keine Versuchsperson hat je %1 gewählt.</translation>
     </message>
     <message>
         <source>%1 Participants who never chose %2 do not contribute: %3 of %4.</source>
-        <translation>%1 Personen, die nie %2 gewählt haben, tragen nichts bei: %3 von %4.</translation>
+        <translation>%1 Versuchspersonen, die nie %2 gewählt haben, tragen nichts bei: %3 von %4.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -176,12 +176,12 @@
         <translation>Diese Dateien legen verschiedene Tests fest: nichts gilt als vor den Daten festgelegt.</translation>
     </message>
     <message>
-        <source>Pairs of textures that are confused, the worst first</source>
-        <translation>Paare von Texturen, die verwechselt werden, das häufigste zuerst</translation>
+        <source>Confused pairs of textures, the most frequent first</source>
+        <translation>Verwechselte Paare von Texturen, das häufigste zuerst</translation>
     </message>
     <message>
-        <source>How often the one was given the picture of the other, and the other way round.</source>
-        <translation>Wie oft die eine das Bild der anderen bekam, und umgekehrt.</translation>
+        <source>How often one was assigned the picture of the other, and vice versa.</source>
+        <translation>Wie oft der einen das Bild der anderen zugeordnet wurde, und umgekehrt.</translation>
     </message>
     <message>
         <source>Trials by their number of correctly matched items</source>
@@ -200,8 +200,8 @@
         <translation>Welche Texturen werden verwechselt?</translation>
     </message>
     <message>
-        <source>None was ever taken for another.</source>
-        <translation>Keine wurde je für eine andere gehalten.</translation>
+        <source>No texture was confused with another.</source>
+        <translation>Keine Textur wurde mit einer anderen verwechselt.</translation>
     </message>
     <message>
         <source>Counts of all responses; a CI would need a model of the confusions.</source>
@@ -237,15 +237,15 @@
     </message>
     <message>
         <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; the participants do not differ, so there is no test.</source>
-        <translation>Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; die Personen unterscheiden sich nicht, also gibt es keinen Test.</translation>
+        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; die Versuchspersonen unterscheiden sich nicht, also gibt es keinen Test.</translation>
     </message>
     <message>
         <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
-        <translation>Ja: Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <translation>Ja: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>Not significantly: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
-        <translation>Nicht signifikant: Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <translation>Nicht signifikant: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>d′ has no finite value</source>
@@ -308,8 +308,8 @@
         <translation>Wird eine Darstellung einer anderen vorgezogen?</translation>
     </message>
     <message>
-        <source>For each pair the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant). Choices of a third model say nothing about the two.</source>
-        <translation>Für jedes Paar die Differenz beider Anzahlen bei jeder Person, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Person vertauscht). Wahlen eines dritten Modells sagen nichts über die beiden.</translation>
+        <source>For each pair the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant). Choices of a third model are not counted.</source>
+        <translation>Für jedes Paar die Differenz beider Anzahlen bei jeder Versuchsperson, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
         <source>Chosen more often: %1.</source>
@@ -329,11 +329,11 @@
     </message>
     <message>
         <source>How often each participant chose the target with each texture, against exchanging the textures within each participant at random; where each texture was judged once, this is the exact form of Cochran&apos;s test.</source>
-        <translation>Wie oft jede Person das Ziel bei jeder Textur wählte, gegen zufälliges Vertauschen der Texturen innerhalb jeder Person; wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Tests von Cochran.</translation>
+        <translation>Wie oft jede Versuchsperson das Ziel bei jeder Textur wählte, gegen zufälliges Vertauschen der Texturen innerhalb jeder Versuchsperson; wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Tests von Cochran.</translation>
     </message>
     <message>
         <source>This cannot be tested: the participants have not judged every texture equally often.</source>
-        <translation>Das lässt sich nicht prüfen: die Personen haben nicht jede Textur gleich oft beurteilt.</translation>
+        <translation>Das lässt sich nicht prüfen: die Versuchspersonen haben nicht jede Textur gleich oft beurteilt.</translation>
     </message>
     <message>
         <source>It does: that %1 is chosen equally often with every texture has %2.</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>one participant has no interval</source>
-        <translation>eine einzelne Person ergibt kein Intervall</translation>
+        <translation>eine einzelne Versuchsperson ergibt kein Intervall</translation>
     </message>
     <message>
         <source>Do women and men differ?</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
-        <translation>Im Mittel waren %1 der Antworten einer Person richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>No texture was ever confused with another one that was presented.</source>
@@ -384,20 +384,20 @@
         <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
     </message>
     <message>
-        <source>The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. &quot;asperity verify&quot; says whether everything holds.</source>
-        <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht angesehen. „asperity verify“ sagt, ob alles stimmt.</translation>
+        <source>The file study.sqlite is larger than 1 GiB, so its checksum was not compared. Run &quot;asperity verify&quot; to check the study.</source>
+        <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht verglichen. Prüfen Sie die Studie mit „asperity verify“.</translation>
     </message>
     <message>
-        <source>The file study.sqlite is not what it was when Asperity last closed it: what is read from it can be wrong. &quot;asperity verify&quot; says what does not hold, and what that can mean.</source>
-        <translation>Die Datei study.sqlite ist nicht mehr, was sie war, als Asperity sie zuletzt geschlossen hat: Was daraus gelesen wird, kann falsch sein. „asperity verify“ sagt, was nicht stimmt und was das bedeuten kann.</translation>
+        <source>The file study.sqlite has changed since Asperity last closed it: data read from it may be incorrect. Run &quot;asperity verify&quot; for the errors and their possible causes.</source>
+        <translation>Die Datei study.sqlite hat sich geändert, seit Asperity sie zuletzt geschlossen hat: Daten daraus können falsch sein. „asperity verify“ nennt die Fehler und ihre möglichen Ursachen.</translation>
     </message>
     <message>
         <source>%1 stopped by a fault</source>
         <translation>%1 durch eine Störung abgebrochen</translation>
     </message>
     <message>
-        <source>%1 not explored as asked</source>
-        <translation>%1 nicht wie verlangt erkundet</translation>
+        <source>%1 not explored as instructed</source>
+        <translation>%1 nicht wie angewiesen exploriert</translation>
     </message>
     <message>
         <source>%1 not answered in time</source>
@@ -408,8 +408,8 @@
         <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder nichts erwarten, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
-        <source>Expected under guessing: trials of random permutations.</source>
-        <translation>Unter Raten erwartet: Durchgänge mit zufälligen Permutationen.</translation>
+        <source>Expected under guessing: trials in which every assignment is equally likely.</source>
+        <translation>Unter Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
     </message>
     <message>
         <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” is not correct. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Shapes of the participants&apos; curves, all conditions together: descending %1, inverted U %2, neither %3.</source>
-        <translation>Formen der Kurven der Personen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, keines von beiden %3.</translation>
+        <translation>Formen der Kurven der Versuchspersonen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, keines von beiden %3.</translation>
     </message>
     <message>
         <source>By the slopes of each participant&apos;s own parabola at the smallest and the largest spacing, without a test.</source>
@@ -605,11 +605,11 @@
     </message>
     <message>
         <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
-        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallsniveau von %2</translation>
+        <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
         <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
-        <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Person, bei einem Zufallsniveau von %2</translation>
+        <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
         <source>%1 do not differ significantly (%2).</source>
@@ -617,11 +617,11 @@
     </message>
     <message>
         <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
-        <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Person, bei einem Zufallsniveau von %3</translation>
+        <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
         <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where the chance level is %4</source>
-        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), bei einem Zufallsniveau von %4</translation>
+        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Versuchsperson (%3), bei einem Zufallsniveau von %4</translation>
     </message>
     <message>
         <source>%1, 95 % CI [%2, %3]</source>
@@ -645,27 +645,27 @@
     </message>
     <message>
         <source>%1 over %2 (in %3 of a participant&apos;s choices on average, %4; %5)</source>
-        <translation>%1 vor %2 (im Mittel in %3 der Wahlen einer Person, %4; %5)</translation>
+        <translation>%1 vor %2 (im Mittel in %3 der Wahlen einer Versuchsperson, %4; %5)</translation>
     </message>
     <message>
         <source>all positions were chosen equally often, each in %1 of a participant&apos;s choices on average</source>
-        <translation>alle Plätze wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Person</translation>
+        <translation>alle Plätze wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Versuchsperson</translation>
     </message>
     <message>
         <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
-        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, bei einem Zufallsniveau von %3</translation>
+        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
         <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, and the first position in %3 (%4), where the chance level is %5</source>
-        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Person, und der erste Platz in %3 (%4), bei einem Zufallsniveau von %5</translation>
+        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, und der erste Platz in %3 (%4), bei einem Zufallsniveau von %5</translation>
     </message>
     <message>
         <source>the first position was chosen in %1 of a participant&apos;s choices on average (%2), where the chance level is %3</source>
-        <translation>der erste Platz wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), bei einem Zufallsniveau von %3</translation>
+        <translation>der erste Platz wurde im Mittel in %1 der Wahlen einer Versuchsperson gewählt (%2), bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
         <source>position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and the first position in %4 (%5), where the chance level is %6</source>
-        <translation>Platz %1 wurde im Mittel in %2 der Wahlen einer Person gewählt (%3), und der erste Platz in %4 (%5), bei einem Zufallsniveau von %6</translation>
+        <translation>Platz %1 wurde im Mittel in %2 der Wahlen einer Versuchsperson gewählt (%3), und der erste Platz in %4 (%5), bei einem Zufallsniveau von %6</translation>
     </message>
     <message>
         <source>%1. Test against equal proportions, not of the study&apos;s family: %2.</source>
@@ -681,7 +681,7 @@
     </message>
     <message>
         <source>For each pair the trials that presented both: the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant).</source>
-        <translation>Für jedes Paar die Durchgänge, die beide darboten: die Differenz beider Anzahlen bei jeder Person, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Person vertauscht).</translation>
+        <translation>Für jedes Paar die Durchgänge, die beide darboten: die Differenz beider Anzahlen bei jeder Versuchsperson, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Versuchsperson vertauscht).</translation>
     </message>
     <message>
         <source>No choice was made between two models.</source>
@@ -873,11 +873,11 @@
     </message>
     <message>
         <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
-        <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Personen als Clustern und Satterthwaites Freiheitsgraden.</translation>
+        <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Versuchspersonen als Clustern und Satterthwaites Freiheitsgraden.</translation>
     </message>
     <message>
         <source>No CI: it needs at least %1 participants.</source>
-        <translation>Kein KI: Dafür sind mindestens %1 Personen nötig.</translation>
+        <translation>Kein KI: Dafür sind mindestens %1 Versuchspersonen nötig.</translation>
     </message>
     <message>
         <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have the mean 0; worths add up to 1. %1</source>
@@ -889,11 +889,11 @@
     </message>
     <message>
         <source>Bradley–Terry model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Personen als Clustern (CR2, mindestens %1 Personen).</translation>
+        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
         <source>Plackett–Luce model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Personen als Clustern (CR2, mindestens %1 Personen).</translation>
+        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
         <source>Log-worths, in decreasing order: %1.</source>
@@ -1402,7 +1402,7 @@
         <translation>Männer</translation>
     </message>
     <message>
-        <source>Other or not told</source>
+        <source>Other or not reported</source>
         <translation>Anderes oder ohne Angabe</translation>
     </message>
     <message>
@@ -1812,6 +1812,10 @@
 <context>
     <name>CellWords</name>
     <message>
+        <source>Other or not reported</source>
+        <translation>Anderes oder ohne Angabe</translation>
+    </message>
+    <message>
         <source>d′</source>
         <translation>d′</translation>
     </message>
@@ -1892,7 +1896,7 @@
         <translation>nicht innerhalb der geprüften Abstände</translation>
     </message>
     <message>
-        <source>too few participants to say</source>
+        <source>too few participants for a conclusion</source>
         <translation>zu wenige Versuchspersonen für eine Aussage</translation>
     </message>
     <message>
@@ -1960,8 +1964,8 @@
         <translation>%1, exakt</translation>
     </message>
     <message>
-        <source>%1, %2 random permutations</source>
-        <translation>%1, %2 zufällige Permutationen</translation>
+        <source>%1, %2 permutations drawn at random</source>
+        <translation>%1, %2 zufällig gezogene Permutationen</translation>
     </message>
     <message>
         <source>confirmatory</source>
@@ -2115,19 +2119,19 @@
 <context>
     <name>DeviceSurvey</name>
     <message>
-        <source>No %1 in a folder of udev: devices on USB are open to root alone. Copy %2 into /etc/udev/rules.d and plug the device in anew (docs/devices.md).</source>
-        <translation>Kein %1 in einem Ordner von udev: Geräte am USB stehen nur root offen. Kopieren Sie %2 nach /etc/udev/rules.d und stecken Sie das Gerät neu an (docs/devices.md).</translation>
+        <source>There is no %1 in a folder of udev: only root can open USB devices. Copy %2 into /etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md).</source>
+        <translation>Kein %1 in einem Ordner von udev: Nur root kann USB-Geräte öffnen. Kopieren Sie %2 nach /etc/udev/rules.d, ziehen Sie das Gerät ab, und stecken Sie es wieder an (docs/devices.md).</translation>
     </message>
 </context>
 <context>
     <name>DeviceTest</name>
     <message>
-        <source>the servo loop took the force away (%1)</source>
-        <translation>die Servoschleife nahm die Kraft weg (%1)</translation>
+        <source>the servo loop set the force to zero (%1)</source>
+        <translation>die Servoschleife setzte die Kraft auf null (%1)</translation>
     </message>
     <message>
-        <source>the handle ran farther than %1 mm away, and the force was let go of</source>
-        <translation>der Griff lief weiter als %1 mm weg, und die Kraft wurde losgelassen</translation>
+        <source>the handle moved more than %1 mm away, and the force was switched off</source>
+        <translation>der Griff bewegte sich um mehr als %1 mm weg, und die Kraft wurde abgeschaltet</translation>
     </message>
     <message>
         <source>along %1 %2</source>
@@ -2138,20 +2142,20 @@
         <translation>Nicht gemessen: %1.</translation>
     </message>
     <message>
-        <source>Of a simulated device: it says something about this computer.</source>
-        <translation>Von einem simulierten Gerät: Es sagt etwas über diesen Rechner.</translation>
+        <source>Of a simulated device: it characterises this computer.</source>
+        <translation>Von einem simulierten Gerät: Der Wert kennzeichnet diesen Rechner.</translation>
     </message>
     <message>
-        <source>Nothing was felt.</source>
-        <translation>Nichts war zu fühlen.</translation>
+        <source>No surface was presented.</source>
+        <translation>Es wurde keine Oberfläche dargeboten.</translation>
     </message>
     <message>
         <source>The loop did not run: %1</source>
         <translation>Die Schleife lief nicht: %1</translation>
     </message>
     <message>
-        <source>The strongest force with nothing to feel.</source>
-        <translation>Die stärkste Kraft, während nichts zu fühlen war.</translation>
+        <source>The greatest force without a surface.</source>
+        <translation>Die größte Kraft ohne Oberfläche.</translation>
     </message>
     <message>
         <source>Standard deviation of the positions of the handle at rest.</source>
@@ -2166,72 +2170,72 @@
         <translation>Es hat keine Motoren.</translation>
     </message>
     <message>
-        <source>Asked for %1 N at a limit of %2 N, at most %3 N was sent.</source>
-        <translation>Um %1 N gebeten, bei einer Grenze von %2 N, wurden höchstens %3 N gesendet.</translation>
+        <source>When %1 N was requested at a limit of %2 N, at most %3 N was sent.</source>
+        <translation>Bei angeforderten %1 N und einer Grenze von %2 N wurden höchstens %3 N gesendet.</translation>
     </message>
     <message>
-        <source>Stopped under a force, the device got exactly 0 N from the next tick on.</source>
-        <translation>Unter Kraft angehalten, bekam das Gerät vom nächsten Takt an genau 0 N.</translation>
+        <source>After a stop under force, exactly 0 N was sent from the next tick on.</source>
+        <translation>Nach einem Halt unter Kraft wurden vom nächsten Takt an genau 0 N gesendet.</translation>
     </message>
     <message>
-        <source>Asked for a force that is no number, the device got exactly 0 N in the same tick.</source>
-        <translation>Statt einer Kraft, die keine Zahl ist, bekam das Gerät im selben Takt genau 0 N.</translation>
+        <source>When a force that is not a number was requested, exactly 0 N was sent in the same tick.</source>
+        <translation>Bei einer angeforderten Kraft, die keine Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
     </message>
     <message>
-        <source>Without a sign of life from the program the force faded to 0 N (a session waits for %1 s).</source>
+        <source>Without a heartbeat from the program the force faded to 0 N (a session waits for %1 s).</source>
         <translation>Ohne Lebenszeichen des Programms ging die Kraft auf 0 N zurück (eine Sitzung wartet %1 s).</translation>
     </message>
     <message>
-        <source>the handle did not follow with %1 N</source>
-        <translation>der Griff folgte mit %1 N nicht</translation>
+        <source>the handle did not follow a force of %1 N</source>
+        <translation>der Griff folgte einer Kraft von %1 N nicht</translation>
     </message>
     <message>
         <source>the handle did not move</source>
         <translation>der Griff bewegte sich nicht</translation>
     </message>
     <message>
-        <source>the sweeps say nothing</source>
-        <translation>die langsamen Bewegungen sagen nichts</translation>
+        <source>the sweeps were inconclusive</source>
+        <translation>die langsamen Bewegungen waren nicht aussagekräftig</translation>
     </message>
     <message>
         <source>a push of %1 N did not move the handle</source>
         <translation>ein Stoß von %1 N bewegte den Griff nicht</translation>
     </message>
     <message>
-        <source>From a sudden force to the motion that is read.</source>
-        <translation>Von einer plötzlichen Kraft bis zur gelesenen Bewegung.</translation>
+        <source>From a step of force to the measured motion.</source>
+        <translation>Von einem Kraftsprung bis zur gemessenen Bewegung.</translation>
     </message>
     <message>
-        <source>Of the handle and what moves with it, from how a sudden force speeds it up.</source>
-        <translation>Des Griffs und dessen, was sich mit ihm bewegt: danach, wie eine plötzliche Kraft ihn beschleunigt.</translation>
+        <source>Of the handle and the parts that move with it, from their acceleration after a step of force.</source>
+        <translation>Des Griffs und der mitbewegten Teile, aus ihrer Beschleunigung nach einem Kraftsprung.</translation>
     </message>
     <message>
-        <source>Coulomb friction, from slow sweeps to and fro at two speeds.</source>
-        <translation>Coulombsche Reibung, aus langsamem Hin und Her mit zwei Geschwindigkeiten.</translation>
+        <source>Coulomb friction, from slow back-and-forth sweeps at two speeds.</source>
+        <translation>Coulombsche Reibung, aus langsamen Hin-und-her-Bewegungen mit zwei Geschwindigkeiten.</translation>
     </message>
     <message>
-        <source>Growth of that resistance with speed.</source>
-        <translation>Wie dieser Widerstand mit der Geschwindigkeit wächst.</translation>
+        <source>Increase of that resistance with speed.</source>
+        <translation>Zunahme dieses Widerstands mit der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>The step of positions that would make the errors found in a slow sweep.</source>
-        <translation>Der Positionsschritt, der die Fehler einer langsamen Bewegung erklären würde.</translation>
+        <source>The position step that corresponds to the errors measured in a slow sweep.</source>
+        <translation>Der Positionsschritt, der den Fehlern einer langsamen Bewegung entspricht.</translation>
     </message>
     <message>
-        <source>The lowest frequency at which the handle answers twice as much as its mass.</source>
-        <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark antwortet wie seine Masse.</translation>
+        <source>The lowest frequency at which the handle responds twice as strongly as its mass alone.</source>
+        <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark antwortet wie seine Masse allein.</translation>
     </message>
     <message>
         <source>there is none from %1 to %2 Hz</source>
         <translation>von %1 bis %2 Hz gibt es keine</translation>
     </message>
     <message>
-        <source>The stiffest spring, up to 8000 N/m, on which the handle came to rest after a kick.</source>
-        <translation>Die steifste Feder, bis 8000 N/m, auf der der Griff nach einem Anstoß zur Ruhe kam.</translation>
+        <source>The stiffest spring, up to 8000 N/m, on which the handle came to rest after an impulse.</source>
+        <translation>Die steifste Feder, bis 8000 N/m, auf der der Griff nach einem Impuls zur Ruhe kam.</translation>
     </message>
     <message>
-        <source>already a spring of 250 N/m made the handle swing</source>
-        <translation>schon eine Feder von 250 N/m ließ den Griff schwingen</translation>
+        <source>a spring of 250 N/m already made the handle oscillate</source>
+        <translation>schon eine Feder von 250 N/m brachte den Griff zum Schwingen</translation>
     </message>
     <message>
         <source>The weakest push, by steps of a factor √2, that moved the handle from rest.</source>
@@ -2242,32 +2246,32 @@
         <translation>kein Stoß bis %1 N bewegte den Griff</translation>
     </message>
     <message>
-        <source>Nobody moved the handle along the borders of its workspace.</source>
-        <translation>Niemand führte den Griff an den Grenzen seines Arbeitsraums entlang.</translation>
+        <source>The handle was not moved along the borders of its workspace.</source>
+        <translation>Der Griff wurde nicht an den Grenzen seines Arbeitsraums entlanggeführt.</translation>
     </message>
     <message>
         <source>There were no readings.</source>
         <translation>Es gab keine Messwerte.</translation>
     </message>
     <message>
-        <source>The least share of the declared workspace that the handle reached.</source>
+        <source>The smallest fraction of the declared workspace that the handle reached.</source>
         <translation>Der kleinste Anteil des angegebenen Arbeitsraums, den der Griff erreichte.</translation>
     </message>
     <message>
-        <source>A session of %1 runs; a device is measured while none does.</source>
-        <translation>Eine Sitzung von %1 läuft; ein Gerät wird gemessen, während keine läuft.</translation>
+        <source>A session of %1 is running. Measure the device when the session has ended.</source>
+        <translation>Eine Sitzung von %1 läuft. Messen Sie das Gerät, wenn die Sitzung beendet ist.</translation>
     </message>
     <message>
-        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and let nobody hold it.</source>
-        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit höchstens %2 N. Lassen Sie ihn frei in der Mitte seines Arbeitsraums hängen, halten Sie Hände und Haare fern, und niemand soll ihn halten.</translation>
+        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and make sure that it is not held.</source>
+        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit höchstens %2 N. Lassen Sie ihn frei in der Mitte seines Arbeitsraums hängen, halten Sie Hände und Haare fern, und sorgen Sie dafür, dass er nicht gehalten wird.</translation>
     </message>
     <message>
-        <source>A device is being measured for this study: stop that or let it end, then begin the session.</source>
-        <translation>Für diese Studie wird gerade ein Gerät gemessen: Halten Sie das an oder lassen Sie es enden, dann beginnen Sie die Sitzung.</translation>
+        <source>A device is being measured for this study. Stop the measurement or wait until it has ended, then start the session.</source>
+        <translation>Für diese Studie wird gerade ein Gerät gemessen. Brechen Sie die Messung ab oder warten Sie ihr Ende ab, und starten Sie dann die Sitzung.</translation>
     </message>
     <message>
-        <source>Not known of %1, which the simulated device stands for.</source>
-        <translation>Nicht bekannt von %1, für das das simulierte Gerät steht.</translation>
+        <source>Unknown for %1, which the simulated device models.</source>
+        <translation>Unbekannt für %1, das das simulierte Gerät nachbildet.</translation>
     </message>
     <message>
         <source>workspace</source>
@@ -2290,12 +2294,12 @@
         <translation>Latenz</translation>
     </message>
     <message>
-        <source>steps of positions</source>
-        <translation>Schritte der Positionen</translation>
+        <source>position step</source>
+        <translation>Positionsschritt</translation>
     </message>
     <message>
-        <source>noise of positions</source>
-        <translation>Rauschen der Positionen</translation>
+        <source>position noise</source>
+        <translation>Positionsrauschen</translation>
     </message>
     <message>
         <source>friction</source>
@@ -2318,44 +2322,44 @@
         <translation>steifste Feder</translation>
     </message>
     <message>
-        <source>weakest force</source>
-        <translation>schwächste Kraft</translation>
+        <source>force resolution</source>
+        <translation>Kraftauflösung</translation>
     </message>
     <message>
-        <source>Simulated in place of %1; known of it: %2; not known: %3.</source>
-        <translation>Simuliert anstelle von %1; davon bekannt: %2; nicht bekannt: %3.</translation>
+        <source>Simulated model of %1; known: %2; unknown: %3.</source>
+        <translation>Simuliertes Modell von %1; bekannt: %2; unbekannt: %3.</translation>
     </message>
     <message>
-        <source>The device kept every limit.</source>
+        <source>The device met every limit.</source>
         <translation>Das Gerät hielt jede Grenze ein.</translation>
     </message>
     <message>
-        <source>The device did not keep every limit: %1.</source>
+        <source>The device did not meet every limit: %1.</source>
         <translation>Das Gerät hielt nicht jede Grenze ein: %1.</translation>
     </message>
     <message>
-        <source>Not measured, though limited: %1.</source>
-        <translation>Nicht gemessen, obwohl begrenzt: %1.</translation>
+        <source>Limited, but not measured: %1.</source>
+        <translation>Begrenzt, aber nicht gemessen: %1.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: %1 When that is mended, measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: %1 Wenn das behoben ist, messen Sie es noch einmal.</translation>
+        <source>the device was lost while it was measured: %1 Fix that, then measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: %1 Beheben Sie das, und messen Sie es dann erneut.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: it did not call for %1 ms, because its maker&apos;s thread hangs or had to wait. End what else keeps this computer busy, see that its cable sits, and measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: Es rief %1 ms lang nicht, weil der Thread seines Herstellers hängt oder warten musste. Beenden Sie, was diesen Rechner sonst beschäftigt, prüfen Sie sein Kabel und messen Sie es noch einmal.</translation>
+        <source>the device was lost while it was measured: its maker&apos;s thread made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check its cable, and measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: Der Thread seines Herstellers rief %1 ms lang nicht auf: Er hängt oder musste warten. Schließen Sie andere Programme, die diesen Rechner belasten, prüfen Sie das Kabel, und messen Sie es erneut.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: it did not answer, and its driver does not say why. See that its cable and its power sit, end what else keeps this computer busy, and measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: Es antwortete nicht, und sein Treiber sagt nicht warum. Prüfen Sie Kabel und Stromversorgung, beenden Sie, was diesen Rechner sonst beschäftigt, und messen Sie es noch einmal.</translation>
+        <source>the device was lost while it was measured: it did not answer, and its driver reports no cause. Check its cable and its power, close other programs that keep this computer busy, and measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: Es antwortete nicht, und sein Treiber meldet keine Ursache. Prüfen Sie Kabel und Stromversorgung, schließen Sie andere Programme, die diesen Rechner belasten, und messen Sie es erneut.</translation>
     </message>
     <message>
-        <source>The device kept every limit of what was measured.</source>
-        <translation>Das Gerät hielt jede Grenze dessen ein, was gemessen wurde.</translation>
+        <source>The device met every limit that was measured.</source>
+        <translation>Das Gerät hielt jede gemessene Grenze ein.</translation>
     </message>
     <message>
-        <source>The device was held to no limit.</source>
-        <translation>Das Gerät wurde an keiner Grenze gemessen.</translation>
+        <source>No limit applied to the device.</source>
+        <translation>Für das Gerät galt keine Grenze.</translation>
     </message>
 </context>
 <context>
@@ -2412,7 +2416,7 @@
         <translation>Männer</translation>
     </message>
     <message>
-        <source>other or not told</source>
+        <source>other or not reported</source>
         <translation>andere oder keine Angabe</translation>
     </message>
     <message>
@@ -2548,8 +2552,8 @@
         <translation>Bewertungen je Gegenstand</translation>
     </message>
     <message>
-        <source>Points are means over the participants who scored every item, bars their %1 % t intervals. The tests beside them use the order of the scores alone.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-t-Intervalle. Die Tests daneben verwenden nur die Reihenfolge der Bewertungen.</translation>
+        <source>Points are means over the participants who scored every item, bars their %1 % t intervals. The tests next to them use only the ranks of the scores.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-t-Intervalle. Die Tests daneben verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means to show.</source>
@@ -2560,11 +2564,11 @@
         <translation>Mittelwerte je Bedingung</translation>
     </message>
     <message>
-        <source>Points are means over the participants, moved aside where several stand at one place. Bars: %1 % intervals without the participants&apos; own levels (Cousineau and Morey), which show differences within participants. Lines lead the eye.</source>
+        <source>Points are means over the participants, shifted where several coincide. Bars: %1 % intervals without the participants&apos; own levels (Cousineau and Morey), which show differences within participants. Lines guide the eye.</source>
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Intervalle ohne die eigenen Niveaus der Versuchspersonen (Cousineau und Morey), die Unterschiede innerhalb der Versuchspersonen zeigen. Linien führen das Auge.</translation>
     </message>
     <message>
-        <source>Points are means over the participants, moved aside where several stand at one place. Bars: %1 % t intervals. Lines lead the eye.</source>
+        <source>Points are means over the participants, shifted where several coincide. Bars: %1 % t intervals. Lines guide the eye.</source>
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-t-Intervalle. Linien führen das Auge.</translation>
     </message>
     <message>
@@ -2672,8 +2676,8 @@
         <translation>größte Beschleunigung</translation>
     </message>
     <message>
-        <source>There is no curve: nothing moved the tool.</source>
-        <translation>Es gibt keine Kurve: Nichts hat das Werkzeug bewegt.</translation>
+        <source>There is no curve: the tool was not moved.</source>
+        <translation>Es gibt keine Kurve: Das Werkzeug wurde nicht bewegt.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -2740,8 +2744,8 @@
         <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. That intervals overlap is no test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Dass Intervalle sich überlappen, prüft keinen Unterschied.</translation>
+        <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
+        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>Confusion matrix</source>
@@ -2909,11 +2913,11 @@
     </message>
     <message>
         <source>Points are log-worths. The participants show no spread that would give intervals, or are too few for them.</source>
-        <translation>Punkte sind logarithmierte Werte. Die Personen zeigen keine Streuung, aus der sich Intervalle ergäben, oder sind dafür zu wenige.</translation>
+        <translation>Punkte sind logarithmierte Werte. Die Versuchspersonen zeigen keine Streuung, aus der sich Intervalle ergäben, oder sind dafür zu wenige.</translation>
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no intervals over participants.</source>
-        <translation>Punkte sind logarithmierte Werte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Intervalle über Personen gibt es nicht.</translation>
+        <translation>Punkte sind logarithmierte Werte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Intervalle über Versuchspersonen gibt es nicht.</translation>
     </message>
     <message>
         <source>proportion correct (of a matching: of items), mean with its %1 % CI</source>
@@ -2933,7 +2937,7 @@
     </message>
     <message>
         <source>Points are log-worths, bars their t CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind logarithmierte Werte, Balken ihre t-KI mit den Personen als Clustern. Dass KI sich überlappen, prüft keinen Unterschied.</translation>
+        <translation>Punkte sind logarithmierte Werte, Balken ihre t-KI mit den Versuchspersonen als Clustern. Dass KI sich überlappen, prüft keinen Unterschied.</translation>
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
@@ -2996,7 +3000,7 @@
         <translation>Kein Durchgang hat ein Ergebnis.</translation>
     </message>
     <message>
-        <source>%1 Thin pale lines: single participants.</source>
+        <source>%1 Thin pale lines: individual participants.</source>
         <translation>%1 Dünne blasse Linien: einzelne Versuchspersonen.</translation>
     </message>
     <message>
@@ -3016,7 +3020,7 @@
         <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen.</translation>
     </message>
     <message>
-        <source>%1 Small pale marks: single participants.</source>
+        <source>%1 Small pale marks: individual participants.</source>
         <translation>%1 Kleine blasse Zeichen: einzelne Versuchspersonen.</translation>
     </message>
     <message>
@@ -3141,15 +3145,15 @@
         <translation>Falsche Taste gedrückt</translation>
     </message>
     <message>
-        <source>The participant asks for it</source>
-        <translation>Die Versuchsperson bittet darum</translation>
+        <source>Requested by the participant</source>
+        <translation>Auf Bitte der Versuchsperson</translation>
     </message>
     <message>
         <source>The participant cannot answer</source>
         <translation>Die Versuchsperson kann nicht antworten</translation>
     </message>
     <message>
-        <source>The participant does not want to go on</source>
+        <source>The participant does not want to continue</source>
         <translation>Die Versuchsperson möchte nicht weitermachen</translation>
     </message>
     <message>
@@ -3185,15 +3189,15 @@
         <translation>Die Hand ist abgerutscht</translation>
     </message>
     <message>
-        <source>Somebody came in</source>
-        <translation>Jemand kam herein</translation>
+        <source>A person entered the room</source>
+        <translation>Eine Person betrat den Raum</translation>
     </message>
     <message>
         <source>The force felt wrong</source>
         <translation>Die Kraft fühlte sich falsch an</translation>
     </message>
     <message>
-        <source>The participant took the answer back</source>
+        <source>The participant retracted the response</source>
         <translation>Die Versuchsperson nahm die Antwort zurück</translation>
     </message>
     <message>
@@ -3213,23 +3217,23 @@
         <translation>Aus Versehen beantwortet</translation>
     </message>
     <message>
-        <source>The device did not work as it should</source>
-        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
+        <source>The device malfunctioned</source>
+        <translation>Fehlfunktion des Geräts</translation>
     </message>
     <message>
-        <source>The surface was recognised by something other than touch</source>
-        <translation>Die Oberfläche wurde an etwas anderem als der Berührung erkannt</translation>
+        <source>The surface was recognised by cues other than touch</source>
+        <translation>Die Oberfläche wurde an anderen Merkmalen als der Berührung erkannt</translation>
     </message>
     <message>
-        <source>It was run to try things out</source>
-        <translation>Sie diente zum Ausprobieren</translation>
+        <source>It was a test run</source>
+        <translation>Probelauf</translation>
     </message>
     <message>
         <source>Excluded by mistake</source>
         <translation>Aus Versehen ausgeschlossen</translation>
     </message>
     <message>
-        <source>The reason turned out not to hold</source>
+        <source>The reason proved unfounded</source>
         <translation>Der Grund hat sich nicht bestätigt</translation>
     </message>
     <message>
@@ -3323,8 +3327,8 @@
         <translation>keine Antwort in der Zeit</translation>
     </message>
     <message>
-        <source>not explored as asked</source>
-        <translation>nicht wie verlangt erkundet</translation>
+        <source>not explored as instructed</source>
+        <translation>nicht wie angewiesen exploriert</translation>
     </message>
     <message>
         <source>aborted</source>
@@ -3346,7 +3350,7 @@
         <translation>„%1“ ist nicht beantwortet.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is none of the answers to &quot;%2&quot;.</source>
+        <source>&quot;%1&quot; is not one of the answers to &quot;%2&quot;.</source>
         <translation>„%1“ ist keine der Antworten auf „%2“.</translation>
     </message>
     <message>
@@ -3726,16 +3730,16 @@
 <context>
     <name>ProtocolFiles</name>
     <message>
-        <source>the protocol&apos;s force_limit_N of %1 N is more than the device &quot;%2&quot; can give, %3 N</source>
-        <translation>die force_limit_N des Protokolls von %1 N ist mehr, als das Gerät „%2“ leisten kann, %3 N</translation>
+        <source>the protocol&apos;s force_limit_N of %1 N is more than the device &quot;%2&quot; can exert, %3 N</source>
+        <translation>die force_limit_N des Protokolls von %1 N ist mehr, als das Gerät „%2“ ausüben kann, %3 N</translation>
     </message>
     <message>
-        <source>the protocol&apos;s rate_Hz of %1 Hz is more than the device &quot;%2&quot; can do, %3 Hz</source>
-        <translation>die rate_Hz des Protokolls von %1 Hz ist mehr, als das Gerät „%2“ schafft, %3 Hz</translation>
+        <source>the protocol&apos;s rate_Hz of %1 Hz is more than the device &quot;%2&quot; can run at, %3 Hz</source>
+        <translation>die rate_Hz des Protokolls von %1 Hz ist mehr, als das Gerät „%2“ erreicht, %3 Hz</translation>
     </message>
     <message>
-        <source>the participant label &quot;%1&quot; is not acceptable for a person: labels that begin with &quot;virtual&quot; are those of virtual participants</source>
-        <translation>das Kürzel „%1“ ist für einen Menschen nicht zulässig: Mit „virtual“ beginnen die Kürzel virtueller Versuchspersonen</translation>
+        <source>the participant label &quot;%1&quot; is not acceptable for a human participant: labels that begin with &quot;virtual&quot; are reserved for virtual participants; use another label</source>
+        <translation>das Kürzel „%1“ ist für eine menschliche Versuchsperson nicht zulässig: Kürzel, die mit „virtual“ beginnen, sind virtuellen Versuchspersonen vorbehalten; wählen Sie ein anderes</translation>
     </message>
     <message>
         <source>the participant label &quot;%1&quot; is not acceptable: it has to be 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
@@ -3745,20 +3749,20 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>as asked</source>
-        <translation>wie gewünscht</translation>
+        <source>on request</source>
+        <translation>auf Wunsch</translation>
     </message>
     <message>
-        <source>as asked, after the trial</source>
-        <translation>wie gewünscht, nach dem Durchgang</translation>
+        <source>on request, after the trial</source>
+        <translation>auf Wunsch, nach dem Durchgang</translation>
     </message>
     <message>
-        <source>as asked, after the block</source>
-        <translation>wie gewünscht, nach dem Block</translation>
+        <source>on request, after the block</source>
+        <translation>auf Wunsch, nach dem Block</translation>
     </message>
     <message>
-        <source>stopped as asked</source>
-        <translation>wie gewünscht gestoppt</translation>
+        <source>stopped on request</source>
+        <translation>auf Wunsch gestoppt</translation>
     </message>
     <message>
         <source>the terminal was closed</source>
@@ -3789,7 +3793,7 @@
         <translation>das Gerät ist zwischen zwei Durchgängen ausgefallen: %1</translation>
     </message>
     <message>
-        <source>every finished trial is stored, go on with --resume</source>
+        <source>every finished trial is stored, resume with --resume</source>
         <translation>jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>
     <message>
@@ -3821,32 +3825,32 @@
         <translation>Kraft begrenzt, Takte: %1</translation>
     </message>
     <message>
-        <source>not explored as asked: %1</source>
-        <translation>nicht wie verlangt erkundet: %1</translation>
+        <source>not explored as instructed: %1</source>
+        <translation>nicht wie angewiesen exploriert: %1</translation>
     </message>
     <message>
         <source>surface %1 was not touched</source>
         <translation>Oberfläche %1 wurde nicht berührt</translation>
     </message>
     <message>
-        <source>set aside: %1</source>
-        <translation>zurückgestellt: %1</translation>
+        <source>repeated by the experimenter: %1</source>
+        <translation>von der Versuchsleitung wiederholt: %1</translation>
     </message>
     <message>
         <source>the device is not ready: %1</source>
         <translation>das Gerät ist nicht bereit: %1</translation>
     </message>
     <message>
-        <source>it does not tick</source>
-        <translation>es taktet nicht</translation>
+        <source>its servo loop does not run</source>
+        <translation>seine Servoschleife läuft nicht</translation>
     </message>
     <message>
         <source>it does not answer</source>
         <translation>es antwortet nicht</translation>
     </message>
     <message>
-        <source>it is sent a force although there is no surface</source>
-        <translation>es wird eine Kraft gestellt, obwohl keine Oberfläche da ist</translation>
+        <source>a force is sent although there is no surface</source>
+        <translation>eine Kraft wird gesendet, obwohl keine Oberfläche da ist</translation>
     </message>
     <message>
         <source>%1 of surface %2</source>
@@ -3901,8 +3905,8 @@
         <translation>der NOT-HALT wurde gedrückt</translation>
     </message>
     <message>
-        <source>the masking noise could not begin</source>
-        <translation>das Maskierrauschen konnte nicht beginnen</translation>
+        <source>the masking noise could not start</source>
+        <translation>das Maskierrauschen konnte nicht starten</translation>
     </message>
     <message>
         <source>the servo loop stood still for more than 50 ms, %1 times: the computer was suspended, the program was stopped, or other programs kept it from running</source>
@@ -3925,7 +3929,7 @@
         <translation>es wurde noch kein Durchgang beantwortet oder übersprungen</translation>
     </message>
     <message>
-        <source>agreement seen by %1</source>
+        <source>agreement witnessed by %1</source>
         <translation>Einwilligung bezeugt von %1</translation>
     </message>
 </context>
@@ -3936,16 +3940,16 @@
         <translation>„%1“ lässt sich nicht mit dem Gerät vergleichen: %2</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the device&apos;s own friction is %3 N: it hides the texture from a hand.</source>
-        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die Reibung des Geräts selbst beträgt %3 N: Sie verdeckt die Textur vor der Hand.</translation>
+        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture.</source>
+        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die Reibung des Geräts selbst beträgt %3 N: Sie verdeckt die Textur.</translation>
     </message>
     <message>
         <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the weakest force that moves the device is %3 N.</source>
         <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die schwächste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
-        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: a wave needs two.</source>
-        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Eine Welle braucht zwei.</translation>
+        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two are needed per wave.</source>
+        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei nötig.</translation>
     </message>
     <message>
         <source>A hand that strokes &quot;%1&quot; at %2 mm/s meets %3 waves a second, and the device follows up to %4 Hz.</source>
@@ -3956,60 +3960,60 @@
         <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
     </message>
     <message>
-        <source>The protocol asks for a device whose %1 is at most %2, and it was measured to be %3.</source>
+        <source>The protocol requires a device whose %1 is at most %2; measured was %3.</source>
         <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; gemessen wurde %3.</translation>
     </message>
     <message>
-        <source>The protocol asks for a device whose %1 is at least %2, and it was measured to be %3.</source>
+        <source>The protocol requires a device whose %1 is at least %2; measured was %3.</source>
         <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; gemessen wurde %3.</translation>
     </message>
     <message>
-        <source>The protocol asks for a device whose %1 is at most %2, and that was not measured of it.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; das wurde an ihm nicht gemessen.</translation>
+        <source>The protocol requires a device whose %1 is at most %2, which was not measured.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; das wurde nicht gemessen.</translation>
     </message>
     <message>
-        <source>The protocol asks for a device whose %1 is at least %2, and that was not measured of it.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; das wurde an ihm nicht gemessen.</translation>
+        <source>The protocol requires a device whose %1 is at least %2, which was not measured.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; das wurde nicht gemessen.</translation>
     </message>
     <message>
-        <source>the protocol is not for this device, which falls short of it in %1 ways. %2</source>
-        <translation>das Protokoll ist nicht für dieses Gerät, das ihm in %1 Punkten nicht genügt. %2</translation>
+        <source>the device does not meet the requirements of the protocol in %1 respects. %2</source>
+        <translation>das Gerät erfüllt die Anforderungen des Protokolls in %1 Punkten nicht. %2</translation>
     </message>
     <message>
         <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device reads positions in steps of %3 µm.</source>
         <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät liest Positionen in Schritten von %3 µm.</translation>
     </message>
     <message>
-        <source>At the force limit of %2 N &quot;%1&quot; is as stiff as %3 N/m where it is stiffest, and the device holds %4 N/m without swinging.</source>
-        <translation>An der Kraftgrenze von %2 N ist „%1“ an der steifsten Stelle so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
+        <source>At the force limit of %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
+        <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät stellt bis zu %4 N/m ohne Schwingen dar.</translation>
     </message>
     <message>
-        <source>At the greatest force that it gives there, %2 N, &quot;%1&quot; is as stiff as %3 N/m where it is stiffest, and the device holds %4 N/m without swinging.</source>
-        <translation>Bei der größten Kraft, die es dort gibt, %2 N, ist „%1“ an der steifsten Stelle so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
+        <source>At the greatest force that it exerts there, %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
+        <translation>Bei der größten Kraft, die es dort ausübt, %2 N, beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät stellt bis zu %4 N/m ohne Schwingen dar.</translation>
     </message>
     <message>
-        <source>the protocol refuses a device that falls short of it, and of &quot;%1&quot; there is no profile in the study to tell by; measure it by %2</source>
-        <translation>das Protokoll weist ein Gerät ab, das ihm nicht genügt, und von „%1“ gibt es kein Profil in der Studie, an dem das zu sehen wäre; messen Sie es mit %2</translation>
+        <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>
+        <translation>das Protokoll verlangt ein Gerät, das seine Grenzen einhält, und die Studie hat kein Profil von „%1“; messen Sie es mit %2</translation>
     </message>
     <message>
-        <source>the protocol asks for a device that was measured within %1 days, and of &quot;%2&quot; there is no profile in the study; measure it by %3</source>
-        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und von „%2“ gibt es kein Profil in der Studie; messen Sie es mit %3</translation>
+        <source>the protocol requires a device measured within %1 days, and the study has no profile of &quot;%2&quot;; measure it with %3</source>
+        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und die Studie hat kein Profil von „%2“; messen Sie es mit %3</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again by %4</source>
+        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again with %4</source>
         <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt %3; messen Sie es erneut mit %4</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is dated %2, which is still to come: set the clock of the computer that is wrong, and measure it again by %3</source>
-        <translation>das Profil von „%1“ trägt das Datum %2, das noch kommt: Stellen Sie die Uhr des Rechners, die falsch geht, und messen Sie es erneut mit %3</translation>
+        <source>the profile of &quot;%1&quot; is dated %2, which is in the future: correct the clock of the computer, and measure it again with %3</source>
+        <translation>das Profil von „%1“ trägt das Datum %2, das in der Zukunft liegt: Stellen Sie die Uhr des Rechners richtig, und messen Sie es erneut mit %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol asks for a device that did not; mend it, and measure it again by %4</source>
-        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; beheben Sie das, und messen Sie es erneut mit %4</translation>
+        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol requires a device that passed; repair it, and measure it again with %4</source>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; beheben Sie den Mangel, und messen Sie es erneut mit %4</translation>
     </message>
     <message>
-        <source>How stiff &quot;%1&quot; is could not be found, and not compared with the %2 N/m that the device holds: wherever it was looked at, its force jumps or does not grow.</source>
-        <translation>Wie steif „%1“ ist, ließ sich nicht finden und nicht mit den %2 N/m vergleichen, die das Gerät hält: Wo immer nachgesehen wurde, springt die Kraft oder wächst nicht.</translation>
+        <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase.</source>
+        <translation>Die Steifigkeit von „%1“ ließ sich nicht bestimmen und nicht mit den %2 N/m vergleichen, die das Gerät ohne Schwingen darstellt: An jeder geprüften Stelle springt die Kraft oder nimmt nicht zu.</translation>
     </message>
     <message>
         <source>This holds for a moving mass of %1 g and a velocity %2 ms old.</source>
@@ -4040,7 +4044,7 @@
         <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
-        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for about %4 % of a stroke: %5 g with %6 N s/m, as measured of the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
+        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for about %4 % of a stroke: %5 g with %6 N s/m, as measured for the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
         <translation>Mit %2 N gedrückt und mit %3 mm/s gestrichen, ist „%1“ für etwa %4 % eines Strichs ohne Kontakt: %5 g mit %6 N s/m, wie am Gerät gemessen, folgen der Höhe nicht. Verringern Sie stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit, oder lassen Sie stärker drücken.</translation>
     </message>
 </context>
@@ -4051,7 +4055,7 @@
         <translation>die Sitzung lief zuletzt auf %1 und wird auf %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
     </message>
     <message>
-        <source>the session began on a device with which no participant feels the surfaces, and is resumed so; its report states it</source>
+        <source>the session began on a device with which no participant feels the surfaces, and is resumed this way; its report states this</source>
         <translation>die Sitzung begann auf einem Gerät, mit dem keine Versuchsperson die Oberflächen fühlt, und wird so fortgesetzt; das steht in ihrem Bericht</translation>
     </message>
     <message>
@@ -4063,28 +4067,28 @@
         <translation>die neue Person „%1“ ist nicht die Versuchsperson der Sitzung, %2</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 runs on a simulated clock; go on without --realtime</source>
-        <translation>Sitzung %1 der Versuchsperson %2 läuft auf einer simulierten Uhr; sie geht nur als schnelle Simulation weiter</translation>
+        <source>session %1 of participant %2 runs on a simulated clock; resume it without --realtime</source>
+        <translation>Sitzung %1 der Versuchsperson %2 läuft auf einer simulierten Uhr; setzen Sie sie als schnelle Simulation fort</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 was begun in real time; go on with --realtime</source>
-        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; sie geht nur in Echtzeit weiter</translation>
+        <source>session %1 of participant %2 was begun in real time; resume it with --realtime</source>
+        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; setzen Sie sie in Echtzeit fort</translation>
     </message>
     <message>
-        <source>participant %1 has an unfinished session %2 of this protocol; go on with it by --resume</source>
+        <source>participant %1 has an unfinished session %2 of this protocol; resume it with --resume</source>
         <translation>die Versuchsperson %1 hat von diesem Protokoll die unvollständige Sitzung %2; zuerst diese fortsetzen</translation>
     </message>
     <message>
-        <source>participant %1 has done all sessions of this protocol, which plans %2 per participant</source>
-        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht</translation>
+        <source>participant %1 has done all sessions of this protocol, which plans %2 per participant; choose another participant</source>
+        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht; wählen Sie eine andere Versuchsperson</translation>
     </message>
     <message>
         <source>participant %1 is a virtual participant; use --virtual</source>
         <translation>%1 ist eine virtuelle Versuchsperson; nur eine Simulation ist möglich</translation>
     </message>
     <message>
-        <source>participant %1 is a person; --virtual is for virtual participants</source>
-        <translation>%1 ist ein Mensch; Simulationen sind virtuellen Versuchspersonen vorbehalten</translation>
+        <source>participant %1 is human; leave out --virtual, or use another label</source>
+        <translation>die Versuchsperson %1 ist ein Mensch; Simulationen sind virtuellen Versuchspersonen vorbehalten</translation>
     </message>
     <message>
         <source>participant %1 has withdrawn from the study; use another label</source>
@@ -4102,8 +4106,8 @@
         <translation>Die Datei hat sich seit der Auswahl geändert: Sie war %1 und ist jetzt %2.</translation>
     </message>
     <message>
-        <source>Choose the protocol again to read the new version, or put the old file back.</source>
-        <translation>Das Protokoll erneut wählen, um die neue Fassung zu lesen, oder die alte Datei zurücklegen.</translation>
+        <source>Choose the protocol again to read the new version, or restore the earlier file.</source>
+        <translation>Das Protokoll erneut wählen, um die neue Fassung zu lesen, oder die frühere Datei wiederherstellen.</translation>
     </message>
     <message>
         <source>Valid, version %1, SHA-256 %2.</source>
@@ -4114,8 +4118,8 @@
         <translation>Prozess %1 auf dem Rechner %2, gestartet %3</translation>
     </message>
     <message>
-        <source>Nobody is chosen yet.</source>
-        <translation>Noch niemand gewählt.</translation>
+        <source>No participant is chosen yet.</source>
+        <translation>Noch keine Versuchsperson gewählt.</translation>
     </message>
     <message>
         <source>Choose a participant, or enter a new label.</source>
@@ -4126,7 +4130,7 @@
         <translation>Ein anderes Kürzel eingeben.</translation>
     </message>
     <message>
-        <source>A session of %1 runs in %2.</source>
+        <source>A session of %1 is running in %2.</source>
         <translation>Eine Sitzung von %1 läuft bereits: %2.</translation>
     </message>
     <message>
@@ -4142,7 +4146,7 @@
         <translation>%1 ist ein Mensch.</translation>
     </message>
     <message>
-        <source>Choose a person, or switch to Simulate.</source>
+        <source>Choose a human participant, or switch to Simulate.</source>
         <translation>Einen Menschen wählen oder zur Simulation wechseln.</translation>
     </message>
     <message>
@@ -4158,15 +4162,15 @@
         <translation>Stattdessen eine neue Sitzung beginnen.</translation>
     </message>
     <message>
-        <source>Session %1 is free and can go on.</source>
-        <translation>Sitzung %1 ist frei und kann weitergehen.</translation>
+        <source>Session %1 can be resumed.</source>
+        <translation>Sitzung %1 kann fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Session %1 of this protocol is unfinished.</source>
         <translation>Sitzung %1 dieses Protokolls ist unvollständig.</translation>
     </message>
     <message>
-        <source>Go on with it; a new one can begin when it is complete.</source>
+        <source>Resume it; a new one can start when it is complete.</source>
         <translation>Diese fortsetzen; eine neue kann beginnen, sobald sie vollständig ist.</translation>
     </message>
     <message>
@@ -4174,15 +4178,15 @@
         <translation>%1 hat %2 von %3 geplanten Sitzungen absolviert.</translation>
     </message>
     <message>
-        <source>Choose somebody else.</source>
-        <translation>Jemand anderen wählen.</translation>
+        <source>Choose another participant.</source>
+        <translation>Eine andere Versuchsperson wählen.</translation>
     </message>
     <message>
-        <source>%1 is known to the study; no session of theirs runs elsewhere.</source>
-        <translation>%1 ist der Studie bekannt; keine Sitzung läuft anderswo.</translation>
+        <source>%1 is a participant of the study and has no session running elsewhere.</source>
+        <translation>%1 ist Versuchsperson der Studie; keine ihrer Sitzungen läuft anderswo.</translation>
     </message>
     <message>
-        <source>%1 is new; no session of theirs runs elsewhere.</source>
+        <source>%1 is new and has no session running elsewhere.</source>
         <translation>%1 ist neu; keine Sitzung läuft anderswo.</translation>
     </message>
     <message>
@@ -4202,7 +4206,7 @@
         <translation>1 Datei, dieselbe wie zu Beginn der Sitzung.</translation>
     </message>
     <message>
-        <source>1 file, all there and unchanged since they were made.</source>
+        <source>1 file, present and unchanged since it was made.</source>
         <translation>1 Datei, vorhanden und unverändert.</translation>
     </message>
     <message>
@@ -4210,31 +4214,31 @@
         <translation>%1 Dateien, dieselben wie zu Beginn der Sitzung.</translation>
     </message>
     <message>
-        <source>%1 files, all there and unchanged since they were made.</source>
+        <source>%1 files, present and unchanged since they were made.</source>
         <translation>%1 Dateien, alle vorhanden und unverändert.</translation>
     </message>
     <message>
-        <source>Put the files into the study as they were made, or make them again.</source>
-        <translation>Die Dateien unverändert in die Studie legen oder neu erzeugen.</translation>
+        <source>Restore the files in the study, or make them again.</source>
+        <translation>Die Dateien in der Studie wiederherstellen oder neu erzeugen.</translation>
     </message>
     <message>
         <source>The file %1 has changed since session %2 began.</source>
         <translation>Die Datei %1 hat sich seit Beginn der Sitzung %2 geändert.</translation>
     </message>
     <message>
-        <source>Put the old file back; this session cannot go on with another one.</source>
-        <translation>Die alte Datei zurücklegen; mit einer anderen kann diese Sitzung nicht weitergehen.</translation>
+        <source>Restore the earlier file; this session cannot be resumed with another one.</source>
+        <translation>Die frühere Datei wiederherstellen; mit einer anderen kann diese Sitzung nicht fortgesetzt werden.</translation>
     </message>
     <message>
-        <source>Choose another device, or ask for less in the protocol.</source>
-        <translation>Ein anderes Gerät wählen oder im Protokoll weniger verlangen.</translation>
+        <source>Choose another device, or lower the requirements in the protocol.</source>
+        <translation>Ein anderes Gerät wählen oder die Anforderungen im Protokoll senken.</translation>
     </message>
     <message>
         <source>Not needed: nothing is held in a fast simulation.</source>
         <translation>Nicht nötig: In einer schnellen Simulation wird nichts gehalten.</translation>
     </message>
     <message>
-        <source>Not needed: a fast simulation has a clock of its own.</source>
+        <source>Not needed: a fast simulation has its own clock.</source>
         <translation>Nicht nötig: Eine schnelle Simulation hat ihre eigene Uhr.</translation>
     </message>
     <message>
@@ -4242,15 +4246,15 @@
         <translation>Das Gerät meldet eine Störung: %1.</translation>
     </message>
     <message>
-        <source>See to the device, then check again.</source>
-        <translation>Nach dem Gerät sehen, dann erneut prüfen.</translation>
+        <source>Fix the device, then check again.</source>
+        <translation>Das Gerät in Ordnung bringen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>A force of %1 N was sent with nothing to feel.</source>
-        <translation>Eine Kraft von %1 N wurde gestellt, obwohl nichts zu fühlen war.</translation>
+        <source>A force of %1 N was sent without a surface.</source>
+        <translation>Eine Kraft von %1 N wurde gesendet, obwohl keine Oberfläche da war.</translation>
     </message>
     <message>
-        <source>Let go of the handle, switch the device off and on, then check again.</source>
+        <source>Release the handle, switch the device off and on, then check again.</source>
         <translation>Den Griff loslassen, das Gerät aus- und einschalten, dann erneut prüfen.</translation>
     </message>
     <message>
@@ -4270,15 +4274,15 @@
         <translation>Andere Programme schließen; ein Durchgang mit mehr als %1 verpassten Fristen zählt nicht.</translation>
     </message>
     <message>
-        <source>Not needed: nobody looks at the participant&apos;s window.</source>
-        <translation>Nicht nötig: Niemand sieht das Fenster der Versuchsperson.</translation>
+        <source>Not needed: no participant looks at the participant&apos;s window.</source>
+        <translation>Nicht nötig: Keine Versuchsperson sieht das Fenster der Versuchsperson.</translation>
     </message>
     <message>
         <source>%1 screens: one for each window.</source>
         <translation>%1 Bildschirme: einer für jedes Fenster.</translation>
     </message>
     <message>
-        <source>One screen: the two windows stand side by side, and the participant can see both.</source>
+        <source>One screen: the two windows are side by side, and the participant can see both.</source>
         <translation>Ein Bildschirm: Beide Fenster stehen nebeneinander, und die Versuchsperson kann beide sehen.</translation>
     </message>
     <message>
@@ -4286,16 +4290,16 @@
         <translation>Einen zweiten Bildschirm für die Versuchsperson anschließen.</translation>
     </message>
     <message>
-        <source>The protocol asks for none.</source>
+        <source>The protocol requires none.</source>
         <translation>Das Protokoll verlangt keines.</translation>
     </message>
     <message>
-        <source>Not needed: nobody listens.</source>
-        <translation>Nicht nötig: Niemand hört zu.</translation>
+        <source>Not needed: no participant listens.</source>
+        <translation>Nicht nötig: Keine Versuchsperson hört zu.</translation>
     </message>
     <message>
-        <source>It is not said who measured the level at the ear.</source>
-        <translation>Es fehlt, wer den Pegel am Ohr gemessen hat.</translation>
+        <source>It is not stated who measured the level at the ear.</source>
+        <translation>Es ist nicht angegeben, wer den Pegel am Ohr gemessen hat.</translation>
     </message>
     <message>
         <source>The level at the ear was not measured.</source>
@@ -4306,7 +4310,7 @@
         <translation>Das Rauschen abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
     </message>
     <message>
-        <source>%1 dBA at the ear; the protocol asks for %2 dBA within %3 dBA.</source>
+        <source>%1 dBA at the ear; the protocol requires %2 dBA within %3 dBA.</source>
         <translation>%1 dBA am Ohr; das Protokoll verlangt %2 dBA auf %3 dBA genau.</translation>
     </message>
     <message>
@@ -4318,7 +4322,7 @@
         <translation>%1 dBA am Ohr, geprüft von %2.</translation>
     </message>
     <message>
-        <source>The free space cannot be told: %1.</source>
+        <source>The free space cannot be determined: %1.</source>
         <translation>Der freie Platz ist nicht festzustellen: %1.</translation>
     </message>
     <message>
@@ -4326,8 +4330,8 @@
         <translation>Sicherstellen, dass Platz für die Aufzeichnungen ist.</translation>
     </message>
     <message>
-        <source>Mend it, then check again.</source>
-        <translation>Beheben, dann erneut prüfen.</translation>
+        <source>Fix the problem, then check again.</source>
+        <translation>Das Problem beheben, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -4398,12 +4402,12 @@
         <translation>Es gibt keine Tonausgabe: Eine Versuchsperson mit Augenbinde hört keine Signale.</translation>
     </message>
     <message>
-        <source>Connect headphones, then check again; or lead them by your voice.</source>
-        <translation>Kopfhörer anschließen, dann erneut prüfen; oder mit der Stimme führen.</translation>
+        <source>Connect headphones, then check again; or guide the participant by voice.</source>
+        <translation>Kopfhörer anschließen, dann erneut prüfen; oder die Versuchsperson mit der Stimme führen.</translation>
     </message>
     <message>
-        <source>There is no sound output: nobody hears the noise that the protocol asks for.</source>
-        <translation>Es gibt keine Tonausgabe: Niemand hört das vom Protokoll verlangte Rauschen.</translation>
+        <source>There is no sound output: the noise that the protocol requires cannot be heard.</source>
+        <translation>Es gibt keine Tonausgabe: Das vom Protokoll verlangte Rauschen ist nicht zu hören.</translation>
     </message>
     <message>
         <source>Connect headphones, then check again; or play the noise from elsewhere, measure it at the ear, and enter the level and your name.</source>
@@ -4414,20 +4418,20 @@
         <translation>Hier gibt es keine Tonausgabe; das Rauschen kommt von anderswo, %1 dBA am Ohr, geprüft von %2.</translation>
     </message>
     <message>
-        <source>There is no sound output: nobody hears the tones by which the protocol guides the hand, and silence means that all is right.</source>
-        <translation>Es gibt keine Tonausgabe: Niemand hört die Töne, mit denen das Protokoll die Hand führt, und Stille heißt, dass alles stimmt.</translation>
+        <source>There is no sound output: the tones by which the protocol guides the hand cannot be heard, and silence would indicate that force and speed are correct.</source>
+        <translation>Es gibt keine Tonausgabe: Die Töne, mit denen das Protokoll die Hand führt, sind nicht zu hören, und Stille würde anzeigen, dass Kraft und Geschwindigkeit richtig sind.</translation>
     </message>
     <message>
         <source>Connect headphones, then check again.</source>
         <translation>Kopfhörer anschließen, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>Mend it, then try the device again.</source>
-        <translation>Beheben Sie das und probieren Sie das Gerät erneut aus.</translation>
+        <source>Fix the problem, then try the device again.</source>
+        <translation>Das Problem beheben, dann das Gerät erneut ausprobieren.</translation>
     </message>
     <message>
-        <source>Mend it, then look for devices again; or choose another device.</source>
-        <translation>Beheben Sie das und suchen Sie erneut nach Geräten, oder wählen Sie ein anderes Gerät.</translation>
+        <source>Fix the problem, then look for devices again; or choose another device.</source>
+        <translation>Das Problem beheben, dann erneut nach Geräten suchen; oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
         <source>Measured within the last day</source>
@@ -4442,75 +4446,75 @@
         <translation>Probe</translation>
     </message>
     <message>
-        <source>%1 So it is with %2 more.</source>
-        <translation>%1 So ist es auch bei %2 weiteren.</translation>
+        <source>%1 The same applies to %2 more.</source>
+        <translation>%1 Dasselbe gilt für %2 weitere.</translation>
     </message>
     <message>
         <source>Choose another device, or stimuli that this one can render; the session is stored with these warnings.</source>
         <translation>Wählen Sie ein anderes Gerät oder Reize, die dieses wiedergeben kann; die Sitzung wird mit diesen Warnungen gespeichert.</translation>
     </message>
     <message>
-        <source>Not needed: it gives no force.</source>
-        <translation>Nicht nötig: Es gibt keine Kraft.</translation>
+        <source>Not needed: it exerts no force.</source>
+        <translation>Nicht nötig: Es übt keine Kraft aus.</translation>
     </message>
     <message>
-        <source>The study has no profile of this device: whether it can render these stimuli has not been looked at.</source>
+        <source>The study has no profile of this device: whether it can render these stimuli has not been checked.</source>
         <translation>Die Studie hat kein Profil dieses Geräts: Ob es diese Reize wiedergeben kann, wurde nicht geprüft.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within what it can do.</source>
-        <translation>%1; jeder Reiz liegt in dem, was es kann.</translation>
+        <source>%1; every stimulus is within its capabilities.</source>
+        <translation>%1; jeder Reiz liegt innerhalb seiner Leistung.</translation>
     </message>
     <message>
-        <source>%1; some stimuli are beyond what it can do.</source>
-        <translation>%1; einige Reize übersteigen, was es kann.</translation>
+        <source>%1; some stimuli exceed its capabilities.</source>
+        <translation>%1; einige Reize übersteigen seine Leistung.</translation>
     </message>
     <message>
         <source>%1 It failed an item of the measurement.</source>
         <translation>%1 Einen Punkt der Messung hat es nicht bestanden.</translation>
     </message>
     <message>
-        <source>Look into its profile, and measure it again.</source>
-        <translation>Sehen Sie sein Profil an und messen Sie es erneut.</translation>
+        <source>Check its profile, and measure it again.</source>
+        <translation>Prüfen Sie sein Profil, und messen Sie es erneut.</translation>
     </message>
     <message>
         <source>Measured a day ago</source>
         <translation>Vor einem Tag gemessen</translation>
     </message>
     <message>
-        <source>Measure it once, while nobody holds it: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
-        <translation>Messen Sie es einmal, während es niemand hält: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
+        <source>Measure it once, while its handle is not held: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
+        <translation>Messen Sie es einmal, während sein Griff nicht gehalten wird: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within what it can do, but it does not keep the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt innerhalb dessen, was es kann, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+        <source>%1; every stimulus is within its capabilities, but it does not meet the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt innerhalb seiner Leistung, aber es hält die Grenzen des Protokolls nicht ein.</translation>
     </message>
     <message>
-        <source>%1 Not known of %2, and compared with nothing: %3.</source>
-        <translation>%1 Nicht bekannt von %2 und mit nichts verglichen: %3.</translation>
+        <source>%1 Unknown for %2 and not compared: %3.</source>
+        <translation>%1 Unbekannt für %2 und nicht verglichen: %3.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within what is known of it, but it does not keep the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt innerhalb dessen, was davon bekannt ist, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+        <source>%1; every stimulus is within its known capabilities, but it does not meet the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt innerhalb seiner bekannten Leistung, aber es hält die Grenzen des Protokolls nicht ein.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within what is known of it.</source>
-        <translation>%1; jeder Reiz liegt innerhalb dessen, was davon bekannt ist.</translation>
+        <source>%1; every stimulus is within its known capabilities.</source>
+        <translation>%1; jeder Reiz liegt innerhalb seiner bekannten Leistung.</translation>
     </message>
     <message>
-        <source>Measure a real one as soon as it is there.</source>
-        <translation>Messen Sie ein echtes, sobald es da ist.</translation>
+        <source>Measure a real device as soon as one is available.</source>
+        <translation>Messen Sie ein echtes Gerät, sobald eines verfügbar ist.</translation>
     </message>
     <message>
         <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
         <translation>Wählen Sie das Gerät, auf dem sie zuletzt lief, wenn kein anderes gemeint ist; der Wechsel wird gespeichert und steht im Bericht.</translation>
     </message>
     <message>
-        <source>%1 The session began without a force that a participant felt, and is resumed as such; the report states it.</source>
-        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson gefühlt hätte, und wird so fortgesetzt; im Bericht steht es.</translation>
+        <source>%1 The session began without a force that a participant felt, and is resumed this way; the report states this.</source>
+        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson gefühlt hätte, und wird so fortgesetzt; der Bericht gibt es an.</translation>
     </message>
     <message>
-        <source>For sessions that begin now choose a device with motors.</source>
+        <source>For new sessions choose a device with motors.</source>
         <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
     </message>
     <message>
@@ -4538,15 +4542,15 @@
         <translation>„%1“ wurde noch nicht ausprobiert.</translation>
     </message>
     <message>
-        <source>Press “Try this device” while nobody holds it: it is opened, and the loop runs for a third of a second without force.</source>
-        <translation>Drücken Sie „Dieses Gerät ausprobieren“, während es niemand hält: Es wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+        <source>Press “Try this device” while its handle is not held: the device is opened, and the loop runs for a third of a second without force.</source>
+        <translation>„Dieses Gerät ausprobieren“ drücken, während der Griff nicht gehalten wird: Das Gerät wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
     </message>
     <message>
-        <source>“%1” moves and presses, and gives no force: nobody feels anything.</source>
-        <translation>„%1“ bewegt und drückt, gibt aber keine Kraft: Niemand fühlt etwas.</translation>
+        <source>“%1” moves and presses but exerts no force: the participant feels nothing.</source>
+        <translation>„%1“ bewegt und drückt, übt aber keine Kraft aus: Die Versuchsperson fühlt nichts.</translation>
     </message>
     <message>
-        <source>“%1” gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.</source>
+        <source>“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.</source>
         <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
     </message>
     <message>
@@ -4557,28 +4561,28 @@
 <context>
     <name>SessionSetup</name>
     <message>
-        <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3</source>
-        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt</translation>
+        <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3; copy the file into the study</source>
+        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt; kopieren Sie die Datei in die Studie</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 cannot go on: this program makes another plan of its protocol than the one it began with (it was begun by asperity %3, commit %4)</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht weitergehen: Dieses Programm macht aus ihrem Protokoll einen anderen Plan als den, mit dem sie begann (begonnen mit asperity %3, Commit %4)</translation>
+        <source>session %1 of participant %2 cannot be resumed: this program makes a plan from its protocol that differs from the stored one. Resume it with asperity %3, commit %4, which began it</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Dieses Programm macht aus ihrem Protokoll einen anderen Plan als den gespeicherten. Setzen Sie sie mit asperity %3, Commit %4, fort, womit sie begann</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 cannot go on: the file %3 has changed since it began; put the old one back</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht weitergehen: Die Datei %3 hat sich seit ihrem Beginn geändert; die alte zurücklegen</translation>
+        <source>session %1 of participant %2 cannot be resumed: the file %3 has changed since it began; restore the earlier file</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit ihrem Beginn geändert; stellen Sie die frühere Datei wieder her</translation>
     </message>
     <message>
         <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; as it is in this file; leave out --resume to begin one</source>
         <translation>die Versuchsperson %1 hat keine unvollständige Sitzung des Protokolls „%2“ in der Fassung dieser Datei; eine neue beginnen</translation>
     </message>
     <message>
-        <source>the stimulus &quot;%1&quot; wants the force model &quot;%2&quot;, which this program does not have</source>
-        <translation>der Reiz „%1“ verlangt das Kraftmodell „%2“, das dieses Programm nicht hat</translation>
+        <source>the stimulus &quot;%1&quot; needs the force model &quot;%2&quot;, which this program does not have; see asperity models</source>
+        <translation>der Reiz „%1“ braucht das Kraftmodell „%2“, das dieses Programm nicht hat; siehe asperity models</translation>
     </message>
     <message>
-        <source>equal force is asked for with the model &quot;%1&quot;, which this program does not have</source>
-        <translation>gleiche Kraft ist mit dem Modell „%1“ verlangt, das dieses Programm nicht hat</translation>
+        <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; see asperity models</source>
+        <translation>gleiche Kraft ist mit dem Modell „%1“ verlangt, das dieses Programm nicht hat; siehe asperity models</translation>
     </message>
 </context>
 <context>
@@ -4739,15 +4743,15 @@
 <context>
     <name>Simulation</name>
     <message>
-        <source>stopped as asked; every finished trial is stored, go on with the same arguments and --resume</source>
-        <translation>wie gewünscht gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
+        <source>stopped on request; every finished trial is stored, resume with the same arguments and --resume</source>
+        <translation>auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored, go on with --resume</source>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored, resume with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, take another --seed. No participant was added</source>
+        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
         <translation>die Simulation von %1 Versuchspersonen mit dem Startwert %2 in %3 ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
     </message>
 </context>
@@ -4850,27 +4854,27 @@
 <context>
     <name>StudyMetadata</name>
     <message>
-        <source>The study states neither authors nor a license, which archives of data ask for.</source>
+        <source>The study states neither authors nor a license, which data archives require.</source>
         <translation>Die Studie nennt weder Autorinnen und Autoren noch eine Lizenz; Datenarchive verlangen beides.</translation>
     </message>
     <message>
-        <source>The study states no authors, which archives of data ask for.</source>
+        <source>The study states no authors, which data archives require.</source>
         <translation>Die Studie nennt keine Autorinnen und Autoren; Datenarchive verlangen sie.</translation>
     </message>
     <message>
-        <source>The study states no license, which archives of data ask for.</source>
+        <source>The study states no license, which data archives require.</source>
         <translation>Die Studie nennt keine Lizenz; Datenarchive verlangen eine.</translation>
     </message>
 </context>
 <context>
     <name>StudyOutputs</name>
     <message>
-        <source>The study is of an older version of Asperity and was not changed: it does not list %1 among what was made of it. Keep a note of it for the case that a participant withdraws.</source>
-        <translation>Die Studie stammt von einer älteren Version von Asperity und wurde nicht geändert: Sie führt %1 nicht unter dem auf, was aus ihr entstanden ist. Notieren Sie es für den Fall, dass jemand die Teilnahme zurückzieht.</translation>
+        <source>The study is of an older version of Asperity and was not changed: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
+        <translation>Die Studie stammt von einer älteren Version von Asperity und wurde nicht geändert: Sie führt %1 nicht unter ihren Ausgaben auf. Notieren Sie es für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
-        <source>The study can only be read here: it does not list %1 among what was made of it. Keep a note of it for the case that a participant withdraws.</source>
-        <translation>Die Studie ist hier nur lesbar: Sie führt %1 nicht unter dem auf, was aus ihr entstanden ist. Notieren Sie es für den Fall, dass jemand die Teilnahme zurückzieht.</translation>
+        <source>The study can only be read here: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
+        <translation>Die Studie ist hier nur lesbar: Sie führt %1 nicht unter ihren Ausgaben auf. Notieren Sie es für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
         <source>%1 is complete, but the study does not list it: %2</source>
@@ -4896,15 +4900,15 @@
 <context>
     <name>StudyProtocols</name>
     <message>
-        <source>Sessions of %1 are stored (%2), which refer to its name and its text. Duplicate the protocol to make another one of it.</source>
-        <translation>Von %1 sind Sitzungen gespeichert (%2), die sich auf Namen und Text beziehen. Für ein weiteres Protokoll dieses duplizieren.</translation>
+        <source>Sessions of %1 are stored (%2), which refer to its name and its text. Duplicate the protocol, and change the copy.</source>
+        <translation>Von %1 sind Sitzungen gespeichert (%2), die sich auf Namen und Text beziehen. Duplizieren Sie das Protokoll, und ändern Sie die Kopie.</translation>
     </message>
     <message>
         <source>“%1” cannot be the name of a protocol. Use lower-case letters, digits and underscores, beginning with a letter.</source>
         <translation>„%1“ kann nicht der Name eines Protokolls sein. Kleinbuchstaben, Ziffern und Unterstriche verwenden, mit einem Buchstaben beginnend.</translation>
     </message>
     <message>
-        <source>The study has a file %1 already. Choose another name.</source>
+        <source>The study already has a file %1. Choose another name.</source>
         <translation>Die Studie hat bereits eine Datei %1. Einen anderen Namen wählen.</translation>
     </message>
     <message>
@@ -5022,16 +5026,16 @@
         <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
     </message>
     <message>
-        <source>The masking noise has stopped, and the session is paused. Mend the sound, then resume.</source>
-        <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Den Ton in Ordnung bringen, dann fortsetzen.</translation>
+        <source>The masking noise has stopped, and the session is paused. Fix the sound, then resume.</source>
+        <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Beheben Sie das Problem mit dem Ton, und setzen Sie dann fort.</translation>
     </message>
     <message>
         <source>%1 The force is zero until the fault is cleared.</source>
         <translation>%1 Die Kraft ist null, bis die Störung behoben ist.</translation>
     </message>
     <message>
-        <source>%1 The device is not fit yet: %2.</source>
-        <translation>%1 Das Gerät ist noch nicht in Ordnung: %2.</translation>
+        <source>%1 The device is not ready yet: %2.</source>
+        <translation>%1 Das Gerät ist noch nicht bereit: %2.</translation>
     </message>
     <message>
         <source>%1 The force is zero until the stop is cleared.</source>
@@ -5042,18 +5046,18 @@
         <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
     </message>
     <message>
-        <source>The masking noise cannot begin: the sound card does not play. The session is paused. Mend the sound, then resume.</source>
-        <translation>Das Maskierrauschen kann nicht beginnen: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Den Ton in Ordnung bringen, dann fortsetzen.</translation>
+        <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the sound, then resume.</source>
+        <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Beheben Sie das Problem mit dem Ton, und setzen Sie dann fort.</translation>
     </message>
     <message>
-        <source>The servo loop stood still for more than 50 ms: the force was set to zero, and what was interrupted is repeated. The third time, the session stops.</source>
+        <source>The servo loop stood still for more than 50 ms: the force was set to zero, and what was interrupted is repeated. The session stops at the third time.</source>
         <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und das Unterbrochene wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
     </message>
 </context>
 <context>
     <name>UnfinishedSession</name>
     <message>
-        <source>the session last ran %1 hours ago, and the protocol has sessions resumed within %2 hours</source>
+        <source>the session last ran %1 hours ago, and the protocol requires sessions to be resumed within %2 hours</source>
         <translation>die Sitzung lief zuletzt vor %1 Stunden, und das Protokoll sieht eine Fortsetzung innerhalb von %2 Stunden vor</translation>
     </message>
 </context>
@@ -7405,7 +7409,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>No surface was presented.</source>
-        <translation>Keine Oberfläche wurde dargeboten.</translation>
+        <translation>Es wurde keine Oberfläche dargeboten.</translation>
     </message>
     <message>
         <source>No contact was long enough.</source>

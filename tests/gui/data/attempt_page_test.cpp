@@ -486,12 +486,11 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   auto& trials = child<StudyTable>(window, "trials_table");
   ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
   click(page, "trials_exclude");
-  give_reason(page, "It was run to try things out");
+  give_reason(page, "It was a test run");
   click(page, "decision_write");
   ASSERT_TRUE(eventually([&] { return child<QLabel>(page, "trials_standing").isVisible(); }));
-  EXPECT_EQ(trials.text_at(2, 10), "excluded: It was run to try things out");
-  EXPECT_EQ(study_->study().session(session_id_).excluded.value().text,
-            "It was run to try things out");
+  EXPECT_EQ(trials.text_at(2, 10), "excluded: It was a test run");
+  EXPECT_EQ(study_->study().session(session_id_).excluded.value().text, "It was a test run");
   EXPECT_EQ(study_->study().session(session_id_).excluded->json, R"({"code":"test_run"})");
   window.show_page("sessions");
   const auto& sessions = child<StudyTable>(window, "sessions_table");

@@ -642,7 +642,7 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
   EXPECT_NEAR(singles.points[15].y, 3.0, 0.41);
   EXPECT_EQ(figure.note.english(),
             "Points are geometric means over the participants, bars their 90 % CIs by t on the "
-            "logarithmic scale. From the cue to the response. Small pale marks: single "
+            "logarithmic scale. From the cue to the response. Small pale marks: individual "
             "participants.");
 }
 
@@ -687,8 +687,8 @@ TEST(FiguresOf, PutParticipantsBehindTheMeansOfTheirProportions) {
   double sum = 0.0;
   for (std::size_t i = 0; i < 7; ++i) sum += singles.points[i].x;
   EXPECT_NEAR(sum / 7.0, choices.number("subj.mean", "map"), 1e-12);
-  EXPECT_TRUE(
-      choices.figure("choices").note.english().ends_with("Small pale marks: single participants."));
+  EXPECT_TRUE(choices.figure("choices").note.english().ends_with(
+      "Small pale marks: individual participants."));
   const Analysed recognised = analysed("recognition_01");
   const FigureSeries& shares = singles_in(recognised.figure("recognised"));
   double mean = 0.0;

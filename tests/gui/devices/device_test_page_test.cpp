@@ -127,7 +127,7 @@ class DeviceTests : public testing::Test {
                                  const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
                     if (bench.has_lost_its_zero &&
                         !(options.may_move && options.may_move("It moves to find its zero."))) {
-                      throw std::runtime_error("nobody agreed that it moves");
+                      throw std::runtime_error("was not confirmed that it moves");
                     }
                     ++bench.openings;
                     if (bench.does_not_let_go) {
@@ -226,7 +226,7 @@ TEST_F(DeviceTests, MeasureInTheWindowWhatTheTerminalDoesAndKeepIt) {
   EXPECT_EQ(without_date(json_text_of(kept.front())), without_date(json_text_of(at_terminal)));
 
   EXPECT_NE(news().find("kept as profiles/simulated-"), std::string::npos) << news();
-  EXPECT_NE(news().find("Not measured, though limited: Share of the workspace reached"),
+  EXPECT_NE(news().find("Limited, but not measured: Share of the workspace reached"),
             std::string::npos)
       << news();
   EXPECT_EQ(find<StudyTable>("device_test_profiles").shown_rows(), 0) << "until it is read again";
@@ -293,12 +293,11 @@ TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   EXPECT_EQ(shown("profile_summary").substr(0, 3), "▲") << "a limit is open";
   EXPECT_TRUE(find<QLabel>("profile_known").isVisible());
   const std::string known = shown("profile_known");
-  EXPECT_TRUE(
-      known.starts_with("Simulated in place of delta.3; known of it: workspace, peak force,"))
+  EXPECT_TRUE(known.starts_with("Simulated model of delta.3; known: workspace, peak force,"))
       << known;
-  EXPECT_NE(known.find("not known: continuous force, steps of positions"), std::string::npos);
-  EXPECT_NE(news().find("The device kept every limit of what was measured. Not measured, though "
-                        "limited: Share of the workspace reached. The profile is kept as"),
+  EXPECT_NE(known.find("unknown: continuous force, position step"), std::string::npos);
+  EXPECT_NE(news().find("The device met every limit that was measured. Limited, but not measured: "
+                        "Share of the workspace reached. The profile is kept as"),
             std::string::npos)
       << news();
 }
@@ -312,7 +311,7 @@ TEST_F(DeviceTests, AskOnceMoreBeforeADeviceMovesToFindItsZero) {
   EXPECT_EQ(bench.openings, 0);
   click("device_test_no");
   wait_until_it_ended();
-  EXPECT_NE(news().find("nobody agreed"), std::string::npos) << news();
+  EXPECT_NE(news().find("was not confirmed"), std::string::npos) << news();
   EXPECT_EQ(bench.openings, 0);
 
   click("device_test_begin");
@@ -494,10 +493,9 @@ TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
   EXPECT_EQ(shown("result_moving_mass_kg"), "✕ fail");
   EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
   EXPECT_EQ(shown("result_latency_s"), "✓ pass");
-  EXPECT_NE(
-      news().find("did not keep every limit: Moving mass. Not measured, though limited: Share "
-                  "of the workspace reached. The profile is kept as"),
-      std::string::npos)
+  EXPECT_NE(news().find("did not meet every limit: Moving mass. Limited, but not measured: Share "
+                        "of the workspace reached. The profile is kept as"),
+            std::string::npos)
       << news();
   EXPECT_FALSE(find<QLabel>("profile_known").isVisible()) << "it stands for no real device";
   EXPECT_EQ(latest_profile(folder, {.name = "simulated"})->item("moving_mass_kg")->limit, 0.01);
@@ -574,7 +572,7 @@ TEST_F(DeviceTests, OpenNothingWhileASessionOfTheStudyRuns) {
   make_page(stepped(), arm());
   click("device_test_begin");
   wait_until_it_ended();
-  EXPECT_NE(news().find("A session of P001 runs"), std::string::npos) << news();
+  EXPECT_NE(news().find("A session of P001 is running"), std::string::npos) << news();
   EXPECT_EQ(bench.openings, 0);
   running.reset();  // it was broken off
   click("device_test_begin");

@@ -56,10 +56,10 @@ TEST(OutcomeWords, SayReasonsInTheLanguageOfTheWindows) {
   const StoredWords explored =
       stored(phrase_of(Reason::not_explored_as_asked).with(failed_measure("contact_s", 3)));
   EXPECT_EQ(OutcomeWords::of_reason(explored),
-            "not explored as asked: time in contact of surface 3");
+            "not explored as instructed: time in contact of surface 3");
   apply_language("de");
   EXPECT_EQ(OutcomeWords::of_reason(explored),
-            "nicht wie verlangt erkundet: Kontaktdauer bei Oberfläche 3");
+            "nicht wie angewiesen exploriert: Kontaktdauer bei Oberfläche 3");
   EXPECT_EQ(OutcomeWords::of_reason(StoredWords("aborted")), "aborted") << "as it was typed";
   EXPECT_EQ(OutcomeWords::of_reason(std::nullopt), "–");
   apply_language("en");
@@ -89,7 +89,8 @@ std::map<std::string, std::string> shown_of_earlier_studies() {
       for (const EventRow& event : study.events(session.id)) add_event(event);
       for (const AttemptRow& attempt : study.attempts(session.id)) {
         // One that was repeated has the reason of that, which is among the decisions.
-        if (attempt.invalid_reason && !attempt.invalid_reason->text.starts_with("set aside: ")) {
+        if (attempt.invalid_reason &&
+            !attempt.invalid_reason->text.starts_with("repeated by the experimenter: ")) {
           add_reason(attempt.invalid_reason);
         }
         add_reason(attempt.flag_reason);
@@ -104,13 +105,13 @@ TEST(OutcomeWords, ShowWhatEarlierStudiesStoredInBothLanguages) {
   const std::string typed[] = {"hesitated for long", "interrupted by a fire alarm",
                                "was run to try things out", "looked away, 2 s", "Hörte kurz auf"};
   std::map<std::string, std::string> english{
-      {"agreement seen by AB", "agreement seen by AB"},
-      {"as asked, after the trial", "as asked, after the trial"},
+      {"agreement seen by AB", "agreement witnessed by AB"},
+      {"as asked, after the trial", "on request, after the trial"},
       {"the emergency stop was pressed", "the emergency stop was pressed"},
       {"not explored as asked: normal_force_N of surface 1, normal_force_N of surface 2, "
        "normal_force_N of surface 3",
-       "not explored as asked: normal force of surface 1, normal force of surface 2, normal force "
-       "of surface 3"},
+       "not explored as instructed: normal force of surface 1, normal force of surface 2, normal "
+       "force of surface 3"},
       {"The participant was distracted", "The participant was distracted"},
       {"Die Versuchsperson war abgelenkt", "The participant was distracted"},
       {"Die Versuchsperson möchte aufhören", "The participant wishes to stop"},
@@ -122,8 +123,8 @@ TEST(OutcomeWords, ShowWhatEarlierStudiesStoredInBothLanguages) {
       {"the emergency stop was pressed", "der NOT-HALT wurde gedrückt"},
       {"not explored as asked: normal_force_N of surface 1, normal_force_N of surface 2, "
        "normal_force_N of surface 3",
-       "nicht wie verlangt erkundet: Normalkraft bei Oberfläche 1, Normalkraft bei Oberfläche 2, "
-       "Normalkraft bei Oberfläche 3"},
+       "nicht wie angewiesen exploriert: Normalkraft bei Oberfläche 1, Normalkraft bei Oberfläche "
+       "2, Normalkraft bei Oberfläche 3"},
       {"The participant was distracted", "Die Versuchsperson war abgelenkt"},
       {"Die Versuchsperson war abgelenkt", "Die Versuchsperson war abgelenkt"},
       {"Die Versuchsperson möchte aufhören", "Die Versuchsperson möchte aufhören"},

@@ -296,7 +296,7 @@ TEST_F(EmergencyStop, SaysWhenClearingItFailedAndAsksAgain) {
   window_->refresh();
   EXPECT_FALSE(find<QLabel>("fault_text").isVisible());
   EXPECT_TRUE(find<QLabel>("pending").text().contains("Clearing the fault"));
-  publish("The device is not fit yet: it does not answer.");
+  publish("The device is not ready yet: it does not answer.");
   EXPECT_TRUE(find<QLabel>("fault_text").isVisible());
   EXPECT_TRUE(find<QLabel>("fault_text").text().contains("it does not answer"));
   EXPECT_FALSE(find<QPushButton>("fault_clear").isEnabled());

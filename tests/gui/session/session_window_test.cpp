@@ -406,7 +406,7 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_TRUE(text(10, 2).endsWith(" · attempt 2")) << text(10, 2).toStdString();
   const QString history =
       model.index(model.row_of(10), 2).data(Qt::ToolTipRole).toString().section('\n', 0, 0);
-  EXPECT_TRUE(history.endsWith("before: not explored as asked")) << history.toStdString();
+  EXPECT_TRUE(history.endsWith("before: not explored as instructed")) << history.toStdString();
   EXPECT_EQ(text(6, 2), "▲ skipped");
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
@@ -803,10 +803,10 @@ TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
   session.answer_up_to(9);
   session.set_phase(SessionPhase::ended);
   const auto window = session.window();
-  window->show_end({.state = SessionState::stopped, .reason = "as asked, after the block"});
+  window->show_end({.state = SessionState::stopped, .reason = "on request, after the block"});
   EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("stopped"));
   const QString text = child<QLabel>(*window, "end_text").text();
-  EXPECT_TRUE(text.contains("as asked, after the block"));
+  EXPECT_TRUE(text.contains("on request, after the block"));
   EXPECT_TRUE(text.contains("Resume the session now"));
   // The trial under way may be lost: what is stored is what was finished.
   const QString place = child<QLabel>(*window, "end_place").text();

@@ -85,7 +85,7 @@ TEST_F(SessionKeysAtWork, PauseBetweenTrialsResumeRepeatNoteAndStopAfterTheBlock
   EXPECT_EQ(texts("resumed").size(), 1U);
   EXPECT_EQ(texts("note"), Outcomes{"hm 12"});
   EXPECT_EQ(texts("trial_repeated"), Outcomes{"Wrong key pressed"});
-  EXPECT_EQ(texts("session_stopped"), Outcomes{"as asked, after the block"});
+  EXPECT_EQ(texts("session_stopped"), Outcomes{"on request, after the block"});
   const std::vector<std::string> phases = texts("phase");
   // Until the pause: two surfaces are felt, the question is asked.
   const std::vector<std::string> first(phases.begin(),
@@ -105,7 +105,7 @@ TEST_F(SessionKeysAtWork, StopAfterTheTrialThenAbortWithAReason) {
   take_part(chooses_a());
   EXPECT_EQ(stored_outcomes(), Outcomes{"1/1 answered"});
   EXPECT_EQ(stored_session().state, SessionState::stopped);
-  EXPECT_EQ(texts("session_stopped"), Outcomes{"as asked, after the trial"});
+  EXPECT_EQ(texts("session_stopped"), Outcomes{"on request, after the trial"});
   click(experimenter(), "see_trials");
   wait_for("the trials of the session", [&] { return window->shown_page() == "trials"; });
   // The page before a session knows nothing any more of who was here.

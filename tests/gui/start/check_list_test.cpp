@@ -84,7 +84,7 @@ TEST_F(TheCheckList, SaysInGermanWhatIsFineAndWhatIsNot) {
   expect_german("nobody", [](CheckInputs& in) { in.participant = ""; });
   expect_german("a label with a blank", [](CheckInputs& in) { in.participant = "P 1"; });
   expect_german("a virtual label", [](CheckInputs& in) { in.participant = "virtual0001"; });
-  expect_german("nothing to go on with", [](CheckInputs& in) { in.resume = true; });
+  expect_german("nothing to resume", [](CheckInputs& in) { in.resume = true; });
   expect_german("another text than was shown",
                 [](CheckInputs& in) { in.protocol_sha256 = std::string(64, '0'); });
   expect_german("a simulation", [](CheckInputs& in) {

@@ -204,7 +204,7 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
   let_it_open.release();
   require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
   require([this] { return has_line("check_force_zero", "Exactly 0 N in"); }, "loop's line");
-  EXPECT_TRUE(has_line("check_device", "gives 12.0 N at up to"))
+  EXPECT_TRUE(has_line("check_device", "exerts up to 12.0 N at up to"))
       << "as the driver tells of an omega.3";
   EXPECT_TRUE(has_line("check_calibration", "no profile of this device"));
   EXPECT_FALSE(bench->units.front().is_open) << "it is let go of for the session";

@@ -292,7 +292,7 @@ TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   EXPECT_FALSE(can_start());
   ASSERT_TRUE(wait_for_checks());
   EXPECT_FALSE(can_start());
-  EXPECT_TRUE(has_reason("A session of sub001 runs in process"));
+  EXPECT_TRUE(has_reason("A session of sub001 is running in process"));
   EXPECT_NE(find<QLabel>("check_participant").text().indexOf("Wait until it has ended"), -1);
 }
 
