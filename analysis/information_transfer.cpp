@@ -159,17 +159,28 @@ std::optional<InformationTest> information_test(
   const auto draws = static_cast<std::size_t>(std::clamp(kSwaps / trials, 199.0, 9999.0));
   CellSum sum(labels, pool.stimuli.size());
   constexpr double kRounding = 1e-12;  // of the same cells summed in another order
-  const double observed = sum.of(pool) * (1.0 - kRounding);
+  double largest = sum.of(pool);
+  const double observed = largest * (1.0 - kRounding);
   std::size_t as_large = 1;
+  std::size_t as_largest = 1;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::size_t begin = 0;
     for (const std::size_t end : pool.ends) {
       random.shuffle(std::span(pool.answers).subspan(begin, end - begin));
       begin = end;
     }
-    if (sum.of(pool) >= observed) ++as_large;
+    const double drawn = sum.of(pool);
+    if (drawn >= observed) ++as_large;
+    if (drawn * (1.0 - kRounding) > largest) {
+      largest = drawn;
+      as_largest = 1;
+    } else if (drawn >= largest * (1.0 - kRounding)) {
+      ++as_largest;
+    }
   }
-  return InformationTest{.p = static_cast<double>(as_large) / (static_cast<double>(draws) + 1.0),
+  const double orders = static_cast<double>(draws) + 1.0;
+  return InformationTest{.p = static_cast<double>(as_large) / orders,
+                         .smallest = static_cast<double>(as_largest) / orders,
                          .drawn = draws};
 }
 

@@ -56,6 +56,9 @@ InformationTransfer information_transfer(const ConfusionCounts& counts);
 /// [Davison 1997] Davison, Hinkley: Bootstrap Methods and their Application.
 struct InformationTest {
   double p = 1.0;
+  /// The p of the largest G among the observed and the drawn orders: an estimate of the smallest p that these responses
+  /// can give.
+  double smallest = 1.0;
   std::size_t drawn = 0;
 };
 std::optional<InformationTest> information_test(

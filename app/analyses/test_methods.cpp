@@ -44,6 +44,7 @@ std::span<const TestMethod> test_methods() {
           .statistic = "G",
           .degrees = {"G.df", ""},
           .draws = "G.perm.draws",
+          .smallest = "G.perm.smallest",
           .effect_symbol = "IT",
           .effect_name = phrase("TestMethods", "transmitted information in bits, bias-corrected"),
           .effect = "IT.miller1955",

@@ -56,6 +56,16 @@ TEST(InformationTest, CountsTheOrdersOfEachParticipantsAnswers) {
   EXPECT_NEAR(information_test(two, 2)->p, 0.5, 0.02);
 }
 
+// Whatever order was observed: the largest G of the six orders is that of two of them.
+TEST(InformationTest, EstimatesTheSmallestAttainableP) {
+  for (const std::vector<std::size_t>& answers :
+       std::vector<std::vector<std::size_t>>{{0, 0, 1, 1}, {0, 1, 0, 1}}) {
+    const auto test = information_test(Everyone{trials_of({0, 0, 1, 1}, answers)}, 2);
+    EXPECT_NEAR(test->smallest, 1.0 / 3.0, 0.02);
+    EXPECT_GE(test->p, test->smallest);
+  }
+}
+
 TEST(InformationTest, IsNotMisledByParticipantsWhoAreAskedDifferentlyAndPreferAnAnswer) {
   std::vector<std::size_t> shown(40, 0);
   std::vector<std::size_t> more(40, 1);

@@ -279,6 +279,9 @@ class Recognition final {
     permuted.undefined =
         "no participant has both two different stimuli and two different responses";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);
+    Basis smallest = of_trials("p of the largest G among the orders drawn");
+    smallest.undefined = permuted.undefined;
+    list_.number("G.perm.smallest", "", test ? test->smallest : kUndefined, smallest);
     list_.count("G.perm.draws", "", drawn,
                 of_trials("permutations of the responses drawn at random"));
   }
