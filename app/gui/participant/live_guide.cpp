@@ -37,7 +37,8 @@ QRectF bar_in(const QRectF& row) {
   return row.adjusted(28.0 * unit, 16.0 * unit, -28.0 * unit, -16.0 * unit);
 }
 
-void draw_numbers(QPainter& painter, const QRectF& row, const BarOrder& order, double size_px) {
+void draw_numbers(QPainter& painter, const QRectF& row, const BarOrder& order,
+                  const QLocale& locale, double size_px) {
   const ParticipantColors colors{};
   const QRectF bar = bar_in(row);
   const double shown_end = order.shown_per_value * order.end;
@@ -48,7 +49,7 @@ void draw_numbers(QPainter& painter, const QRectF& row, const BarOrder& order, d
     const double x = bar.left() + bar.width() * tick / shown_end;
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, row.bottom()));
     painter.drawText(QRectF(x - 4.0 * size_px, row.bottom(), 8.0 * size_px, height),
-                     Qt::AlignCenter, QLocale().toString(tick, 'g', 6));
+                     Qt::AlignCenter, locale.toString(tick, 'g', 6));
   }
 }
 
@@ -178,6 +179,7 @@ void LiveGuide::look_again() {
   if (!scene->guide) return;
   asked_ = *scene->guide;
   scale_ = scene->guide_scale;
+  language_ = scene->language;
   std::int64_t now_ns = monotonic_now_ns();
   if (const auto facts = monitor_.facts()) {
     now_ns += facts->clock_ahead_ns;
@@ -221,11 +223,13 @@ void LiveGuide::paintEvent(QPaintEvent*) {
     top = room.bottom();
     return room;
   };
+  QLocale locale(QString::fromStdString(language_));
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
   constexpr double kShortest = 1e-9;  // a band may end at 0
   const auto bar = [&](BarOrder order) {
     order.end = std::max(order.end, kShortest);
     const QRectF room = take(1);
-    if (numbers > 0.0) draw_numbers(painter, room, order, number_size_px_);
+    if (numbers > 0.0) draw_numbers(painter, room, order, locale, number_size_px_);
     draw_bar(painter, room, order);
     top += numbers;
   };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QtCore/QPointF>
@@ -25,7 +26,7 @@ double target_along_m(double elapsed_s, double stroke_length_m, double speed_m_p
 /// does, 60 times a second while it is visible.
 ///
 /// A bar for each of force and speed that has a band, on the scene's scale (GuideScale), with numbers in
-/// newtons and millimetres per second under it where the layout has room for them: the band is shaded, between two edges; the mark is
+/// newtons and millimetres per second under it where the layout has room for them, in the language of the scene: the band is shaded, between two edges; the mark is
 /// a disc inside it and an arrow towards it outside. The mark is a ring that asks for nothing while no
 /// surface is felt, while the hand is to lift, and for the speed until it has stroked far enough. Over
 /// them, where a target moves, the stroke from above: the target a disc with a ring, the probe a cross.
@@ -68,6 +69,7 @@ class LiveGuide final : public QWidget {
   LiveBin last_{};
   Exploration asked_{};
   GuideScale scale_{};
+  std::string language_{"en"};
   double number_size_px_ = 0.0;
   SurfacePatch patch_{};
   Shown shown_{};

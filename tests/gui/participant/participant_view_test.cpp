@@ -1,5 +1,6 @@
 #include "app/gui/participant/participant_view.h"
 
+#include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -892,6 +893,28 @@ TEST(ParticipantView, PutsRoundNumbersUnderItsBars) {
   };
   EXPECT_TRUE(names().contains("Force, N"));
   EXPECT_TRUE(names().contains("Speed, mm/s"));
+}
+
+/// The guide of a scene in this language, in windows of that one.
+QImage guide_in(const std::string& language, const char* of_windows) {
+  QLocale::setDefault(QLocale(of_windows));
+  Seat seat{};
+  ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);
+  scene.language = language;
+  scene.guide->normal_force_N = {.minimum = 0.3, .target = 0.4, .maximum = 0.5};
+  scene.guide_scale = {};
+  seat.show(scene);
+  const QImage guide = guide_with(seat, 0.4, {});
+  QLocale::setDefault(QLocale("en"));
+  return guide;
+}
+
+TEST(ParticipantView, WritesTheNumbersUnderItsBarsInTheLanguageOfTheProtocol) {
+  const QImage english = guide_in("en", "en");
+  EXPECT_EQ(guide_in("en", "de"), english);
+  const QImage german = guide_in("de", "en");
+  EXPECT_NE(german, english) << "0,1 instead of 0.1";
+  EXPECT_EQ(guide_in("de", "de"), german);
 }
 
 TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
