@@ -247,7 +247,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     const auto blocker =
         study_data_blocker(protocol, recorded_device(rig->capability()), sitting.unfinished);
     if (blocker) {
-      throw PhrasedError(phrase("StudyData", "%1; %2").with(blocker->problem, blocker->remedy));
+      throw PhrasedError(phrase("StudyData", "%1; %2; Pilot is --mode pilot")
+                             .with(blocker->problem, blocker->remedy));
     }
   }
   if (!inputs.is_virtual) {

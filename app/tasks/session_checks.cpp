@@ -21,6 +21,7 @@
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"
+#include "app/time_ago.h"
 #include "device/pointer_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
@@ -279,6 +280,11 @@ std::string other_device_before(const CheckInputs& inputs,
   return before.is_same_as(recorded_device(device)) ? std::string() : before.full_text();
 }
 
+/// As the user knows the device.
+std::string shown_device(const CheckInputs& inputs, const std::string& otherwise) {
+  return inputs.device_name.empty() ? otherwise : inputs.device_name;
+}
+
 SessionCheck untried_device_check(const CheckInputs& inputs) {
   SessionCheck check{.state = State::stop};
   if (inputs.tried != nullptr) {
@@ -286,7 +292,8 @@ SessionCheck untried_device_check(const CheckInputs& inputs) {
     check.remedy = phrase("SessionChecks", "Fix the problem, then try the device again.");
     return check;
   }
-  check.text = phrase("SessionChecks", "“%1” has not been tried yet.").with(inputs.device);
+  check.text = phrase("SessionChecks", "“%1” has not been tried yet.")
+                   .with(shown_device(inputs, inputs.device));
   check.remedy = phrase("SessionChecks",
                         "Press “Try this device” while its handle is not held: the device is "
                         "opened, and the loop runs for a third of a second without force.");
@@ -298,8 +305,8 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (!inputs.device_hindrance.empty()) {
     check.state = State::stop;
     check.text = inputs.device_hindrance;
-    check.remedy = phrase(
-        "SessionChecks", "Fix the problem, then look for devices again; or choose another device.");
+    check.remedy =
+        phrase("SessionChecks", "Fix the problem, then press “Rescan”; or choose another device.");
     return check;
   }
   const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
@@ -325,12 +332,12 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.text =
         phrase("SessionChecks",
                "“%1” moves and presses but exerts no force: the participant feels nothing.")
-            .with(device->name);
+            .with(shown_device(inputs, device->name));
   } else {
     check.text =
         phrase("SessionChecks",
                "“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.")
-            .with(called(*device), fixed(device->peak_force_N, 1),
+            .with(shown_device(inputs, called(*device)), fixed(device->peak_force_N, 1),
                   fixed(device->maximum_rate_Hz, 0), fixed(protocol.force_limit_N, 1),
                   fixed(protocol.rate_Hz, 0));
   }
@@ -356,12 +363,6 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
 }
 
 // --- the device's profile ------------------------------------------------------------------------
-
-Phrase age_in_words(double days) {
-  if (days < 1.0) return phrase("SessionChecks", "Measured within the last day");
-  if (days < 1.5) return phrase("SessionChecks", "Measured a day ago");
-  return phrase("SessionChecks", "Measured %1 days ago").with(fixed(days, 0));
-}
 
 /// Warnings of one kind are one line: the first, and how many stimuli it concerns beside.
 std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings) {
@@ -436,7 +437,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
                               "\"%1\" --study \"%2\"")
                            .with(inputs.device, inputs.study.string())}};
   }
-  const Phrase age = age_in_words(age_days(*found.profile, now_utc));
+  const Phrase age = phrase("SessionChecks", "Measured %1")
+                         .with(time_ago(kHoursADay * age_days(*found.profile, now_utc)));
   const std::vector<SessionCheck> beyond = lines_of(found.warnings);
   // Its limits are compared first.
   const bool breaks_limits = !found.warnings.empty() && is_of_limits(found.warnings.front());

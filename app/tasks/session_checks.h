@@ -47,6 +47,7 @@ struct CheckInputs {
   std::string late_reason{};                      ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
   std::string device = "simulated";  ///< see RunInputs
+  std::string device_name{};         ///< as the user chose it in a list; empty: as `device`
   DriverOptions
       driver_options{};  ///< that the session's driver is told; here for the command that measures
   /// From the search for devices: why this one cannot be used. Empty: it can.

@@ -87,11 +87,10 @@ void follow_device(const EventRow& event, RecordedDevice& device) {
 Phrase remedy_for_study_data(const Protocol& protocol) {
   return protocol.input_only
              ? phrase("StudyData",
-                      "try the session out in Pilot (--mode pilot), or choose a device that a "
-                      "participant holds")
+                      "try the session out in Pilot, or choose a device that a participant holds")
              : phrase("StudyData",
-                      "try the session out in Pilot (--mode pilot), or choose a device with "
-                      "motors; if the study needs no force, set device.input_only to true in the "
+                      "try the session out in Pilot, or choose a device with motors; if the study "
+                      "needs no force, set device.input_only to true in the "
                       "protocol, which allows a device without motors");
 }
 

@@ -9,6 +9,7 @@
 #include "app/conductor/clock.h"
 #include "app/conductor/session_setup.h"
 #include "app/tasks/sitting.h"
+#include "app/time_ago.h"
 
 namespace asperity {
 
@@ -17,7 +18,6 @@ namespace {
 /// In real time.
 double hours_since_it_ran(const Study& study, const SessionRow& session) {
   const std::string now_utc = SystemClock(0).utc();
-  constexpr double kHoursADay = 24.0;
   if (session.ended_utc) {
     return kHoursADay * (days_since_1970(now_utc) - days_since_1970(*session.ended_utc));
   }
@@ -48,9 +48,9 @@ std::optional<LateResume> late_resume(const Study& study, const Protocol& protoc
 
 Phrase complaint_about(const LateResume& late) {
   return phrase("UnfinishedSession",
-                "the session last ran %1 hours ago, and the protocol requires sessions to be "
-                "resumed within %2 hours")
-      .with(fixed(late.age_hours, 1), number_text(late.maximum_age_hours));
+                "the session last ran %1, and the protocol requires sessions to be resumed within "
+                "%2 hours")
+      .with(time_ago(late.age_hours), number_text(late.maximum_age_hours));
 }
 
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {

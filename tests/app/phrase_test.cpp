@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/time_ago.h"
+
 namespace asperity {
 namespace {
 
@@ -24,6 +26,13 @@ TEST(Phrase, IsFilledInItsPlaces) {
             "3 of 7 were felt");
   EXPECT_EQ(phrase("Test", "nothing varies").english(), "nothing varies");
   EXPECT_TRUE(Phrase().english().empty());
+}
+
+TEST(TimeAgo, IsInHoursForTwoDaysAndThenInDays) {
+  EXPECT_EQ(time_ago(0.4).english(), "less than an hour ago");
+  EXPECT_EQ(time_ago(1.2).english(), "an hour ago");
+  EXPECT_EQ(time_ago(26.0).english(), "26 hours ago");
+  EXPECT_EQ(time_ago(7815.2).english(), "326 days ago");
 }
 
 TEST(Phrase, IsLookedUpBeforeItIsFilled) {

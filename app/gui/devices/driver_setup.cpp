@@ -141,10 +141,9 @@ DriverSetup::DriverSetup(const std::vector<std::string>& drivers, QWidget* paren
       drivers.size() == 1 ? tr("Set up %1").arg(product_of(drivers.front())) : tr("Set up devices");
   setWindowTitle(title);
   layout->addWidget(make_heading(title, this));
-  layout->addWidget(
-      make_text(tr("Kept from one start to the next, for every study of yours. Commands at a "
-                   "terminal are told by their options and know nothing of it."),
-                this, true));
+  layout->addWidget(make_text(tr("Kept between starts, for all your studies. Commands at a "
+                                 "terminal do not use these settings; they have options for them."),
+                              this, true));
   area_ = new QScrollArea(this);
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
@@ -290,7 +289,7 @@ void DriverSetup::leave() {
 void DriverSetup::show_looking() {
   for (const auto& line : lines_) {
     line->was_found = false;
-    line->found->set_state(State::unknown, tr("Looking…"));
+    line->found->set_state(State::unknown, tr("Searching…"));
   }
 }
 

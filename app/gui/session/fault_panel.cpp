@@ -28,7 +28,7 @@ FaultPanel::FaultPanel(QWidget* parent) : QFrame(parent) {
   ways_->setSpacing(kGrid / 2);
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
-  clear_ = make_button(tr("Clear and go on"), ButtonRole::plain, this);
+  clear_ = make_button(tr("Clear and resume"), ButtonRole::plain, this);
   clear_->setObjectName("fault_clear");
   auto* end = make_button(tr("End the session…"), ButtonRole::plain, this);
   end->setObjectName("fault_end");
@@ -36,7 +36,7 @@ FaultPanel::FaultPanel(QWidget* parent) : QFrame(parent) {
   buttons->addWidget(end);
   buttons->addStretch(1);
   ways_->addLayout(buttons);
-  why_ = make_text(tr("Going on asks that it is safe: tick the box."), this, true);
+  why_ = make_text(tr("Confirm that it is safe before resuming."), this, true);
   why_->setFont(text_font(TextSize::small));
   why_->setWordWrap(false);
   QSizePolicy keeps_place = why_->sizePolicy();

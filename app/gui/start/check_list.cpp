@@ -134,11 +134,12 @@ void CheckList::set_checks(std::vector<SessionCheck> checks) {
   const int stopping = count(SessionCheck::State::stop);
   const int looks = count(SessionCheck::State::look);
   if (stopping == 1) {
-    summary_->setText(tr("One of these keeps the session from starting."));
+    summary_->setText(tr("1 item must be resolved before the session can start."));
   } else if (stopping > 0) {
-    summary_->setText(tr("%n of these keep the session from starting.", nullptr, stopping));
+    summary_->setText(
+        tr("%n items must be resolved before the session can start.", nullptr, stopping));
   } else if (looks > 0) {
-    summary_->setText(tr("Ready, with %n to look at.", nullptr, looks));
+    summary_->setText(tr("Ready (%n warning(s)).", nullptr, looks));
   } else {
     summary_->setText(tr("Everything is ready."));
   }
@@ -163,7 +164,7 @@ void CheckList::set_progress(double fraction) {
 
 void CheckList::set_cancelled() {
   set_running(false);
-  summary_->setText(tr("The checks were cancelled. Nothing is known until they have run."));
+  summary_->setText(tr("The checks were cancelled. The session can start when they have run."));
 }
 
 }  // namespace asperity

@@ -54,16 +54,16 @@ QString remark_of_choice(const DeviceChoice& choice) {
   switch (choice.kind) {
     case DeviceKind::simulated:
       return choice.model.empty()
-                 ? DeviceChooser::tr("A virtual hand holds it, and nobody feels anything.")
+                 ? DeviceChooser::tr("A virtual hand holds it; the participant feels nothing.")
                  : DeviceChooser::tr(
                        "A virtual hand holds it, with the latency, steps and forces "
-                       "of the device as far as they are known. Nobody feels "
-                       "anything.");
+                       "of the device as far as they are known. The participant feels "
+                       "nothing.");
     case DeviceKind::pointer:
       return DeviceChooser::tr(
           "The mouse over the participant's window moves the probe, and "
-          "presses while its button is held; a pen as hard as it does. "
-          "Nobody feels a force.");
+          "presses while its button is held; a pen presses according to its "
+          "pressure. The participant feels no force.");
     case DeviceKind::attached:
       break;
   }
@@ -92,14 +92,11 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   layout->addWidget(text_);
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
-  why_ = make_button(tr("Why others cannot be used"), ButtonRole::link, this);
-  why_->setObjectName("device_why");
-  why_->setCheckable(true);
   set_up_ = make_button(tr("Set up…"), ButtonRole::plain, this);
   set_up_->setObjectName("device_set_up");
   set_up_->setToolTip(
       tr("A device's firmware, its maker's library or service, where it is not found."));
-  again_ = make_button(tr("Look again"), ButtonRole::plain, this);
+  again_ = make_button(tr("Rescan"), ButtonRole::plain, this);
   again_->setObjectName("device_look");
   try_ = make_button(tr("Try this device"), ButtonRole::plain, this);
   try_->setObjectName("device_try");
@@ -126,6 +123,9 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   state_->setObjectName("device_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
+  why_ = make_button(tr("Why others cannot be used"), ButtonRole::link, this);
+  why_->setObjectName("device_why");
+  why_->setCheckable(true);
   layout->addWidget(why_, 0, Qt::AlignLeft);
   why_text_ = make_text({}, this, true);
   why_text_->setObjectName("device_hindrances");
@@ -216,7 +216,7 @@ void DeviceChooser::look() {
       },
       [this, done](const QString& what) {
         done(devices_without_hardware());
-        state_->set_state(State::look, tr("Devices could not be looked for: %1").arg(what));
+        state_->set_state(State::look, tr("The search for devices failed: %1").arg(what));
         state_->show();
         if (setup_ != nullptr) setup_->show_failure(what);
       });
@@ -236,13 +236,14 @@ void DeviceChooser::list() {
         std::find_if(lines.begin(), lines.end(), [&driver](const DeviceChoice& choice) {
           return choice.device == driver && !choice.is_usable();
         });
+    const Driver* of_it = study_.drivers().find(driver);
     gone_ = {.device = of_people_,
              .kind = DeviceKind::attached,
+             .model = of_it == nullptr || of_it->name.empty() ? driver : of_it->name,
              .hindrance = of_driver != lines.end()
                               ? of_driver->hindrance
-                              : tr("%1 is not there: plug it in, see that it has power, and look "
-                                   "again.")
-                                    .arg(text(of_people_))
+                              : tr("The device is not connected: plug it in, check its power "
+                                   "supply, and press “Rescan”.")
                                     .toStdString()};
     lines.push_back(gone_);
   }
@@ -297,7 +298,7 @@ void DeviceChooser::show_chosen() {
   const bool is_trying = try_task_.is_running();
   again_->setVisible(whom_ == For::people);
   again_->setEnabled(!is_looking && !is_trying);
-  again_->setText(is_looking ? tr("Looking…") : tr("Look again"));
+  again_->setText(is_looking ? tr("Searching…") : tr("Rescan"));
   set_up_->setEnabled(!is_trying);
   devices_->setEnabled(whom_ != For::virtual_participants && !is_trying);
   try_->setVisible(is_attached && whom_ == For::people);
@@ -318,7 +319,7 @@ void DeviceChooser::show_chosen() {
   if (!is_attached) return;
   const auto found = tried();
   if (is_looking || !has_looked_) {
-    state_->set_state(State::unknown, tr("Devices are being looked for."));
+    state_->set_state(State::unknown, tr("Searching for devices…"));
   } else if (!now.is_usable()) {
     state_->set_state(State::stop, tr("It cannot be used now."));
   } else if (found == nullptr) {
@@ -328,14 +329,16 @@ void DeviceChooser::show_chosen() {
   } else if (!found->failure.empty()) {
     state_->set_state(State::stop, words_of(found->failure, tr("“Set up…”")));
   } else {
-    state_->set_state(State::fine, tr("Tried: it answers. The checklist says the rest."));
+    state_->set_state(State::fine, tr("Tried: it answers. The checklist has the details."));
   }
 }
+
+QString DeviceChooser::name() const { return name_of_choice(chosen()); }
 
 QString DeviceChooser::waits_for() const {
   if (chosen().kind != DeviceKind::attached) return {};
   if (try_task_.is_running()) return tr("The device is being tried.");
-  if (survey_task_.is_running() || !has_looked_) return tr("Devices are being looked for.");
+  if (survey_task_.is_running() || !has_looked_) return tr("Searching for devices…");
   return {};
 }
 
@@ -384,7 +387,7 @@ void DeviceChooser::try_now(const std::string& agreed) {
       });
   show_chosen();
   if (agreed.empty()) {
-    state_->set_state(State::unknown, tr("It is being opened."));
+    state_->set_state(State::unknown, tr("Opening the device…"));
   } else {
     state_->set_state(
         State::look,

@@ -51,6 +51,7 @@ class DeviceChooser final : public QWidget {
 
   /// As RunInputs::device.
   std::string device() const;
+  QString name() const;  ///< of the chosen device, as in the list
   DeviceKind kind() const { return chosen().kind; }
   /// A sentence: why the chosen one cannot be used; empty: it can.
   const std::string& hindrance() const { return chosen().hindrance; }

@@ -68,7 +68,7 @@ SetupCard::SetupCard(OpenStudy& study, QWidget* parent) : QWidget(parent) {
   screen_row->addWidget(screens_);
   layout->addWidget(screen_row_);
   own_keyboard_ =
-      new QCheckBox(tr("The participant has a keyboard or device buttons of their own"), this);
+      new QCheckBox(tr("The participant has a separate keyboard or device buttons"), this);
   own_keyboard_->setObjectName("own_keyboard");
   own_keyboard_->setChecked(QSettings().value(kOwnKeyboard, false).toBool());
   layout->addWidget(own_keyboard_);
@@ -152,7 +152,7 @@ void SetupCard::list_screens() {
   const QString remembered = QSettings().value(kScreen).toString();
   const QSignalBlocker silent(screens_);
   screens_->clear();
-  screens_->addItem(tr("Beside this window"), QString());
+  screens_->addItem(tr("Next to this window"), QString());
   int chosen = 0;
   const QList<QScreen*> screens = QGuiApplication::screens();
   for (const QScreen* screen : screens) {

@@ -94,6 +94,7 @@ void StartPage::check() {
       .late_reason = participant_->late_reason(),
       .pacing = order().inputs.pacing,
       .device = setup_->device().device(),
+      .device_name = setup_->device().name().toStdString(),
       .driver_options = driver_options(setup_->device().device()),
       .device_hindrance = setup_->device().hindrance(),
       .trial = study_.device_trial(),

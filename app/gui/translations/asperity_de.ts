@@ -4430,18 +4430,6 @@
         <translation>Das Problem beheben, dann das Gerät erneut ausprobieren.</translation>
     </message>
     <message>
-        <source>Fix the problem, then look for devices again; or choose another device.</source>
-        <translation>Das Problem beheben, dann erneut nach Geräten suchen; oder ein anderes Gerät wählen.</translation>
-    </message>
-    <message>
-        <source>Measured within the last day</source>
-        <translation>Am letzten Tag gemessen</translation>
-    </message>
-    <message>
-        <source>Measured %1 days ago</source>
-        <translation>Vor %1 Tagen gemessen</translation>
-    </message>
-    <message>
         <source>Rehearsal</source>
         <translation>Probe</translation>
     </message>
@@ -4476,10 +4464,6 @@
     <message>
         <source>Check its profile, and measure it again.</source>
         <translation>Prüfen Sie sein Profil, und messen Sie es erneut.</translation>
-    </message>
-    <message>
-        <source>Measured a day ago</source>
-        <translation>Vor einem Tag gemessen</translation>
     </message>
     <message>
         <source>Measure it once, while its handle is not held: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
@@ -4551,11 +4535,19 @@
     </message>
     <message>
         <source>“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.</source>
-        <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
+        <translation></translation>
     </message>
     <message>
         <source>%1 The session last ran on “%2”.</source>
         <translation>%1 Die Sitzung lief zuletzt auf „%2“.</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Gemessen %1</translation>
+    </message>
+    <message>
+        <source>Fix the problem, then press “Rescan”; or choose another device.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4820,10 +4812,6 @@
 <context>
     <name>StudyData</name>
     <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
         <source>a virtual hand holds the device &quot;%1&quot;, so that no participant would feel the surfaces</source>
         <translation>eine virtuelle Hand hält das Gerät „%1“, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
@@ -4832,16 +4820,20 @@
         <translation>eine aufgezeichnete Hand hält das Gerät „%1“, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
     <message>
-        <source>try the session out in Pilot (--mode pilot), or choose a device that a participant holds</source>
-        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät wählen, das eine Versuchsperson hält</translation>
-    </message>
-    <message>
         <source>the device &quot;%1&quot; has no motors, so that no participant would feel the surfaces</source>
         <translation>das Gerät „%1“ hat keine Motoren, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
     <message>
-        <source>try the session out in Pilot (--mode pilot), or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
-        <translation>zum Ausprobieren Pilot (--mode pilot) oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
+        <source>%1; %2; Pilot is --mode pilot</source>
+        <translation>%1; %2; Pilot ist --mode pilot</translation>
+    </message>
+    <message>
+        <source>try the session out in Pilot, or choose a device that a participant holds</source>
+        <translation>zum Ausprobieren Pilot oder ein Gerät wählen, das eine Versuchsperson hält</translation>
+    </message>
+    <message>
+        <source>try the session out in Pilot, or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
+        <translation>zum Ausprobieren Pilot oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
     </message>
 </context>
 <context>
@@ -5016,6 +5008,25 @@
     </message>
 </context>
 <context>
+    <name>TimeAgo</name>
+    <message>
+        <source>less than an hour ago</source>
+        <translation>vor weniger als einer Stunde</translation>
+    </message>
+    <message>
+        <source>an hour ago</source>
+        <translation>vor einer Stunde</translation>
+    </message>
+    <message>
+        <source>%1 hours ago</source>
+        <translation>vor %1 Stunden</translation>
+    </message>
+    <message>
+        <source>%1 days ago</source>
+        <translation>vor %1 Tagen</translation>
+    </message>
+</context>
+<context>
     <name>Troubles</name>
     <message>
         <source>%1 Every finished trial is stored.</source>
@@ -5057,8 +5068,8 @@
 <context>
     <name>UnfinishedSession</name>
     <message>
-        <source>the session last ran %1 hours ago, and the protocol requires sessions to be resumed within %2 hours</source>
-        <translation>die Sitzung lief zuletzt vor %1 Stunden, und das Protokoll sieht eine Fortsetzung innerhalb von %2 Stunden vor</translation>
+        <source>the session last ran %1, and the protocol requires sessions to be resumed within %2 hours</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5458,24 +5469,6 @@
         <translation>Erneut prüfen</translation>
     </message>
     <message>
-        <source>One of these keeps the session from starting.</source>
-        <translation>Einer dieser Punkte verhindert den Start.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of these keep the session from starting.</source>
-        <translation>
-            <numerusform>%n dieser Punkte verhindert den Start.</numerusform>
-            <numerusform>%n dieser Punkte verhindern den Start.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Ready, with %n to look at.</source>
-        <translation>
-            <numerusform>Bereit, %n Hinweis zu beachten.</numerusform>
-            <numerusform>Bereit, %n Hinweise zu beachten.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Everything is ready.</source>
         <translation>Alles ist bereit.</translation>
     </message>
@@ -5496,8 +5489,26 @@
         <translation>Reize, Gerät und Takt werden geprüft (bis zu einer Minute)…</translation>
     </message>
     <message>
-        <source>The checks were cancelled. Nothing is known until they have run.</source>
-        <translation>Die Prüfungen wurden abgebrochen. Ohne sie ist nichts bekannt.</translation>
+        <source>1 item must be resolved before the session can start.</source>
+        <translation>1 Punkt muss geklärt werden, bevor die Sitzung beginnen kann.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items must be resolved before the session can start.</source>
+        <translation>
+            <numerusform>%n Punkt muss geklärt werden, bevor die Sitzung beginnen kann.</numerusform>
+            <numerusform>%n Punkte müssen geklärt werden, bevor die Sitzung beginnen kann.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready (%n warning(s)).</source>
+        <translation>
+            <numerusform>Bereit (%n Warnung).</numerusform>
+            <numerusform>Bereit (%n Warnungen).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checks were cancelled. The session can start when they have run.</source>
+        <translation>Die Prüfung wurde abgebrochen. Die Sitzung kann beginnen, wenn sie gelaufen ist.</translation>
     </message>
 </context>
 <context>
@@ -5604,28 +5615,12 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>A virtual hand holds it, and nobody feels anything.</source>
-        <translation>Eine virtuelle Hand hält es, und niemand fühlt etwas.</translation>
-    </message>
-    <message>
-        <source>A virtual hand holds it, with the latency, steps and forces of the device as far as they are known. Nobody feels anything.</source>
-        <translation>Eine virtuelle Hand hält es, mit Verzögerung, Schritten und Kräften des Geräts, soweit sie bekannt sind. Niemand fühlt etwas.</translation>
-    </message>
-    <message>
-        <source>The mouse over the participant&apos;s window moves the probe, and presses while its button is held; a pen as hard as it does. Nobody feels a force.</source>
-        <translation>Die Maus über dem Fenster der Versuchsperson bewegt die Sonde und drückt, solange ihre Taste gehalten wird; ein Stift so fest, wie er selbst drückt. Niemand fühlt eine Kraft.</translation>
-    </message>
-    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
     <message>
         <source>Why others cannot be used</source>
         <translation>Warum andere nicht benutzbar sind</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Erneut suchen</translation>
     </message>
     <message>
         <source>Try this device</source>
@@ -5636,14 +5631,6 @@
         <translation>Jetzt nicht</translation>
     </message>
     <message>
-        <source>Devices could not be looked for: %1</source>
-        <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
-    </message>
-    <message>
-        <source>%1 is not there: plug it in, see that it has power, and look again.</source>
-        <translation>%1 ist nicht da: Schließen Sie es an, prüfen Sie die Stromversorgung und suchen Sie erneut.</translation>
-    </message>
-    <message>
         <source>%1: not usable</source>
         <translation>%1: nicht benutzbar</translation>
     </message>
@@ -5652,16 +5639,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Looking…</source>
-        <translation>Suche läuft …</translation>
-    </message>
-    <message>
         <source>Several virtual participants are simulated on the simulated device as it is.</source>
         <translation>Mehrere virtuelle Versuchspersonen werden auf dem simulierten Gerät simuliert, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Devices are being looked for.</source>
-        <translation>Nach Geräten wird gesucht.</translation>
     </message>
     <message>
         <source>It cannot be used now.</source>
@@ -5672,16 +5651,8 @@
         <translation>Noch nicht ausprobiert. Dabei wird es geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
     </message>
     <message>
-        <source>Tried: it answers. The checklist says the rest.</source>
-        <translation>Ausprobiert: Es antwortet. Das Übrige sagt die Checkliste.</translation>
-    </message>
-    <message>
         <source>The device is being tried.</source>
         <translation>Das Gerät wird ausprobiert.</translation>
-    </message>
-    <message>
-        <source>It is being opened.</source>
-        <translation>Es wird geöffnet.</translation>
     </message>
     <message>
         <source>Let it move</source>
@@ -5706,6 +5677,46 @@
     <message>
         <source>Keep hands away: it moves by itself until it has found its zero. Esc, Stop trying, or its power switch, stops it.</source>
         <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Esc, „Versuch anhalten“ oder sein Netzschalter hält es an.</translation>
+    </message>
+    <message>
+        <source>A virtual hand holds it; the participant feels nothing.</source>
+        <translation>Eine virtuelle Hand hält es; die Versuchsperson fühlt nichts.</translation>
+    </message>
+    <message>
+        <source>A virtual hand holds it, with the latency, steps and forces of the device as far as they are known. The participant feels nothing.</source>
+        <translation>Eine virtuelle Hand hält es, mit Latenz, Auflösung und Kräften des Geräts, soweit sie bekannt sind. Die Versuchsperson fühlt nichts.</translation>
+    </message>
+    <message>
+        <source>The mouse over the participant&apos;s window moves the probe, and presses while its button is held; a pen presses according to its pressure. The participant feels no force.</source>
+        <translation>Die Maus über dem Fenster der Versuchsperson bewegt den Taster und drückt, solange ihre Taste gehalten wird; ein Stift drückt entsprechend seinem Druck. Die Versuchsperson fühlt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Rescan</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>The search for devices failed: %1</source>
+        <translation>Die Suche nach Geräten ist fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>The device is not connected: plug it in, check its power supply, and press “Rescan”.</source>
+        <translation>Das Gerät ist nicht angeschlossen: anschließen, Stromversorgung prüfen und „Erneut suchen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Searching for devices…</source>
+        <translation>Geräte werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Tried: it answers. The checklist has the details.</source>
+        <translation>Ausprobiert: Es antwortet. Einzelheiten stehen in der Checkliste.</translation>
+    </message>
+    <message>
+        <source>Opening the device…</source>
+        <translation>Das Gerät wird geöffnet …</translation>
     </message>
 </context>
 <context>
@@ -6160,10 +6171,6 @@
         <translation>Geräte einrichten</translation>
     </message>
     <message>
-        <source>Kept from one start to the next, for every study of yours. Commands at a terminal are told by their options and know nothing of it.</source>
-        <translation>Bleibt von einem Start zum nächsten erhalten, für alle Ihre Studien. Befehle im Terminal bekommen es durch ihre Optionen gesagt und wissen hiervon nichts.</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
@@ -6200,16 +6207,20 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Looking…</source>
-        <translation>Wird gesucht…</translation>
-    </message>
-    <message>
         <source>Devices could not be looked for: %1</source>
         <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
     </message>
     <message>
         <source>The file has to be written in full, beginning with “/” or “~”.</source>
         <translation>Die Datei muss vollständig geschrieben sein und mit „/“ oder „~“ beginnen.</translation>
+    </message>
+    <message>
+        <source>Kept between starts, for all your studies. Commands at a terminal do not use these settings; they have options for them.</source>
+        <translation>Bleibt über Neustarts erhalten, für alle Ihre Studien. Befehle im Terminal verwenden diese Einstellungen nicht; sie haben dafür Optionen.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft …</translation>
     </message>
 </context>
 <context>
@@ -6282,16 +6293,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Es ist sicher: Keine Hand ist eingeklemmt, nichts berührt das Gerät</translation>
     </message>
     <message>
-        <source>Clear and go on</source>
-        <translation>Beheben und fortsetzen</translation>
-    </message>
-    <message>
         <source>End the session…</source>
         <translation>Sitzung beenden…</translation>
     </message>
     <message>
-        <source>Going on asks that it is safe: tick the box.</source>
-        <translation>Fortsetzen verlangt, dass es sicher ist: Kästchen ankreuzen.</translation>
+        <source>Clear and resume</source>
+        <translation>Quittieren und fortsetzen</translation>
+    </message>
+    <message>
+        <source>Confirm that it is safe before resuming.</source>
+        <translation>Vor dem Fortsetzen bestätigen, dass keine Gefahr besteht.</translation>
     </message>
 </context>
 <context>
@@ -8966,10 +8977,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Fenster der Versuchsperson</translation>
     </message>
     <message>
-        <source>The participant has a keyboard or device buttons of their own</source>
-        <translation>Die Versuchsperson hat eine eigene Tastatur oder Gerätetasten</translation>
-    </message>
-    <message>
         <source>With one keyboard for both, your text fields are greyed while an answer is open.</source>
         <translation>Bei einer gemeinsamen Tastatur sind die eigenen Textfelder grau, während eine Antwort offen ist.</translation>
     </message>
@@ -8982,16 +8989,20 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Der Arbeitsraum, wie das Protokoll ihn beschreibt.</translation>
     </message>
     <message>
-        <source>Beside this window</source>
-        <translation>Neben diesem Fenster</translation>
-    </message>
-    <message>
         <source>Full screen on %1 (%2 × %3)</source>
         <translation>Vollbild auf %1 (%2 × %3)</translation>
     </message>
     <message>
         <source>The same hand as when the session began.</source>
         <translation>Dieselbe Hand wie zu Beginn der Sitzung.</translation>
+    </message>
+    <message>
+        <source>The participant has a separate keyboard or device buttons</source>
+        <translation>Die Versuchsperson hat eine eigene Tastatur oder Gerätetasten</translation>
+    </message>
+    <message>
+        <source>Next to this window</source>
+        <translation>Neben diesem Fenster</translation>
     </message>
 </context>
 <context>

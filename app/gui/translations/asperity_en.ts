@@ -45,17 +45,17 @@
 <context>
     <name>asperity::CheckList</name>
     <message numerus="yes">
-        <source>%n of these keep the session from starting.</source>
+        <source>%n items must be resolved before the session can start.</source>
         <translation>
-            <numerusform>%n of these keeps the session from starting.</numerusform>
-            <numerusform>%n of these keep the session from starting.</numerusform>
+            <numerusform>%n item must be resolved before the session can start.</numerusform>
+            <numerusform>%n items must be resolved before the session can start.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Ready, with %n to look at.</source>
+        <source>Ready (%n warning(s)).</source>
         <translation>
-            <numerusform>Ready, with %n to look at.</numerusform>
-            <numerusform>Ready, with %n to look at.</numerusform>
+            <numerusform>Ready (%n warning).</numerusform>
+            <numerusform>Ready (%n warnings).</numerusform>
         </translation>
     </message>
 </context>

@@ -171,7 +171,7 @@ TEST_F(TheDeviceChooser, ListsWhatCanBeUsedAndSaysOfTheOthersWhyNot) {
       << shown("device_hindrances").toStdString();
   EXPECT_EQ(page->order().inputs.device, "simulated") << "as long as nobody chooses another one";
   pick("mouse");
-  EXPECT_TRUE(shown("device_text").contains("Nobody feels a force"));
+  EXPECT_TRUE(shown("device_text").contains("The participant feels no force"));
   EXPECT_FALSE(is_seen("device_try"));
   EXPECT_EQ(page->order().inputs.device, "mouse");
   bench->units.pop_back();
