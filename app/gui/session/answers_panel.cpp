@@ -44,7 +44,7 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
     if (attempt->outcome != AttemptOutcome::answered) continue;
     QString answer = SessionText::of_answers(*attempt);
     if (attempt->correct && plan.tells_right(*attempt)) {
-      answer = *attempt->correct ? tr("%1, right").arg(answer) : tr("%1, wrong").arg(answer);
+      answer = *attempt->correct ? tr("%1, correct").arg(answer) : tr("%1, incorrect").arg(answer);
     }
     if (!last.isEmpty()) {
       earlier += tr("%1: %2").arg(attempt->trial).arg(answer);

@@ -22,7 +22,8 @@ namespace {
 constexpr int kTrialColumn = 0;
 constexpr int kConditionColumn = 1;
 constexpr int kOutcomeColumn = 2;
-constexpr int kRowHeight = 28;  // two more rows in sight than with the height of controls
+constexpr int kAroundCell = 24;  // both sides of its text, and the margin of a focused cell
+constexpr int kRowHeight = 28;   // two more rows in sight than with the height of controls
 
 /// What the surfaces of a trial share is said once: "brick: height_map, sinusoid".
 QString stimulus_names(const Trial& trial) {
@@ -300,9 +301,11 @@ PlanTable::PlanTable(QWidget* parent) : QWidget(parent) {
   model_ = new PlanModel(this);
   view_ = new QTableView(this);
   view_->setObjectName("plan");
+  view_->setAccessibleName(tr("Plan"));
   view_->setModel(model_);
   style_table(*view_);
   view_->setSortingEnabled(false);  // the order is what it shows
+  view_->setWordWrap(true);         // names are longer than codes
   view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   view_->horizontalHeader()->setSectionResizeMode(kTrialColumn, QHeaderView::Fixed);
   view_->horizontalHeader()->setSectionResizeMode(kConditionColumn, QHeaderView::Fixed);
@@ -341,14 +344,32 @@ void PlanTable::fit_columns() {
     widest = std::max(
         widest, letters.horizontalAdvance(model_->index(row, kConditionColumn).data().toString()));
   }
-  constexpr int kOutcome = 176;  // longer names are in the tool tip
-  const int room = view_->viewport()->width() - view_->columnWidth(kTrialColumn) - kOutcome;
-  constexpr int kAroundText = 24;  // both sides, and the margin of a focused cell
-  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kAroundText, 72, std::max(room, 72)));
+  // Longer texts take two lines; names get the room first.
+  constexpr int kOutcome = 176;
+  constexpr int kLeastOutcome = 120;
+  const int width = view_->viewport()->width() - view_->columnWidth(kTrialColumn);
+  const int wanted = std::max(widest + kAroundCell, 72);
+  const int outcome = wanted + kOutcome <= width ? kOutcome : kLeastOutcome;
+  view_->setColumnWidth(kConditionColumn, std::min(wanted, std::max(width - outcome, 72)));
+  for (int row = 0; row < model_->rowCount(); ++row) fit_row(row);
+}
+
+void PlanTable::fit_row(int row) {
+  if (row < 0 || model_->is_heading(row)) return;
+  const QFontMetrics letters(text_font(TextSize::body, true));
+  int height = letters.height();
+  for (const int column : {kConditionColumn, kOutcomeColumn}) {
+    const QRect room(0, 0, view_->columnWidth(column) - kAroundCell, QWIDGETSIZE_MAX);
+    const QString text = model_->index(row, column).data().toString();
+    height = std::max(height, letters.boundingRect(room, Qt::TextWordWrap, text).height());
+  }
+  const int needed = kRowHeight + height - letters.height();
+  if (view_->rowHeight(row) != needed) view_->setRowHeight(row, needed);
 }
 
 void PlanTable::set_now(int trial, const QString& phase) {
   model_->set_now(trial, phase);
+  for (const int changed : {now_, trial}) fit_row(model_->row_of(changed));
   if (trial == now_) return;
   now_ = trial;
   if (following_) follow();

@@ -89,6 +89,7 @@ class PlanTable final : public QWidget {
   void follow();
   void let_go();
   void fit_columns();
+  void fit_row(int row);  ///< to the lines that its texts need
 
   PlanModel* model_ = nullptr;
   QTableView* view_ = nullptr;

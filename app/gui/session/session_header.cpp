@@ -148,14 +148,34 @@ QString SessionHeader::title_with(const QString& protocol) const {
 
 QString SessionHeader::title() const { return title_->toolTip(); }
 
-/// Whole in the tool tip; where it does not fit, the protocol's title is what is cut.
+/// In smaller letters where a line is too short, then in two lines; in one where a small window needs the room to state
+/// what has stopped the session. Whole in the tool tip: the protocol's title is what is cut.
 void SessionHeader::write_title() {
   if (facts_ == nullptr || facts_->protocol == nullptr) return;
   const QString protocol = QString::fromStdString(facts_->protocol->title);
-  const QFontMetrics letters(title_->font());
-  const int room = title_->width() - letters.horizontalAdvance(title_with({}));
-  set_if_new(*title_, title_with(letters.elidedText(protocol, Qt::ElideRight, std::max(room, 0))));
-  title_->setToolTip(title_with(protocol));
+  const QString whole = title_with(protocol);
+  const int lines = form_ == SessionForm::narrow && is_stopped_ ? 1 : 2;
+  const QRect room(0, 0, title_->width(), QWIDGETSIZE_MAX);
+  QFont font{};
+  const auto fits = [&](int in_lines) {
+    for (const TextSize size : {TextSize::heading, TextSize::body, TextSize::small}) {
+      font = text_font(size, true);
+      const QFontMetrics letters(font);
+      const QRect needed = letters.boundingRect(room, Qt::TextWordWrap, whole);
+      if (needed.height() <= in_lines * letters.height()) return true;
+    }
+    return false;
+  };
+  const bool is_whole = fits(1) || (lines > 1 && fits(lines));
+  title_->setFont(font);
+  title_->setWordWrap(lines > 1);
+  title_->setToolTip(whole);
+  if (is_whole) return set_if_new(*title_, whole);
+  const QFontMetrics letters(font);
+  // A line ends with a word, and so before its end.
+  const int width = lines * room.width() - (lines - 1) * room.width() / 4;
+  const int left = width - letters.horizontalAdvance(title_with({}));
+  set_if_new(*title_, title_with(letters.elidedText(protocol, Qt::ElideRight, std::max(left, 0))));
 }
 
 bool SessionHeader::eventFilter(QObject* watched, QEvent* event) {
@@ -187,6 +207,10 @@ void SessionHeader::show_blindness(const Blindness& blindness) {
 
 void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
   const SessionSnapshot& s = snapshot;
+  if (const bool stopped = s.phase == SessionPhase::fault; stopped != is_stopped_) {
+    is_stopped_ = stopped;
+    write_title();
+  }
   set_if_new(*block_, s.block > 0 ? tr("Block %1 of %2").arg(s.block).arg(s.blocks)
                                   : tr("Blocks: %1").arg(s.blocks));
   progress_->setMaximum(std::max(1, s.trials));

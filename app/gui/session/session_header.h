@@ -68,6 +68,7 @@ class SessionHeader final : public QWidget {
 
   std::shared_ptr<const SessionFacts> facts_{};
   std::optional<SessionForm> form_{};
+  bool is_stopped_ = false;  ///< by a fault
   QGridLayout* grid_ = nullptr;
   QHBoxLayout* counts_ = nullptr;
   QPushButton* emergency_ = nullptr;

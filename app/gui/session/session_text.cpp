@@ -138,7 +138,7 @@ QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right)
   const QString answers = of_answers(attempt);
   QString text = answers.isEmpty() ? outcome : answers;
   if (tells_right && attempt.correct) {
-    text = *attempt.correct ? tr("%1, right").arg(text) : tr("%1, wrong").arg(text);
+    text = *attempt.correct ? tr("%1, correct").arg(text) : tr("%1, incorrect").arg(text);
   }
   if (!attempt.valid) return tr("%1, does not count").arg(text);
   return attempt.flagged ? tr("%1, flagged").arg(text) : text;

@@ -4668,14 +4668,6 @@
         <translation>als Nächstes</translation>
     </message>
     <message>
-        <source>%1, right</source>
-        <translation>%1, richtig</translation>
-    </message>
-    <message>
-        <source>%1, wrong</source>
-        <translation>%1, falsch</translation>
-    </message>
-    <message>
         <source>%1, does not count</source>
         <translation>%1, zählt nicht</translation>
     </message>
@@ -4730,6 +4722,14 @@
     <message>
         <source>Resume this session…</source>
         <translation>Diese Sitzung fortsetzen…</translation>
+    </message>
+    <message>
+        <source>%1, correct</source>
+        <translation>%1, richtig</translation>
+    </message>
+    <message>
+        <source>%1, incorrect</source>
+        <translation>%1, falsch</translation>
     </message>
 </context>
 <context>
@@ -5262,14 +5262,6 @@
 <context>
     <name>asperity::AnswersPanel</name>
     <message>
-        <source>%1, right</source>
-        <translation>%1, richtig</translation>
-    </message>
-    <message>
-        <source>%1, wrong</source>
-        <translation>%1, falsch</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -5288,6 +5280,14 @@
     <message>
         <source>Last answer</source>
         <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>%1, correct</source>
+        <translation>%1, richtig</translation>
+    </message>
+    <message>
+        <source>%1, incorrect</source>
+        <translation>%1, falsch</translation>
     </message>
 </context>
 <context>
@@ -7622,6 +7622,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Back to the trial under way</source>
         <translation>Zurück zum laufenden Durchgang</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,26 @@ TEST(SessionWindow, KeepsTheButtonsOfItsDialogsApart) {
       << field.width();
 }
 
+TEST(SessionWindow, ElidesNeitherTitleNorNamesOfThePlan) {
+  FilledMonitor session("improved_selection", SessionMode::pilot);
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::paused);
+  session.requests.pause();
+  const auto window = session.window();
+  child<QPushButton>(*window, "unblind").click();
+  const auto& plan = child<QTableView>(*window, "plan");
+  const auto& title = child<QLabel>(*window, "session_title");
+  for (const QSize size : {QSize(683, 700), QSize(1270, 688), QSize(1920, 1016)}) {
+    window->resize(size);
+    window->refresh();
+    QCoreApplication::processEvents();
+    // A heading has the room of all columns.
+    const QStringList cut = cut_cells(plan).filter(QRegularExpression("^(?!Block )"));
+    EXPECT_EQ(cut.join(" | ").toStdString(), "") << size.width();
+    EXPECT_EQ(title.text(), title.toolTip()) << size.width();
+  }
+}
+
 TEST(SessionWindow, TellsTheLastScreenFromTheFirst) {
   FilledMonitor session{};
   session.monitor.update([](SessionSnapshot& s) { s.trials_done = 0; });
@@ -383,12 +403,12 @@ TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
   const auto outcome = [&model](int trial) {
     return model.index(model.row_of(trial), 2).data().toString();
   };
-  EXPECT_TRUE(outcome(11).contains("right")) << outcome(11).toStdString();
+  EXPECT_TRUE(outcome(11).contains("correct")) << outcome(11).toStdString();
   EXPECT_EQ(outcome(32), "✓ 5");
-  EXPECT_FALSE(child<QLabel>(*window, "last_answer").text().contains("right"));
+  EXPECT_FALSE(child<QLabel>(*window, "last_answer").text().contains("correct"));
   child<QPushButton>(*window, "unblind").click();
   give_reason(*window, "a surface feels wrong");
-  EXPECT_EQ(outcome(32), "✓ 5, right");
+  EXPECT_EQ(outcome(32), "✓ 5, correct");
 }
 
 TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
