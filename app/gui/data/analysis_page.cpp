@@ -67,10 +67,10 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   layout->setSpacing(kMargin);
   auto* header = new QHBoxLayout();
   header->addWidget(make_title(tr("Analysis"), this), 1);
-  export_ = make_button(tr("Export the tables…"), ButtonRole::plain, this);
-  export_->setObjectName("export_tables");
   banner_ = new Banner(this);
   report_ = new ReportSaving(study, *banner_, this);
+  export_ = make_button(tr("Export tables…"), ButtonRole::plain, this);
+  export_->setObjectName("export_tables");
   header->addWidget(report_);
   header->addWidget(export_);
   layout->addLayout(header);
@@ -260,13 +260,12 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
         }
         banner_->show_news(
             exported.has_remarks() ? State::look : State::fine,
-            with_remark(
-                with_remark(tr("%n files are in %1; codebook.tsv says what every column means.",
-                               nullptr, static_cast<int>(exported.files))
-                                    .arg(folder) +
-                                incomplete_text(exported.incomplete),
-                            exported.unrecorded),
-                exported.missing));
+            with_remark(with_remark(tr("%n files are in %1; codebook.tsv describes every column.",
+                                       nullptr, static_cast<int>(exported.files))
+                                            .arg(folder) +
+                                        incomplete_text(exported.incomplete),
+                                    exported.unrecorded),
+                        exported.missing));
       },
       [this](const QString& what) { banner_->show_news(State::stop, what); });
 }

@@ -74,8 +74,8 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   names_->setObjectName("attempt_names");
   names_->hide();  // until an attempt is shown that it is true of
   names_->set_state(State::look,
-                    tr("Textures and models are shown by name, though the session is not complete: "
-                       "who goes on with it is no longer blind to them."));
+                    tr("Textures and models are shown by name, although the session is not "
+                       "complete: an experimenter who resumes it is no longer blind to them."));
   body().addWidget(names_);
   add_actions();
   reading_line_ = new TaskLine(reading_, this);
@@ -86,6 +86,7 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   body().addWidget(writing_line_);
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("attempt_tabs");
+  tabs_->setAccessibleName(tr("Parts of the attempt"));
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setDrawBase(false);
   recording_ = new RecordingView(tabs_);
@@ -251,7 +252,7 @@ void AttemptPage::ask_to_flag() {
   question.draft = {.trial = detail_->attempt.trial,
                     .attempt = detail_->attempt.attempt,
                     .verdict = Verdict::flag};
-  question.text = tr("Why should somebody look at this attempt? It goes on to count.");
+  question.text = tr("Reason for flagging the attempt. It remains in the analyses.");
   question.offered = offered_reasons(ReasonFor::flagging);
   question.verb = tr("Flag attempt");
   form_->ask(question);
@@ -313,11 +314,11 @@ void AttemptPage::export_to(const QString& file) {
           banner().show_news(State::look, tr("%1 was not written: you cancelled it.").arg(file));
           return;
         }
-        banner().show_news(State::fine,
-                           tr("%n tick(s) are in %1; docs/formats/recording.md says what the "
-                              "columns mean.",
-                              nullptr, static_cast<int>(*ticks))
-                               .arg(file));
+        banner().show_news(
+            State::fine,
+            tr("%n tick(s) are in %1; docs/formats/recording.md describes the columns.", nullptr,
+               static_cast<int>(*ticks))
+                .arg(file));
       },
       [this](const QString& what) { banner().show_news(State::stop, what); });
 }

@@ -139,7 +139,8 @@ QString limit_words(const std::string& kind) {
   }
   if (kind == "kept") return MeasureTables::tr("a contact went on although nothing was cut");
   if (kind == "wholly_inside") {
-    return MeasureTables::tr("the tool lay wholly inside the surface, where nothing is felt");
+    return MeasureTables::tr(
+        "the tool lay completely inside the surface, where no force is rendered");
   }
   if (kind == "too_deep") {
     return MeasureTables::tr(
@@ -174,7 +175,7 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                  {{tr("Item"), 64, CellAlign::number},
                   {tr("Question"), 0, CellAlign::text},
                   {tr("Answer"), 0, CellAlign::text},
-                  {tr("Right"), 88, CellAlign::text},
+                  {tr("Correct"), 88, CellAlign::text},
                   {tr("Choices"), 0, CellAlign::text},
                   {AttemptWords::after_contact(), 152, CellAlign::number},
                   {AttemptWords::after_cue(), 120, CellAlign::number},
@@ -191,7 +192,7 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                    {tr("Contact, s"), 112, CellAlign::number},
                    {tr("Texture force, N"), 160, CellAlign::number}});
   surfaces_heading_ = page->findChild<QLabel*>("attempt_surfaces_heading");
-  compliance_ = add(tr("Explored as asked?"), "attempt_compliance",
+  compliance_ = add(tr("Exploration: instructed and observed"), "attempt_compliance",
                     {{tr("Surface"), 88, CellAlign::number},
                      {tr("Quantity"), 0, CellAlign::text},
                      {tr("Asked"), 128, CellAlign::text},
@@ -302,7 +303,7 @@ HistoryTables::HistoryTables(QWidget* parent) : QWidget(parent) {
   rows->addWidget(make_heading(tr("What happened during the attempt"), this));
   events_ = new StudyTable({{tr("Time, s"), 96, CellAlign::number},
                             {tr("What"), 200, CellAlign::text},
-                            {tr("Words"), 0, CellAlign::text}},
+                            {tr("Text"), 0, CellAlign::text}},
                            this);
   events_->setObjectName("attempt_events");
   rows->addWidget(events_, 1);

@@ -11,7 +11,7 @@ namespace asperity {
 QString AttemptWords::of_verdict(Verdict verdict) {
   switch (verdict) {
     case Verdict::set_aside:
-      return tr("set aside, asked again");
+      return tr("invalidated, repeated");
     case Verdict::flag:
       return tr("flagged");
     case Verdict::exclude:

@@ -87,9 +87,9 @@ void DecisionForm::show_what_is_missing() {
   const bool given = !reason_->currentText().trimmed().isEmpty();
   write_->setEnabled(given);
   note_->set_state(State::unknown,
-                   given ? tr("It is written with the time; the data stay as they are.")
-                         : tr("A reason is needed: whoever reads the data later has to "
-                              "understand it."));
+                   given
+                       ? tr("It is written with the time; the data stay as they are.")
+                       : tr("A reason is required, so that the decision can be understood later."));
 }
 
 void DecisionForm::write() {

@@ -340,10 +340,9 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
 
 void DeviceTestPage::write_what_it_does() {
   if (device_.is_simulated) {
-    what_->set_state(
-        State::fine,
-        tr("Nothing moves: a virtual hand holds it, and its mechanics are measured "
-           "faster than time goes by. Its timing says something about this computer."));
+    what_->set_state(State::fine,
+                     tr("Nothing moves: a virtual hand holds it, and its mechanics are measured "
+                        "faster than real time. Its timing is that of this computer."));
     return;
   }
   if (!device_.has_motors) {

@@ -20,8 +20,8 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
           "the force has to be exactly zero.");
     case DeviceTestPart::safety:
       return DeviceTestSteps::tr(
-          "Keep hands away: soft pushes, then a stop, a force that is no number, and silence of "
-          "the program. Each has to end in zero force.");
+          "Keep hands away: soft pushes, then a stop, a force that is not a number, and a program "
+          "that does not respond. Each has to end in zero force.");
     case DeviceTestPart::sweeps:
       return DeviceTestSteps::
           tr("Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. "

@@ -166,6 +166,7 @@ QWidget* ProtocolEditorPage::make_text_side() {
                               {tr("Place"), 208, StudyTable::Align::text}},
                              below);
   problems_->setObjectName("editor_problems");
+  problems_->setAccessibleName(tr("Problems"));
   problems_->setFont(text_font(TextSize::small));
   problems_->horizontalHeader()->setFont(text_font(TextSize::small));
   problems_->wrap_texts();
@@ -185,7 +186,7 @@ QWidget* ProtocolEditorPage::make_text_side() {
 QWidget* ProtocolEditorPage::make_plan_side() {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(this, layout);
-  layout->addWidget(make_heading(tr("The plan it expands to"), card));
+  layout->addWidget(make_heading(tr("Generated trial list"), card));
   plan_side_ = new QStackedWidget(card);
   plan_side_->setObjectName("editor_plan_side");
   plan_ = new PlanPreview(PlanPreview::Shape::tall, plan_side_);
@@ -324,9 +325,8 @@ void ProtocolEditorPage::show_plan_or_why_not() {
 void ProtocolEditorPage::show_help() {
   const auto help = help_.of(json_place(edit_->text(), edit_->textCursor().position()));
   if (!help) {
-    key_help_->setText(
-        QString("<span style='color:%1'>%2</span>")
-            .arg(theme().muted.name(), tr("What the key under the cursor means is said here.")));
+    key_help_->setText(QString("<span style='color:%1'>%2</span>")
+                           .arg(theme().muted.name(), tr("Help for the key at the cursor.")));
     return;
   }
   key_help_->setText(QString("<b>%1</b>&nbsp; %2<br><span style='color:%3'>%4</span>")
@@ -473,17 +473,14 @@ void ProtocolEditorPage::ask_about_version(const VersionUse& use) {
                        then_ = {};
                        edit_->setFocus();
                      }});
-  question_->ask(
-      use.sessions == 1
-          ? tr("One session was run with version %1 of another text; raise the version, so that "
-               "the "
-               "data can be told apart.")
-                .arg(version)
-          : tr("%1 sessions were run with version %2 of another text; raise the version, so that "
-               "the data can be told apart.")
-                .arg(use.sessions)
-                .arg(version),
-      answers);
+  question_->ask(use.sessions == 1 ? tr("One session was run with another text of version %1; "
+                                        "raise the version to keep the data apart.")
+                                         .arg(version)
+                                   : tr("%1 sessions were run with another text of version %2; "
+                                        "raise the version to keep the data apart.")
+                                         .arg(use.sessions)
+                                         .arg(version),
+                 answers);
 }
 
 void ProtocolEditorPage::raise_version() {

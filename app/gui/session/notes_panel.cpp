@@ -103,11 +103,12 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
 
   field_ = new QLineEdit(this);
   field_->setObjectName("note");
+  field_->setAccessibleName(tr("Note"));
   field_->setPlaceholderText(tr("Note, F2; Return stores it"));
   keep_ = make_button(tr("Keep as phrase"), ButtonRole::link, this);
   keep_->setObjectName("keep_phrase");
   keep_->setFont(text_font(TextSize::small));
-  keep_->setToolTip(tr("A button of its own notes it from now on, in later sessions too"));
+  keep_->setToolTip(tr("Adds a button for this note, in later sessions too"));
   keep_->hide();
   auto* write = new QHBoxLayout();
   write->setSpacing(kGrid / 2);

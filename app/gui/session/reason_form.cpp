@@ -88,6 +88,7 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   bottom->setSpacing(kGrid);
   field_ = new QLineEdit(this);
   field_->setObjectName("reason");
+  field_->setAccessibleName(tr("Reason"));
   field_->setPlaceholderText(tr("Choose a reason above or type one"));
   act_ = make_button({}, ButtonRole::plain, this);
   act_->setObjectName("reason_given");

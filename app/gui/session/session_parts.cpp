@@ -24,12 +24,14 @@ SessionParts::SessionParts(const Widgets& widgets, QWidget* parent)
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(kMargin);
   grid_->setVerticalSpacing(kGrid);
+  make_switches();
   for (QWidget* part :
        {widgets_.plan, widgets_.plots, widgets_.sight, widgets_.answers, widgets_.notes}) {
+    // Behind the switches also for Tab, whose order follows that in which widgets come into a window.
+    part->setParent(nullptr);
     part->setParent(this);
     part->setSizePolicy(QSizePolicy::Ignored, part->sizePolicy().verticalPolicy());
   }
-  make_switches();
   set_form(SessionForm::wide);
 }
 

@@ -37,10 +37,9 @@ void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessio
   const BrokenOffSession& session = sessions.front();
   QStringList said{news_text(session, study)};
   if (!session.protocol_file) {
-    said << QCoreApplication::translate(
-                "asperity::BrokenOffNews",
-                "None of the study's protocols is the text that it began with any more: put "
-                "%1 version %2 back as it was to go on.")
+    said << QCoreApplication::translate("asperity::BrokenOffNews",
+                                        "None of the study's protocols has the text that the "
+                                        "session began with: restore %1 version %2 to resume.")
                 .arg(QString::fromStdString(session.protocol_name),
                      QString::fromStdString(session.protocol_version));
   }

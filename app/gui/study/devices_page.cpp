@@ -36,9 +36,9 @@ std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& de
        DevicesPage::tr("%1 × %2 × %3 mm")
            .arg(fixed_number(size_mm.x, 0), fixed_number(size_mm.y, 0),
                 fixed_number(size_mm.z, 0))},
-      {DevicesPage::tr("Largest force"),
+      {DevicesPage::tr("Peak force"),
        DevicesPage::tr("%1 N").arg(fixed_number(device.peak_force_N, 1))},
-      {DevicesPage::tr("Lasting force"),
+      {DevicesPage::tr("Continuous force"),
        device.continuous_force_N > 0.0
            ? DevicesPage::tr("%1 N").arg(fixed_number(device.continuous_force_N, 1))
            : DevicesPage::tr("not stated")},
@@ -48,9 +48,9 @@ std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& de
            : DevicesPage::tr("exact (simulated)")},
       {DevicesPage::tr("Fastest loop"),
        DevicesPage::tr("%1 Hz").arg(fixed_number(device.maximum_rate_Hz, 0))},
-      {DevicesPage::tr("Who keeps time"), device.pacing == Pacing::ours
-                                              ? DevicesPage::tr("this program")
-                                              : DevicesPage::tr("the maker's driver")}};
+      {DevicesPage::tr("Timing source"), device.pacing == Pacing::ours
+                                             ? DevicesPage::tr("this program")
+                                             : DevicesPage::tr("the maker's driver")}};
   if (!device.serial.empty()) {
     facts.insert(facts.begin(),
                  {DevicesPage::tr("Serial number"), QString::fromStdString(device.serial)});
@@ -117,11 +117,12 @@ DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
 DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
     : StudyPage(study, tr("Devices"), parent), survey_(std::move(survey)) {
   setObjectName("devices_page");
-  look_button_ = make_button(tr("Look again"), ButtonRole::plain, this);
+  look_button_ = make_button(tr("Rescan"), ButtonRole::plain, this);
   look_button_->setObjectName("devices_look");
   head().addWidget(look_button_);
   connect(look_button_, &QPushButton::clicked, this, &DevicesPage::look);
   auto* area = new QScrollArea(this);
+  area->setAccessibleName(tr("Devices"));
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -226,9 +227,9 @@ void DevicesPage::look() {
   told_ = driver_places();
   if (setup_ != nullptr) setup_->show_looking();
   look_button_->setEnabled(false);
-  look_button_->setText(tr("Looking…"));
+  look_button_->setText(tr("Searching…"));
   const auto done = [this] {
-    look_button_->setText(tr("Look again"));
+    look_button_->setText(tr("Rescan"));
     look_button_->setEnabled(true);
   };
   task_.run<std::vector<SurveyedDriver>>(

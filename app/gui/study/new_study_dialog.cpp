@@ -35,6 +35,7 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   form->addRow(tr("Name"), name_);
   place_ = new QLineEdit(text_of_path(place), this);
   place_->setObjectName("new_study_place");
+  place_->setAccessibleName(tr("In the folder"));
   QPushButton* browse = make_button(tr("Choose…"), ButtonRole::plain, this);
   auto* place_row = new QHBoxLayout();
   place_row->setSpacing(kGrid);
@@ -102,7 +103,7 @@ void NewStudyDialog::show_what_follows() {
   const QString wrong = complaint();
   create_->setEnabled(wrong.isEmpty());
   what_follows_->setText(
-      wrong.isEmpty() ? tr("The study will lie in %1.").arg(text_of_path(folder())) : wrong);
+      wrong.isEmpty() ? tr("The study is created in %1.").arg(text_of_path(folder())) : wrong);
 }
 
 }  // namespace asperity

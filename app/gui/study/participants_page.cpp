@@ -40,7 +40,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Participants"), parent) {
   setObjectName("participants_page");
   set_empty_state(new EmptyState(
-      tr("Nobody has taken part yet"),
+      tr("No participants yet"),
       tr("A participant is added when their first session starts: choose a protocol on the page "
          "Protocols and press “Start session…”. The label is suggested, the protocol's questions "
          "are asked there."),
@@ -57,6 +57,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   group->addButton(virtual_people_);
   filter_ = new QLineEdit(this);
   filter_->setObjectName("participants_filter");
+  filter_->setAccessibleName(tr("Filter"));
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setClearButtonEnabled(true);
   filter_->setMaximumWidth(280);
@@ -76,6 +77,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
                            {tr("Last session"), 0, Align::text}},
                           this);
   table_->setObjectName("participants_table");
+  table_->setAccessibleName(tr("Participants"));
   body().addWidget(table_, 1);
 
   auto* below = new QHBoxLayout();
@@ -127,7 +129,7 @@ void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& peopl
   }
   std::vector<ParticipantRow> rows{};
   for (const ParticipantOverview& one : all_) rows.push_back(one.row);
-  next_label_->setText(tr("Somebody new would be called %1: suggested when a session starts.")
+  next_label_->setText(tr("Next suggested participant label: %1.")
                            .arg(QString::fromStdString(suggested_label(rows))));
   emit counted(persons == 0 && virtual_ones > 0 ? tr("%1 virtual").arg(virtual_ones)
                                                 : QString::number(persons));
@@ -163,8 +165,9 @@ void ParticipantsPage::show_selected() {
   const auto found =
       std::find_if(all_.begin(), all_.end(),
                    [&label](const ParticipantOverview& one) { return one.row.label == label; });
-  answers_->setText(found == all_.end() ? tr("Select somebody to see their answers and sessions.")
-                                        : text_of_answers(found->row.answers_json));
+  answers_->setText(found == all_.end()
+                        ? tr("Select a participant to see their answers and sessions.")
+                        : text_of_answers(found->row.answers_json));
 }
 
 void ParticipantsPage::ask_to_withdraw() {

@@ -117,7 +117,7 @@ QString in_full(const Trial& trial) {
          html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) +
          html_line(PlanPreview::tr("Question"), text(trial.question.prompt)) +
          html_line(PlanPreview::tr("Options as shown"), options.join(" · ")) +
-         html_line(PlanPreview::tr("Right answer"), line_of(trial).answer);
+         html_line(PlanPreview::tr("Correct answer"), line_of(trial).answer);
 }
 
 QString in_full(const PlanStep& step, const Plan& plan) {
@@ -167,7 +167,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
                              {tr("Trial"), 72, Align::number},
                              {tr("Block"), 144, Align::text},
                              {tr("Surfaces in order"), 0, Align::text},
-                             {tr("Right answer"), 208, Align::text}},
+                             {tr("Correct answer"), 208, Align::text}},
                             this);
     layout->addWidget(table_, 1);
   } else {
@@ -186,6 +186,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     table_->horizontalHeader()->setFont(small);
     table_->verticalHeader()->setDefaultSectionSize(3 * kGrid);
     auto* scroll = new QScrollArea(splitter);
+    scroll->setAccessibleName(tr("Selected step"));
     scroll->setWidgetResizable(true);
     scroll->viewport()->setAutoFillBackground(false);
     detail_ = make_text({}, scroll);
@@ -206,6 +207,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     });
   }
   table_->setObjectName("plan_table");
+  table_->setAccessibleName(tr("Generated trial list"));
   table_->setTextElideMode(Qt::ElideRight);                  // sentences
   table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
 }
@@ -224,9 +226,9 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
   };
   seed_ = add(tr("Seed"), "plan_seed", 0, std::numeric_limits<int>::max());
   seed_->setValue(1);
-  seed_->setToolTip(tr("What is random is drawn anew for every session."));
+  seed_->setToolTip(tr("Random orders are drawn separately for every session."));
   row_ = add(tr("Row"), "plan_row", 1, 1);
-  row_->setToolTip(tr("The row of the counterbalancing, which goes on from person to person."));
+  row_->setToolTip(tr("The row of the counterbalancing: each participant gets the next one."));
   rows_ = make_text({}, this, true);
   rows_->setWordWrap(false);
   row.addWidget(rows_);

@@ -102,8 +102,8 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   head().addWidget(add);
   auto* empty = new EmptyState(
       tr("No protocols yet"),
-      tr("A protocol says what is felt and asked, in which order. Begin with one from the library, "
-         "or copy a protocol file into the study's folder “protocols”: it appears here at once."),
+      tr("A protocol defines stimuli, tasks and trial order. Begin with one from the library, or "
+         "copy a protocol file into the study's folder “protocols”: it appears here at once."),
       this);
   auto* first = empty->add_action(tr("New from template"), ButtonRole::primary, [] {});
   add_templates(first);
@@ -126,6 +126,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
                            {tr("State"), 120, Align::text}},
                           splitter_);
   table_->setObjectName("protocols_table");
+  table_->setAccessibleName(tr("Protocols"));
   table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));
   table_->wrap_texts();
   table_->leave_out_when_tight({3, 2});  // which the card below states as well
@@ -215,6 +216,7 @@ QWidget* ProtocolsPage::make_detail() {
 
   below_ = new QStackedWidget(card);
   auto* scroll = new QScrollArea(below_);
+  scroll->setAccessibleName(tr("Description"));
   scroll->setWidgetResizable(true);
   scroll->viewport()->setAutoFillBackground(false);
   description_ = make_text({}, scroll);
@@ -225,6 +227,7 @@ QWidget* ProtocolsPage::make_detail() {
       {{tr("Line"), 80, StudyTable::Align::number}, {tr("Problem"), 0, StudyTable::Align::text}},
       below_);
   problems_->setObjectName("protocol_problems");
+  problems_->setAccessibleName(tr("Problems"));
   problems_->wrap_texts();
   plan_ = new PlanPreview(PlanPreview::Shape::wide, below_);
   for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_}) {
@@ -342,7 +345,7 @@ void ProtocolsPage::show_selected() {
   preview_->setEnabled(valid);
   edit_->setEnabled(true);
   if (!valid) {
-    reason_->setText(tr("It has to be valid first: the problems are below."));
+    reason_->setText(tr("Fix the problems listed below first."));
   } else {
     reason_->setText(can_run ? QString{}
                              : tr("This study can only be read here: no session can be stored."));

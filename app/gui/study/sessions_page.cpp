@@ -99,6 +99,7 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
       this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("sessions_filter");
+  filter_->setAccessibleName(tr("Filter"));
   filter_->setPlaceholderText(tr("Filter: participant, protocol, state"));
   filter_->setClearButtonEnabled(true);
   filter_->setFixedWidth(320);
@@ -116,6 +117,7 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
                            {tr("Notes"), 72, Align::number}},
                           this);
   table_->setObjectName("sessions_table");
+  table_->setAccessibleName(tr("Sessions"));
   table_->leave_out_when_tight({6, 8});  // the page of the session's trials says them as well
   table_->sortByColumn(5, Qt::DescendingOrder);
   table_->setItemDelegateForColumn(3, new BandDelegate(table_));
@@ -207,8 +209,8 @@ void SessionsPage::show_selected() {
   } else if (session->ended_by_rule) {
     reason_->setText(tr("It has ended as its protocol specifies: there is nothing to resume."));
   } else if (!session->protocol_file) {
-    reason_->setText(tr("None of the study's protocols is still the text that it began with. Put "
-                        "%1 version %2 back as it was to go on.")
+    reason_->setText(tr("None of the study's protocols has the text that the session began with. "
+                        "Restore %1 version %2 to resume.")
                          .arg(QString::fromStdString(session->protocol_name),
                               QString::fromStdString(session->protocol_version)));
   } else if (!study().can_be_written()) {

@@ -125,6 +125,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
                                  this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("stimuli_filter");
+  filter_->setAccessibleName(tr("Filter"));
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setClearButtonEnabled(true);
   filter_->setFixedWidth(280);
@@ -140,10 +141,12 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
                            {tr("Used by"), 0, Align::text}},
                           this);
   table_->setObjectName("stimuli_table");
-  table_->leave_out_when_tight({3});  // size and pitch say as much
-  table_->setWordWrap(true);          // beside a picture there is room for several lines
+  table_->setAccessibleName(tr("Stimuli"));
+  // Size and pitch give the pixels; the workbench has the RMS.
+  table_->leave_out_when_tight({3, 5});
+  table_->wrap_texts();
   table_->setIconSize({kPicture, kPicture});
-  table_->verticalHeader()->setDefaultSectionSize(kPicture + kGrid);
+  table_->verticalHeader()->setMinimumSectionSize(kPicture + kGrid);
   body().addWidget(table_, 1);
   connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);
 

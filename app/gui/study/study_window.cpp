@@ -150,11 +150,10 @@ void StudyWindow::make_pages() {
 
 void StudyWindow::tell_limits() {
   if (!study_->can_be_written()) {
-    banner_->show_news(
-        State::look,
-        tr("This study can only be read here: its folder, or the medium that it lies on, cannot be "
-           "written to. Everything can be looked at and exported; to run sessions, copy it to a "
-           "folder of your own."));
+    banner_->show_news(State::look,
+                       tr("This study is read-only: its folder, or the medium that it is on, "
+                          "cannot be written to. It can be viewed, analysed and exported; to run "
+                          "sessions, copy it to a folder that you may write to."));
   } else if (study_->study().schema_version() < Study::kSchemaVersion) {
     banner_->show_news(
         State::look,

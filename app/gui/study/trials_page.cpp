@@ -139,11 +139,13 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   back->setObjectName("trials_back");
   filter_ = new QLineEdit(this);
   filter_->setObjectName("trials_filter");
+  filter_->setAccessibleName(tr("Filter"));
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setClearButtonEnabled(true);
   filter_->setFixedWidth(240);
   head().addWidget(filter_);
   head().addWidget(back);
+  setTabOrder(filter_, back);
 
   band_ = new ModeBand(this);
   body().addWidget(band_);
@@ -156,6 +158,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   form_ = new DecisionForm(study, this);
   body().addWidget(form_);
   tabs_ = new QTabWidget(this);
+  tabs_->setAccessibleName(tr("Parts of the session"));
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setDrawBase(false);
   using Align = StudyTable::Align;
@@ -165,13 +168,14 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Condition"), kConditionWidth, Align::text},
                             {tr("Outcome"), 120, Align::text},
                             {tr("Answer"), kAnswerColumnWidth, Align::text},
-                            {tr("Right"), 64, Align::text},
+                            {tr("Correct"), 64, Align::text},
                             {AttemptWords::after_contact(), 152, Align::number},
                             {AttemptWords::after_cue(), 120, Align::number},
                             {tr("Began"), 88, Align::number},
                             {tr("Remarks"), 0, Align::text}},
                            tabs_);
   trials_->setObjectName("trials_table");
+  trials_->setAccessibleName(tr("Trials"));
   AttemptWords::explain_times(*trials_->model(), kAfterContactColumn, kAfterCueColumn);
   // A matching has an answer per surface: they go on in the next line, and where there is little room
   // what the page of the attempt says as well makes way for them.
@@ -182,9 +186,10 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   tabs_->addTab(trials_, tr("Trials"));
   events_ = new StudyTable({{tr("Time"), 88, Align::number},
                             {tr("What"), 200, Align::text},
-                            {tr("Words"), 0, Align::text}},
+                            {tr("Text"), 0, Align::text}},
                            tabs_);
   events_->setObjectName("trials_events");
+  events_->setAccessibleName(tr("Notes and events"));
   tabs_->addTab(events_, tr("Notes and events"));
   body().addWidget(tabs_, 1);
   selected_ = make_text({}, this, true);

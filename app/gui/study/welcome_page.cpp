@@ -81,11 +81,11 @@ WelcomePage::WelcomePage(QWidget* parent)
   layout->setSpacing(kMargin);
   layout->addSpacing(kGroupGap);
   layout->addWidget(make_title(tr("Asperity"), column));
-  layout->addWidget(make_text(
-      tr("Psychophysics experiments on haptic texture: people feel rendered surfaces, compare them "
-         "with pictures, and say what they felt.\nA study is a folder with its protocols, its "
-         "stimuli, and everything that was answered and recorded."),
-      column));
+  layout->addWidget(
+      make_text(tr("Psychophysics experiments on haptic texture: participants feel rendered "
+                   "surfaces, compare them with pictures, and report what they felt.\nA study is a "
+                   "folder with its protocols, its stimuli, and all responses and recordings."),
+                column));
   layout->addSpacing(kGrid);
   layout->addWidget(make_demo_card());
 
@@ -316,7 +316,7 @@ void WelcomePage::fill_recent(const std::vector<RecentStudy>& studies,
     const RecentStudy& study = studies[i];
     const QString used = text_of_time(study.used.toUTC().toString(Qt::ISODateWithMs).toStdString());
     const QStringList texts{study.name, text_of_path(study.folder),
-                            present[i] ? used : tr("no study there any more")};
+                            present[i] ? used : tr("study not found")};
     for (int column = 0; column < 3; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(texts[column]);
@@ -336,7 +336,7 @@ void WelcomePage::show_demo_place() {
   const std::filesystem::path folder = demo_folder(demo_parent_);
   demo_place_->setText(holds_demo_study(folder)
                            ? tr("It is in %1.").arg(text_of_path(folder))
-                           : tr("It will be made in %1 (about 25 MB), which takes some seconds.")
+                           : tr("It is created in %1 (about 25 MB), which takes a few seconds.")
                                  .arg(text_of_path(folder)));
 }
 

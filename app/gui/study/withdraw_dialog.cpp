@@ -64,7 +64,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kGrid);
   rows->addWidget(make_text(
-      tr("The study holds of %1: %2.").arg(text(label), text_of_counts(counts)), question_));
+      tr("Data of %1 in the study: %2.").arg(text(label), text_of_counts(counts)), question_));
   keep_ = new QRadioButton(tr("Keep the data and never use them"), question_);
   keep_->setObjectName("withdraw_keep");
   delete_ = new QRadioButton(tr("Delete every trace from the folder of the study"), question_);
@@ -104,6 +104,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   label_caption_ = new QLabel(tr("Label, to confirm"), question_);
   typed_ = new QLineEdit(question_);
   typed_->setObjectName("withdraw_label");
+  typed_->setAccessibleName(label_caption_->text());
   typed_->setPlaceholderText(text(label));
   form->addRow(label_caption_, typed_);
   rows->addLayout(form);
@@ -111,12 +112,13 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
 
   const QString outputs = text_of_outputs(outputs_);
   if (!outputs.isEmpty()) {
-    layout->addWidget(
-        make_text(tr("Made of the study, and not changed by this. Each may hold data of %1:")
-                      .arg(text(label)),
-                  this));
+    layout->addWidget(make_text(tr("Exports, reports and copies of the study, which are not "
+                                   "changed. Each may contain data of %1:")
+                                    .arg(text(label)),
+                                this));
     auto* list = new QPlainTextEdit(outputs, this);
     list->setObjectName("withdraw_outputs");
+    list->setAccessibleName(tr("Exports, reports and copies"));
     list->setReadOnly(true);
     list->setLineWrapMode(QPlainTextEdit::NoWrap);
     list->setTabChangesFocus(true);

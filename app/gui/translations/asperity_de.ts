@@ -1697,10 +1697,6 @@
 <context>
     <name>AttemptWords</name>
     <message>
-        <source>set aside, asked again</source>
-        <translation>zurückgestellt, erneut gefragt</translation>
-    </message>
-    <message>
         <source>flagged</source>
         <translation>markiert</translation>
     </message>
@@ -1807,6 +1803,10 @@
     <message>
         <source>Counts among the pilots</source>
         <translation>Zählt unter den Pilotsitzungen</translation>
+    </message>
+    <message>
+        <source>invalidated, repeated</source>
+        <translation>für ungültig erklärt, wiederholt</translation>
     </message>
 </context>
 <context>
@@ -3292,10 +3292,6 @@
         <translation>%1 ist nicht mehr da; wurde es verschoben oder der Datenträger entfernt?</translation>
     </message>
     <message>
-        <source>%1 is no file that holds a picture.</source>
-        <translation>%1 ist keine Datei, die ein Bild enthält.</translation>
-    </message>
-    <message>
         <source>%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut a piece out.</source>
         <translation>%1 hat %2 GiB; gelesen werden Bilder bis 2 GiB. Verkleinern oder einen Ausschnitt nehmen.</translation>
     </message>
@@ -3314,6 +3310,10 @@
     <message>
         <source>%1 has changed since it was opened. Open it again.</source>
         <translation>%1 hat sich geändert, seit es geöffnet wurde. Öffnen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is not a picture file.</source>
+        <translation>%1 ist keine Bilddatei.</translation>
     </message>
 </context>
 <context>
@@ -3631,10 +3631,6 @@
         <translation>Kraft null nach einem Halt</translation>
     </message>
     <message>
-        <source>Zero in place of a force that is no number</source>
-        <translation>Null statt einer Kraft, die keine Zahl ist</translation>
-    </message>
-    <message>
         <source>Zero force when the program falls silent</source>
         <translation>Kraft null, wenn das Programm verstummt</translation>
     </message>
@@ -3725,6 +3721,10 @@
     <message>
         <source>%1 days</source>
         <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>Zero force instead of a force that is not a number</source>
+        <translation>Kraft null statt einer Kraft, die keine Zahl ist</translation>
     </message>
 </context>
 <context>
@@ -5145,10 +5145,6 @@
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>Export the tables…</source>
-        <translation>Tabellen exportieren…</translation>
-    </message>
-    <message>
         <source>No answers yet</source>
         <translation>Noch keine Antworten</translation>
     </message>
@@ -5200,13 +5196,6 @@
         <translation>%1 %2
 %3 · %4</translation>
     </message>
-    <message numerus="yes">
-        <source>%n files are in %1; codebook.tsv says what every column means.</source>
-        <translation>
-            <numerusform>%n Datei liegt in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
-            <numerusform>%n Dateien liegen in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Blind while a session runs</source>
         <translation>Verblindet, solange eine Sitzung läuft</translation>
@@ -5257,6 +5246,17 @@
             <numerusform>README.txt nennt %n weitere Warnung.</numerusform>
             <numerusform>README.txt nennt %n weitere Warnungen.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files are in %1; codebook.tsv describes every column.</source>
+        <translation>
+            <numerusform>%n Datei liegt in %1; codebook.tsv beschreibt jede Spalte.</numerusform>
+            <numerusform>%n Dateien liegen in %1; codebook.tsv beschreibt jede Spalte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export tables…</source>
+        <translation>Tabellen exportieren…</translation>
     </message>
 </context>
 <context>
@@ -5365,10 +5365,6 @@
         <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht berührt.</translation>
     </message>
     <message>
-        <source>Why should somebody look at this attempt? It goes on to count.</source>
-        <translation>Warum soll jemand diesen Versuch ansehen? Er zählt weiterhin.</translation>
-    </message>
-    <message>
         <source>Flag attempt</source>
         <translation>Versuch markieren</translation>
     </message>
@@ -5396,17 +5392,6 @@
         <source>Tab-separated table (*.tsv)</source>
         <translation>Tabulatorgetrennte Tabelle (*.tsv)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tick(s) are in %1; docs/formats/recording.md says what the columns mean.</source>
-        <translation>
-            <numerusform>%n Takt liegt in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
-            <numerusform>%n Takte liegen in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Textures and models are shown by name, though the session is not complete: who goes on with it is no longer blind to them.</source>
-        <translation>Texturen und Modelle stehen mit Namen da, obwohl die Sitzung nicht vollständig ist: Wer sie fortsetzt, ist dafür nicht mehr verblindet.</translation>
-    </message>
     <message>
         <source>The recording was not read: you cancelled it. It is read when the attempt is opened again.</source>
         <translation>Die Aufzeichnung wurde nicht gelesen: es wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
@@ -5423,6 +5408,25 @@
         <source>%1 was not written: you cancelled it.</source>
         <translation>%1 wurde nicht geschrieben: es wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>Textures and models are shown by name, although the session is not complete: an experimenter who resumes it is no longer blind to them.</source>
+        <translation>Texturen und Modelle werden mit Namen angezeigt, obwohl die Sitzung nicht abgeschlossen ist: Eine Versuchsleitung, die sie fortsetzt, ist nicht mehr verblindet.</translation>
+    </message>
+    <message>
+        <source>Reason for flagging the attempt. It remains in the analyses.</source>
+        <translation>Grund für die Markierung des Versuchs. Er bleibt in den Auswertungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s) are in %1; docs/formats/recording.md describes the columns.</source>
+        <translation>
+            <numerusform>%n Takt steht in %1; docs/formats/recording.md beschreibt die Spalten.</numerusform>
+            <numerusform>%n Takte stehen in %1; docs/formats/recording.md beschreibt die Spalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parts of the attempt</source>
+        <translation>Teile des Versuchs</translation>
+    </message>
 </context>
 <context>
     <name>asperity::Banner</name>
@@ -5433,10 +5437,6 @@
 </context>
 <context>
     <name>asperity::BrokenOffNews</name>
-    <message>
-        <source>None of the study&apos;s protocols is the text that it began with any more: put %1 version %2 back as it was to go on.</source>
-        <translation>Kein Protokoll der Studie ist mehr der Text, mit dem sie begann: Zum Fortsetzen %1 Version %2 unverändert zurücklegen.</translation>
-    </message>
     <message>
         <source>Show the sessions</source>
         <translation>Sitzungen zeigen</translation>
@@ -5456,6 +5456,10 @@
     <message>
         <source>Resume session %1 of %2</source>
         <translation>Sitzung %1 von %2 fortsetzen</translation>
+    </message>
+    <message>
+        <source>None of the study&apos;s protocols has the text that the session began with: restore %1 version %2 to resume.</source>
+        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann: %1 Version %2 wiederherstellen, um sie fortzusetzen.</translation>
     </message>
 </context>
 <context>
@@ -5584,16 +5588,16 @@
         <translation>Es wird mit der Uhrzeit festgehalten; die Daten bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <source>A reason is needed: whoever reads the data later has to understand it.</source>
-        <translation>Ein Grund ist nötig: Wer die Daten später liest, muss es verstehen.</translation>
-    </message>
-    <message>
         <source>It could not be written: %1</source>
         <translation>Es konnte nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>This study can only be read here: nothing can be decided.</source>
         <translation>Diese Studie ist hier nur lesbar: Nichts kann entschieden werden.</translation>
+    </message>
+    <message>
+        <source>A reason is required, so that the decision can be understood later.</source>
+        <translation>Ein Grund ist erforderlich, damit die Entscheidung später nachvollziehbar ist.</translation>
     </message>
 </context>
 <context>
@@ -5806,10 +5810,6 @@
         <translation>Diese Studie kann hier nur gelesen werden: Kein Profil könnte behalten werden.</translation>
     </message>
     <message>
-        <source>Nothing moves: a virtual hand holds it, and its mechanics are measured faster than time goes by. Its timing says something about this computer.</source>
-        <translation>Nichts bewegt sich: Eine virtuelle Hand hält es, und seine Mechanik wird schneller gemessen, als die Zeit vergeht. Sein Zeitverhalten sagt etwas über diesen Rechner.</translation>
-    </message>
-    <message>
         <source>Esc, F12 and the red button take the force away at once. At the end you move the handle along the borders of its workspace.</source>
         <translation>Esc, F12 und der rote Knopf nehmen die Kraft sofort weg. Am Ende führen Sie den Griff an den Grenzen seines Arbeitsraums entlang.</translation>
     </message>
@@ -5869,16 +5869,16 @@
         <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of the study that has “limits” in its “device” would be listed here.</source>
         <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms. Ein Protokoll der Studie mit „limits“ in seinem „device“ stünde hier.</translation>
     </message>
+    <message>
+        <source>Nothing moves: a virtual hand holds it, and its mechanics are measured faster than real time. Its timing is that of this computer.</source>
+        <translation>Nichts bewegt sich: Eine virtuelle Hand hält das Gerät, und seine Mechanik wird schneller als in Echtzeit gemessen. Das Zeitverhalten ist das dieses Rechners.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::DeviceTestSteps</name>
     <message>
         <source>Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and the force has to be exactly zero.</source>
         <translation>Lassen Sie den Griff in Ruhe: Er hängt frei, und nichts drückt ihn. Der Takt der Schleife wird gemessen, und die Kraft muss genau null sein.</translation>
-    </message>
-    <message>
-        <source>Keep hands away: soft pushes, then a stop, a force that is no number, and silence of the program. Each has to end in zero force.</source>
-        <translation>Hände weg: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein stummes Programm. Jedes muss mit Kraft null enden.</translation>
     </message>
     <message>
         <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. What stands against it is friction and damping.</source>
@@ -5936,6 +5936,10 @@
         <source>Workspace</source>
         <translation>Arbeitsraum</translation>
     </message>
+    <message>
+        <source>Keep hands away: soft pushes, then a stop, a force that is not a number, and a program that does not respond. Each has to end in zero force.</source>
+        <translation>Hände fernhalten: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert. Jedes muss mit der Kraft null enden.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::DevicesPage</name>
@@ -5960,16 +5964,8 @@
         <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
-        <source>Largest force</source>
-        <translation>Größte Kraft</translation>
-    </message>
-    <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Lasting force</source>
-        <translation>Dauerkraft</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -5994,10 +5990,6 @@
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>Who keeps time</source>
-        <translation>Wer den Takt gibt</translation>
     </message>
     <message>
         <source>this program</source>
@@ -6052,14 +6044,6 @@
         <translation>%1, an %2</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Erneut suchen</translation>
-    </message>
-    <message>
-        <source>Looking…</source>
-        <translation>Suche läuft …</translation>
-    </message>
-    <message>
         <source>Devices could not be looked for: %1</source>
         <translation>Geräte konnten nicht gesucht werden: %1</translation>
     </message>
@@ -6098,6 +6082,26 @@
     <message>
         <source>Set up %1</source>
         <translation>%1 einrichten</translation>
+    </message>
+    <message>
+        <source>Rescan</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>Continuous force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>Timing source</source>
+        <translation>Taktquelle</translation>
     </message>
 </context>
 <context>
@@ -6539,16 +6543,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Was</translation>
     </message>
     <message>
-        <source>Words</source>
-        <translation>Wortlaut</translation>
-    </message>
-    <message>
         <source>this attempt</source>
         <translation>dieser Versuch</translation>
     </message>
     <message>
         <source>the session</source>
         <translation>die Sitzung</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Wortlaut</translation>
     </message>
 </context>
 <context>
@@ -6729,10 +6733,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Right</source>
-        <translation>Richtig</translation>
-    </message>
-    <message>
         <source>Given by</source>
         <translation>Gegeben von</translation>
     </message>
@@ -6767,10 +6767,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Texture force, N</source>
         <translation>Texturkraft, N</translation>
-    </message>
-    <message>
-        <source>Explored as asked?</source>
-        <translation>Wie verlangt erkundet?</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -6901,10 +6897,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Takte</translation>
     </message>
     <message>
-        <source>the tool lay wholly inside the surface, where nothing is felt</source>
-        <translation>das Werkzeug lag ganz in der Oberfläche, wo nichts zu spüren ist</translation>
-    </message>
-    <message>
         <source>a contact was deeper or steeper than the bodies bear out, and was bounded</source>
         <translation>ein Kontakt war tiefer oder steiler, als die Körper es hergeben, und wurde begrenzt</translation>
     </message>
@@ -6923,6 +6915,18 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>In the order in which they were shown.</source>
         <translation>In der Reihenfolge, in der sie gezeigt wurden.</translation>
+    </message>
+    <message>
+        <source>the tool lay completely inside the surface, where no force is rendered</source>
+        <translation>das Werkzeug lag vollständig in der Oberfläche, wo keine Kraft wiedergegeben wird</translation>
+    </message>
+    <message>
+        <source>Exploration: instructed and observed</source>
+        <translation>Exploration: vorgegeben und beobachtet</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Richtig</translation>
     </message>
 </context>
 <context>
@@ -7059,16 +7063,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Bei %1 gibt es schon etwas; ein anderer Name ist nötig.</translation>
     </message>
     <message>
-        <source>The study will lie in %1.</source>
-        <translation>Die Studie wird in %1 liegen.</translation>
-    </message>
-    <message>
         <source>The name becomes that of a folder: it cannot be “%1”.</source>
         <translation>Der Name wird der eines Ordners: „%1“ geht nicht.</translation>
     </message>
     <message>
         <source>The folder has to be written in full, beginning with “/” or “~”.</source>
         <translation>Der Ordner muss vollständig angegeben sein, mit „/“ oder „~“ am Anfang.</translation>
+    </message>
+    <message>
+        <source>The study is created in %1.</source>
+        <translation>Die Studie wird in %1 angelegt.</translation>
     </message>
 </context>
 <context>
@@ -7185,10 +7189,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Als Floskel merken</translation>
     </message>
     <message>
-        <source>A button of its own notes it from now on, in later sessions too</source>
-        <translation>Eine eigene Schaltfläche notiert sie von jetzt an, auch in späteren Sitzungen</translation>
-    </message>
-    <message>
         <source>Notes “%1”. The right mouse button forgets it.</source>
         <translation>Notiert „%1“. Die rechte Maustaste vergisst es.</translation>
     </message>
@@ -7199,6 +7199,14 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>earlier  %1</source>
         <translation>zuvor  %1</translation>
+    </message>
+    <message>
+        <source>Adds a button for this note, in later sessions too</source>
+        <translation>Legt für diese Notiz eine Schaltfläche an, auch in späteren Sitzungen</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
     </message>
 </context>
 <context>
@@ -7332,10 +7340,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Versuchspersonen</translation>
     </message>
     <message>
-        <source>Nobody has taken part yet</source>
-        <translation>Noch hat niemand teilgenommen</translation>
-    </message>
-    <message>
         <source>Filter</source>
         <translation>Filter</translation>
     </message>
@@ -7380,16 +7384,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Virtuell %1</translation>
     </message>
     <message>
-        <source>Somebody new would be called %1: suggested when a session starts.</source>
-        <translation>Die nächste Versuchsperson hieße %1: Das wird beim Start einer Sitzung vorgeschlagen.</translation>
-    </message>
-    <message>
         <source>%1 virtual</source>
         <translation>%1 virtuell</translation>
-    </message>
-    <message>
-        <source>Select somebody to see their answers and sessions.</source>
-        <translation>Jemanden auswählen, um Antworten und Sitzungen zu sehen.</translation>
     </message>
     <message>
         <source>Withdraw…</source>
@@ -7406,6 +7402,18 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press “Start session…”. The label is suggested, the protocol&apos;s questions are asked there.</source>
         <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
+    </message>
+    <message>
+        <source>No participants yet</source>
+        <translation>Noch keine Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Next suggested participant label: %1.</source>
+        <translation>Nächstes vorgeschlagenes Kürzel: %1.</translation>
+    </message>
+    <message>
+        <source>Select a participant to see their answers and sessions.</source>
+        <translation>Eine Versuchsperson auswählen, um ihre Antworten und Sitzungen zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -7545,10 +7553,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Auswahl, wie gezeigt</translation>
     </message>
     <message>
-        <source>Right answer</source>
-        <translation>Richtige Antwort</translation>
-    </message>
-    <message>
         <source>1 trial</source>
         <translation>1 Durchgang</translation>
     </message>
@@ -7589,16 +7593,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>What is random is drawn anew for every session.</source>
-        <translation>Was zufällig ist, wird für jede Sitzung neu gezogen.</translation>
-    </message>
-    <message>
         <source>Row</source>
         <translation>Zeile</translation>
-    </message>
-    <message>
-        <source>The row of the counterbalancing, which goes on from person to person.</source>
-        <translation>Die Zeile der Ausbalancierung; sie rückt von Person zu Person weiter.</translation>
     </message>
     <message>
         <source>Another order</source>
@@ -7611,6 +7607,26 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Surfaces</source>
         <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>Correct answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>Random orders are drawn separately for every session.</source>
+        <translation>Zufällige Reihenfolgen werden für jede Sitzung neu gezogen.</translation>
+    </message>
+    <message>
+        <source>The row of the counterbalancing: each participant gets the next one.</source>
+        <translation>Die Zeile der Ausbalancierung: Jede Versuchsperson erhält die nächste.</translation>
+    </message>
+    <message>
+        <source>Selected step</source>
+        <translation>Ausgewählter Schritt</translation>
+    </message>
+    <message>
+        <source>Generated trial list</source>
+        <translation>Erzeugte Durchgangsliste</translation>
     </message>
 </context>
 <context>
@@ -7639,10 +7655,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 bei %2 Hz, keine Kraft über %3 N.</translation>
     </message>
     <message>
-        <source>It is simulated: its timing is told and not judged.</source>
-        <translation>Es ist simuliert: Sein Zeitverhalten wird genannt und nicht beurteilt.</translation>
-    </message>
-    <message>
         <source>result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -7657,6 +7669,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Along %1.</source>
         <translation>Entlang %1.</translation>
+    </message>
+    <message>
+        <source>It is simulated: its timing is reported without a verdict.</source>
+        <translation>Es ist simuliert: Das Zeitverhalten wird ohne Bewertung angegeben.</translation>
     </message>
 </context>
 <context>
@@ -7721,10 +7737,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Stelle</translation>
     </message>
     <message>
-        <source>The plan it expands to</source>
-        <translation>Der Plan, der daraus wird</translation>
-    </message>
-    <message>
         <source>The protocol could not be read: %1</source>
         <translation>Das Protokoll konnte nicht gelesen werden: %1</translation>
     </message>
@@ -7755,10 +7767,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>The plan appears here once the text is valid. It has %1 now; the first is in line %2.</source>
         <translation>Der Plan erscheint hier, sobald der Text gültig ist. Jetzt: %1, das erste in Zeile %2.</translation>
-    </message>
-    <message>
-        <source>What the key under the cursor means is said here.</source>
-        <translation>Hier steht, was der Schlüssel unter der Schreibmarke bedeutet.</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
@@ -7817,14 +7825,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Noch nicht speichern</translation>
     </message>
     <message>
-        <source>One session was run with version %1 of another text; raise the version, so that the data can be told apart.</source>
-        <translation>Eine Sitzung lief mit Version %1 eines anderen Textes; die Version erhöhen, damit die Daten zu unterscheiden sind.</translation>
-    </message>
-    <message>
-        <source>%1 sessions were run with version %2 of another text; raise the version, so that the data can be told apart.</source>
-        <translation>%1 Sitzungen liefen mit Version %2 eines anderen Textes; die Version erhöhen, damit die Daten zu unterscheiden sind.</translation>
-    </message>
-    <message>
         <source>The file was changed by another program; its text is shown now. Undo brings back the one before.</source>
         <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ holt den vorigen zurück.</translation>
     </message>
@@ -7839,6 +7839,26 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Saved as %1: the file is called after the protocol.</source>
         <translation>Gespeichert als %1: Die Datei heißt wie das Protokoll.</translation>
+    </message>
+    <message>
+        <source>One session was run with another text of version %1; raise the version to keep the data apart.</source>
+        <translation>Eine Sitzung lief mit einem anderen Text der Version %1; die Version erhöhen, damit die Daten unterscheidbar bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 sessions were run with another text of version %2; raise the version to keep the data apart.</source>
+        <translation>%1 Sitzungen liefen mit einem anderen Text der Version %2; die Version erhöhen, damit die Daten unterscheidbar bleiben.</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Generated trial list</source>
+        <translation>Erzeugte Durchgangsliste</translation>
+    </message>
+    <message>
+        <source>Help for the key at the cursor.</source>
+        <translation>Hilfe zum Schlüssel an der Einfügemarke.</translation>
     </message>
 </context>
 <context>
@@ -8010,10 +8030,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Das Protokoll konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
-        <source>It has to be valid first: the problems are below.</source>
-        <translation>Es muss zuerst gültig sein: Die Probleme stehen unten.</translation>
-    </message>
-    <message>
         <source>Close the plan</source>
         <translation>Plan schließen</translation>
     </message>
@@ -8038,12 +8054,24 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Version %1</translation>
     </message>
     <message>
-        <source>A protocol says what is felt and asked, in which order. Begin with one from the library, or copy a protocol file into the study&apos;s folder “protocols”: it appears here at once.</source>
-        <translation>Ein Protokoll sagt, was in welcher Reihenfolge gefühlt und gefragt wird. Am besten mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
-    </message>
-    <message>
         <source>In German</source>
         <translation>Auf Deutsch</translation>
+    </message>
+    <message>
+        <source>A protocol defines stimuli, tasks and trial order. Begin with one from the library, or copy a protocol file into the study&apos;s folder “protocols”: it appears here at once.</source>
+        <translation>Ein Protokoll legt Reize, Aufgaben und die Reihenfolge der Durchgänge fest. Mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Fix the problems listed below first.</source>
+        <translation>Zuerst die unten aufgeführten Probleme beheben.</translation>
     </message>
 </context>
 <context>
@@ -8070,6 +8098,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
     </message>
 </context>
 <context>
@@ -8297,10 +8329,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
     </message>
     <message>
-        <source>A name must not end in _photo: so end the names of the photographs that are kept beside the reliefs.</source>
-        <translation>Ein Name darf nicht auf _photo enden: so enden die Namen der Fotografien, die neben den Reliefs liegen.</translation>
-    </message>
-    <message>
         <source>Saving …</source>
         <translation>Wird gespeichert …</translation>
     </message>
@@ -8331,6 +8359,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>This study can only be read here.</source>
         <translation>Diese Studie ist hier nur lesbar.</translation>
+    </message>
+    <message>
+        <source>A name must not end in _photo: names of the photographs that are kept with the reliefs do.</source>
+        <translation>Ein Name darf nicht auf _photo enden: So enden die Namen der Fotografien, die mit den Reliefs aufbewahrt werden.</translation>
     </message>
 </context>
 <context>
@@ -8926,10 +8958,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sie läuft: Bis sie endet, zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
     </message>
     <message>
-        <source>None of the study&apos;s protocols is still the text that it began with. Put %1 version %2 back as it was to go on.</source>
-        <translation>Keines der Protokolle der Studie hat noch den Text, mit dem sie begann. Um sie fortzusetzen, %1 Version %2 so zurücklegen, wie es war.</translation>
-    </message>
-    <message>
         <source>This study can only be read here: no session can be stored.</source>
         <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
     </message>
@@ -8956,6 +8984,14 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>It has ended as its protocol specifies: there is nothing to resume.</source>
         <translation>Sie ist so zu Ende gegangen, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>None of the study&apos;s protocols has the text that the session began with. Restore %1 version %2 to resume.</source>
+        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann. %1 Version %2 wiederherstellen, um sie fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
     </message>
 </context>
 <context>
@@ -9599,10 +9635,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Ordner einer Studie öffnen</translation>
     </message>
     <message>
-        <source>This study can only be read here: its folder, or the medium that it lies on, cannot be written to. Everything can be looked at and exported; to run sessions, copy it to a folder of your own.</source>
-        <translation>Diese Studie ist hier nur lesbar: In ihren Ordner oder auf ihren Datenträger kann nicht geschrieben werden. Alles kann angesehen und exportiert werden; für Sitzungen in einen eigenen Ordner kopieren.</translation>
-    </message>
-    <message>
         <source>An earlier version of Asperity made this study. It is read as it is. The first thing that is stored brings it up to date: the earlier version cannot open it any more then, and finds what it was in the file %1.</source>
         <translation>Eine frühere Version von Asperity hat diese Studie angelegt. Sie wird gelesen, wie sie ist. Das erste Speichern bringt sie auf den neuen Stand: Die frühere Version kann sie dann nicht mehr öffnen und findet den alten Stand in der Datei %1.</translation>
     </message>
@@ -9633,6 +9665,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>The metadata could not be stored: %1</source>
         <translation>Die Angaben zur Studie konnten nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>This study is read-only: its folder, or the medium that it is on, cannot be written to. It can be viewed, analysed and exported; to run sessions, copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt: In ihren Ordner oder auf den Datenträger kann nicht geschrieben werden. Sie kann angesehen, ausgewertet und exportiert werden; für Sitzungen in einen beschreibbaren Ordner kopieren.</translation>
     </message>
 </context>
 <context>
@@ -9768,10 +9804,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Right</source>
-        <translation>Richtig</translation>
-    </message>
-    <message>
         <source>Began</source>
         <translation>Begann</translation>
     </message>
@@ -9790,10 +9822,6 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <message>
         <source>What</source>
         <translation>Was</translation>
-    </message>
-    <message>
-        <source>Words</source>
-        <translation>Wortlaut</translation>
     </message>
     <message>
         <source>Notes and events</source>
@@ -9883,18 +9911,24 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <source>Condition</source>
         <translation>Bedingung</translation>
     </message>
+    <message>
+        <source>Parts of the session</source>
+        <translation>Teile der Sitzung</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Wortlaut</translation>
+    </message>
 </context>
 <context>
     <name>asperity::WelcomePage</name>
     <message>
         <source>Asperity</source>
         <translation>Asperity</translation>
-    </message>
-    <message>
-        <source>Psychophysics experiments on haptic texture: people feel rendered surfaces, compare them with pictures, and say what they felt.
-A study is a folder with its protocols, its stimuli, and everything that was answered and recorded.</source>
-        <translation>Psychophysische Experimente zu haptischer Textur: Menschen fühlen wiedergegebene Oberflächen, vergleichen sie mit Bildern und sagen, was sie gefühlt haben.
-Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was geantwortet und aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>Create a study…</source>
@@ -9969,16 +10003,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>Die Demostudie konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
-        <source>no study there any more</source>
-        <translation>nicht mehr dort</translation>
-    </message>
-    <message>
         <source>It is in %1.</source>
         <translation>Sie liegt in %1.</translation>
-    </message>
-    <message>
-        <source>It will be made in %1 (about 25 MB), which takes some seconds.</source>
-        <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
     </message>
     <message>
         <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
@@ -9987,6 +10013,20 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>Making the demo study in %1…</source>
         <translation>Die Demostudie entsteht in %1…</translation>
+    </message>
+    <message>
+        <source>Psychophysics experiments on haptic texture: participants feel rendered surfaces, compare them with pictures, and report what they felt.
+A study is a folder with its protocols, its stimuli, and all responses and recordings.</source>
+        <translation>Psychophysische Experimente zu haptischen Texturen: Versuchspersonen fühlen wiedergegebene Oberflächen, vergleichen sie mit Bildern und geben an, was sie gefühlt haben.
+Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antworten und Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>study not found</source>
+        <translation>Studie nicht gefunden</translation>
+    </message>
+    <message>
+        <source>It is created in %1 (about 25 MB), which takes a few seconds.</source>
+        <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -10032,10 +10072,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>%1 zieht die Teilnahme zurück</translation>
     </message>
     <message>
-        <source>The study holds of %1: %2.</source>
-        <translation>Die Studie enthält von %1: %2.</translation>
-    </message>
-    <message>
         <source>Keep the data and never use them</source>
         <translation>Die Daten behalten und nie verwenden</translation>
     </message>
@@ -10074,10 +10110,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>Label, to confirm</source>
         <translation>Kürzel zur Bestätigung</translation>
-    </message>
-    <message>
-        <source>Made of the study, and not changed by this. Each may hold data of %1:</source>
-        <translation>Daraus entstanden und hiervon unberührt. Alles davon kann Daten von %1 enthalten:</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10134,6 +10166,18 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>%2, %1: %3</source>
         <translation>%2, %1: %3</translation>
+    </message>
+    <message>
+        <source>Exports, reports and copies</source>
+        <translation>Exporte, Berichte und Kopien</translation>
+    </message>
+    <message>
+        <source>Data of %1 in the study: %2.</source>
+        <translation>Daten von %1 in der Studie: %2.</translation>
+    </message>
+    <message>
+        <source>Exports, reports and copies of the study, which are not changed. Each may contain data of %1:</source>
+        <translation>Exporte, Berichte und Kopien der Studie, die nicht geändert werden. Jede kann Daten von %1 enthalten:</translation>
     </message>
 </context>
 <context>

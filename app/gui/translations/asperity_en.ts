@@ -18,27 +18,27 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n files are in %1; codebook.tsv says what every column means.</source>
-        <translation>
-            <numerusform>%n file is in %1; codebook.tsv says what every column means.</numerusform>
-            <numerusform>%n files are in %1; codebook.tsv says what every column means.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>README.txt states %n further warning(s).</source>
         <translation>
             <numerusform>README.txt states %n further warning.</numerusform>
             <numerusform>README.txt states %n further warnings.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n files are in %1; codebook.tsv describes every column.</source>
+        <translation>
+            <numerusform>%n file is in %1; codebook.tsv describes every column.</numerusform>
+            <numerusform>%n files are in %1; codebook.tsv describes every column.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>asperity::AttemptPage</name>
     <message numerus="yes">
-        <source>%n tick(s) are in %1; docs/formats/recording.md says what the columns mean.</source>
+        <source>%n tick(s) are in %1; docs/formats/recording.md describes the columns.</source>
         <translation>
-            <numerusform>%n tick is in %1; docs/formats/recording.md says what the columns mean.</numerusform>
-            <numerusform>%n ticks are in %1; docs/formats/recording.md says what the columns mean.</numerusform>
+            <numerusform>%n tick is in %1; docs/formats/recording.md describes the columns.</numerusform>
+            <numerusform>%n ticks are in %1; docs/formats/recording.md describes the columns.</numerusform>
         </translation>
     </message>
 </context>

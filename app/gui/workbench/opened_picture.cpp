@@ -41,7 +41,7 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
                .arg(name));
   }
   if (!std::filesystem::is_regular_file(status)) {
-    refuse(OpeningWords::tr("%1 is no file that holds a picture.").arg(name));
+    refuse(OpeningWords::tr("%1 is not a picture file.").arg(name));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (!error && bytes > kPictureFile.most_bytes) {

@@ -152,8 +152,8 @@ void SavePanel::check_name() {
     problem = tr("Letters without accents, digits, _ and - only.");
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
-        tr("A name must not end in _photo: so end the names of the photographs that are kept "
-           "beside the reliefs.");
+        tr("A name must not end in _photo: names of the photographs that are kept with the reliefs "
+           "do.");
   } else if (saving_.is_running()) {
     problem = tr("Saving …");
   } else if (StimulusFiles(study_.folder() / "stimuli", name.toStdString()).any_exists()) {

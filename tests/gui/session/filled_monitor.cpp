@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kBegan_ns = 3'600'000'000'000;
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kSessionSecond_ns = 1'000'000'000;
 
 Protocol read_from_library(const std::string& name) {
   std::vector<ModelDeclaration> models{};
@@ -48,7 +48,7 @@ FilledMonitor::FilledMonitor(const std::string& name, SessionMode mode)
   monitor.set_facts(facts);
   monitor.update([this](SessionSnapshot& s) {
     s.began_ns = kBegan_ns;
-    s.now_ns = kBegan_ns + 1122 * kSecond_ns;
+    s.now_ns = kBegan_ns + 1122 * kSessionSecond_ns;
     s.trials = static_cast<int>(plan->trials.size());
     s.blocks = plan->trials.back().block_ordinal;
     s.expected_left_s = 1390.0;

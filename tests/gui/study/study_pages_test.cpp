@@ -152,7 +152,7 @@ TEST_F(StudyPages, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
   EXPECT_GT(problems.text_at(0, 0).toInt(), 1);
   EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_EQ(child<QLabel>(window_, "protocol_reason").text(),
-            "It has to be valid first: the problems are below.");
+            "Fix the problems listed below first.");
 }
 
 TEST_F(StudyPages, FollowProtocolFilesThatOthersChange) {
@@ -308,7 +308,7 @@ TEST_F(StudyPages, ShowABrokenOffSessionThatCannotGoOn) {
   ASSERT_TRUE(window_.open_study(folder));
   auto& banner = child<Banner>(window_, "protocols_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
-  EXPECT_TRUE(banner.text().contains("put chapter_recognition version 1.1.0 back"))
+  EXPECT_TRUE(banner.text().contains("restore chapter_recognition version 1.1.0 to resume"))
       << banner.text().toStdString();
   press(banner, "Show the sessions");
   EXPECT_EQ(window_.shown_page(), "sessions");
@@ -467,7 +467,7 @@ TEST_F(StudyPages, KeepVirtualParticipantsApart) {
   EXPECT_EQ(table.shown_rows(), 2);
   EXPECT_EQ(table.text_at(0, 0), "virtual0001");
   EXPECT_EQ(child<QLabel>(window_, "participants_next_label").text(),
-            "Somebody new would be called P013: suggested when a session starts.");
+            "Next suggested participant label: P013.");
 }
 
 TEST_F(StudyPages, SortNumbersByTheirValue) {
@@ -606,6 +606,11 @@ TEST_F(StudyPages, ShowStimuliWithWhatUsesThem) {
   EXPECT_EQ(table.text_at(brick, 3), "64 × 64");
   EXPECT_TRUE(table.text_at(brick, 6).contains("chapter_recognition"));
   EXPECT_EQ(table.text_at(photo, 1), "picture");
+  for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+    window_.resize(size);
+    EXPECT_TRUE(eventually([&] { return cut_cells(table).isEmpty(); }))
+        << size.width() << ": " << cut_cells(table).join(" | ").toStdString();
+  }
   std::filesystem::remove(window_.study()->folder() / "stimuli" / "brick.png");
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 15; }));
 }

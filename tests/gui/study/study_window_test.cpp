@@ -186,7 +186,7 @@ TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) 
     window.resize(1366, 768);
     window.show();
     ASSERT_TRUE(window.open_study(folder));
-    EXPECT_TRUE(window.banner().text().startsWith("This study can only be read here"))
+    EXPECT_TRUE(window.banner().text().startsWith("This study is read-only"))
         << window.banner().text().toStdString();
     auto& table = child<StudyTable>(window, "protocols_table");
     ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
@@ -230,7 +230,7 @@ TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
   ASSERT_TRUE(eventually([&] { return recent.rowCount() == 2; }));
   EXPECT_EQ(recent.item(0, 0)->text(), "second");
   EXPECT_EQ(recent.item(0, 1)->text(), "~/second");
-  EXPECT_EQ(recent.item(1, 2)->text(), "no study there any more");
+  EXPECT_EQ(recent.item(1, 2)->text(), "study not found");
   EXPECT_EQ(recent.item(1, 0)->foreground().color(), theme().muted);
 
   recent.selectRow(1);

@@ -1,0 +1,149 @@
+// Every page and dialog, as somebody meets them who has a keyboard and a screen reader.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QStackedWidget>
+
+#include "app/gui/data/attempt_page.h"
+#include "app/gui/devices/driver_setup.h"
+#include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/session/session_dialogs.h"
+#include "app/gui/session/session_window.h"
+#include "app/gui/start/start_page.h"
+#include "app/gui/study/about_dialog.h"
+#include "app/gui/study/metadata_dialog.h"
+#include "app/gui/study/new_study_dialog.h"
+#include "app/gui/study/session_desk.h"
+#include "app/gui/study/settings.h"
+#include "app/gui/study/share_study_dialog.h"
+#include "app/gui/study/study_table.h"
+#include "app/gui/study/study_window.h"
+#include "app/gui/study/trials_page.h"
+#include "app/gui/study/withdraw_dialog.h"
+#include "tests/gui/session/filled_monitor.h"
+#include "tests/gui/study/lively_study.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/accessible.h"
+
+namespace asperity {
+namespace {
+
+class Accessibility : public QuietHome, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override { apply_language(GetParam()); }
+  ~Accessibility() override { apply_language("en"); }
+
+  static void expect_accessible(const QWidget& window, const QString& what) {
+    QCoreApplication::processEvents();
+    EXPECT_EQ(nameless_controls(window).join('\n').toStdString(), "") << what.toStdString();
+    EXPECT_EQ(steps_against_reading(window).join('\n').toStdString(), "") << what.toStdString();
+  }
+
+  /// Deletes the dialog.
+  static void expect_accessible_dialog(QDialog* dialog) {
+    const std::unique_ptr<QDialog> shown(dialog);
+    shown->show();
+    expect_accessible(*shown, shown->metaObject()->className());
+  }
+};
+
+/// Pages that show nothing until they are told what.
+void fill_page(StudyWindow& window, const std::string& key) {
+  QWidget* page = window.page(QString::fromStdString(key));
+  const std::filesystem::path& folder = window.study()->folder();
+  const Study study = Study::open(folder, Access::read_only);
+  const std::int64_t session = study.sessions().front().id;
+  if (auto* editor = qobject_cast<ProtocolEditorPage*>(page)) {
+    editor->open(folder / "protocols" / "chapter_recognition.json");
+  }
+  if (auto* trials = qobject_cast<TrialsPage*>(page)) trials->show_session(session);
+  if (auto* attempt = qobject_cast<AttemptPage*>(page)) {
+    attempt->show_attempt(study.attempts(session).front().id);
+  }
+}
+
+TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
+  const std::filesystem::path folder = small_demo_study();
+  fill_with_people(folder);
+  StudyWindow window{};
+  const SessionDesk desk(window, nullptr);
+  window.resize(1280, 720);
+  window.show();
+  expect_accessible(window, "welcome");
+  ASSERT_TRUE(window.open_study(folder));
+  const auto& pages = child<QStackedWidget>(window, "study_pages");
+  for (const char* const key :
+       {"protocols", "participants", "sessions", "stimuli", "workbench", "analysis", "devices",
+        "device_test", "editor", "trials", "attempt"}) {
+    fill_page(window, key);
+    window.show_page(key);
+    ASSERT_EQ(window.shown_page(), key);
+    (void)eventually([&window] {
+      const auto* table = window.findChild<QWidget*>("study_pages")->findChild<StudyTable*>();
+      return table == nullptr || !table->isVisible() || table->shown_rows() > 0;
+    });
+    expect_accessible(window, key);
+  }
+  EXPECT_GE(pages.count(), 11);
+
+  window.show_page("protocols");
+  auto& protocols = child<StudyTable>(window, "protocols_table");
+  ASSERT_TRUE(eventually([&] { return protocols.shown_rows() > 0; }));
+  protocols.selectRow(0);
+  child<QPushButton>(window, "protocol_start").click();
+  const auto* start = window.findChild<StartPage*>();
+  ASSERT_NE(start, nullptr);
+  EXPECT_TRUE(eventually([&] { return start->is_read(); }));
+  expect_accessible(window, "start");
+
+  expect_accessible_dialog(new WithdrawDialog(*window.study(), "P001"));
+}
+
+TEST_P(Accessibility, EveryDialogHasNamesAndTheOrderOfReading) {
+  expect_accessible_dialog(new AboutDialog());
+  expect_accessible_dialog(new MetadataDialog(StudyMetadata{}));
+  expect_accessible_dialog(new NewStudyDialog(home()));
+  expect_accessible_dialog(new ShareStudyDialog(home()));
+  expect_accessible_dialog(new DriverSetup(
+      std::vector<std::string>{"falcon", "force_dimension", "forcefeedback_joystick"}));
+  expect_accessible_dialog(new AbortDialog(nullptr, [](const Phrase&) {}));
+  expect_accessible_dialog(new CloseDialog(nullptr, [](Leaving) {}));
+}
+
+TEST_P(Accessibility, TheSessionWindowHasNamesAndTheOrderOfReading) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  for (const QSize size : {QSize(1920, 1016), QSize(1270, 688), QSize(683, 700)}) {
+    window->resize(size);
+    window->show();
+    window->refresh();
+    expect_accessible(*window, QString("session at %1").arg(size.width()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, Accessibility, testing::Values("en", "de"),
+                         [](const auto& given) { return std::string(given.param); });
+
+TEST(AccessibleNames, AreMissedOfAButtonWithoutOne) {
+  QWidget window{};
+  auto* lower = new QPushButton("Lower", &window);
+  lower->setGeometry(0, 60, 80, 24);
+  auto* nameless = new QPushButton("…", &window);
+  nameless->setObjectName("planted");
+  nameless->setGeometry(0, 10, 80, 24);
+  window.show();
+  EXPECT_EQ(nameless_controls(window), QStringList{"QPushButton \"planted\" (…)"});
+  EXPECT_EQ(steps_against_reading(window).size(), 1) << "from the lower to the upper one";
+  nameless->setAccessibleName("More");
+  nameless->move(0, 110);
+  EXPECT_EQ(nameless_controls(window), QStringList{});
+  EXPECT_EQ(steps_against_reading(window), QStringList{});
+}
+
+}  // namespace
+}  // namespace asperity
