@@ -195,7 +195,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
   EXPECT_EQ(of_a_tool[0].pointer, "/bodies/plate");
   EXPECT_GT(of_a_tool[0].line, 1);
   for (const char* said :
-       {"nothing of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
+       {"no part of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
         "10.0 mm from the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
         "again with `--for surface`", "it ends before the strokes do"}) {
     EXPECT_THAT(of_a_tool[0].message, HasSubstr(said));
