@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Finds words that the glossary replaces, in shown text and in documents.
 
-Usage: check_words.py [--counts] [--area AREA] [--hold] [ROOT]
+Usage: check_words.py [--counts] [--area AREA] [ROOT]
 
 Prints FILE:LINE: the phrase and what to write instead, then the number of findings per area; exits with 1 if there are any.
 --counts prints only the numbers, per area and per row of the glossary. --area prints the findings of one area.
---hold exits with 1 only if an area has more findings than it had when its number in ALLOWED was set.
 
 Shown text is what stands in string literals of C++ with at least two words and in texts of the library's protocols; the
 sources of translations are among these literals. In documents code is left out: fenced and indented blocks, `inline`
@@ -95,9 +94,6 @@ AREAS = (
     ("errors and other text", ("app/", "protocols/", "stimuli/", "device/", "renderers/", "results_schema/")),
     ("documents", ()),  # every .md, wherever it stands
 )
-# Findings that an area may have with --hold; every other area may have none. Fails when it rises: lower a number whenever
-# texts of its area have been reworded, never raise it.
-ALLOWED = {"windows": 37}
 # The wordings of version 0.1.0, which are frozen there.
 LEFT_OUT = ("app/earlier_wordings.cpp",)
 
@@ -200,7 +196,6 @@ def main():
     parser.add_argument("-h", "--help", action="store_true")
     parser.add_argument("--counts", action="store_true")
     parser.add_argument("--area")
-    parser.add_argument("--hold", action="store_true")
     parser.add_argument("root", nargs="?", type=pathlib.Path, default=ROOT)
     arguments = parser.parse_args()
     if arguments.help:
@@ -218,12 +213,7 @@ def main():
         print()
         for row, count in rows.most_common():
             print(f"{count:6} {row}")
-    if not arguments.hold:
-        return 1 if found else 0
-    risen = [area for area, _ in AREAS if areas[area] > ALLOWED.get(area, 0)]
-    for area in risen:
-        print(f"{area}: {areas[area]} findings, at most {ALLOWED.get(area, 0)} allowed; fails when it rises. See --area '{area}'")
-    return 1 if risen else 0
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

@@ -4547,7 +4547,7 @@
     </message>
     <message>
         <source>Fix the problem, then press “Rescan”; or choose another device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Problem beheben, dann „Erneut suchen“ drücken; oder ein anderes Gerät wählen.</translation>
     </message>
 </context>
 <context>
@@ -5069,7 +5069,7 @@
     <name>UnfinishedSession</name>
     <message>
         <source>the session last ran %1, and the protocol requires sessions to be resumed within %2 hours</source>
-        <translation type="unfinished"></translation>
+        <translation>die Sitzung lief zuletzt %1, und das Protokoll verlangt, dass Sitzungen innerhalb von %2 Stunden fortgesetzt werden</translation>
     </message>
 </context>
 <context>
