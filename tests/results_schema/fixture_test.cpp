@@ -67,6 +67,31 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(attempts[2].excluded.value_or("counts").text, GetParam() >= 2 ? "sneezed" : "counts");
 }
 
+/// From version 7 on words are codes with arguments; earlier ones are the text alone.
+TEST_P(StudyOfSchemaVersion, KeepsTheCodesOfWords) {
+  const Fixture fixture(GetParam());
+  const Study study = Study::open(fixture.path(), Access::read_only);
+  const std::int64_t session = study.sessions().at(0).id;
+  const StoredWords reason = study.attempts(session).at(0).invalid_reason.value();
+  const std::vector<EventRow> events = study.events(session);
+  if (GetParam() < 7) {
+    EXPECT_EQ(reason, StoredWords("the participant stopped", ""));
+    EXPECT_EQ(events.at(0).words(), StoredWords("done", ""));
+    return;
+  }
+  const std::string repeated =
+      R"({"code":"trial_repeated","arguments":["the participant sneezed"]})";
+  EXPECT_EQ(reason.text,
+            "not explored as instructed: normal force of surface 2; repeated by the experimenter: "
+            "the participant sneezed");
+  EXPECT_EQ(reason.json,
+            R"({"code":"list","arguments":[{"code":"exploration_not_compliant","arguments":)"
+            R"([{"code":"quantity_of_surface","arguments":[{"code":"normal_force_N"},"2"]}]},)" +
+                repeated + "]}");
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[1].text_json, repeated);
+}
+
 TEST_P(StudyOfSchemaVersion, Verifies) {
   const Fixture fixture(GetParam());
   EXPECT_THAT(Study::open(fixture.path(), Access::read_only).verify({}), testing::IsEmpty());

@@ -7,6 +7,17 @@
 #include "results_schema/recording.h"
 #include "tests/results_schema/rows_for_tests.h"
 
+namespace {
+
+/// A code whose argument has arguments.
+asperity::StoredWords not_explored() {
+  return {"not explored as instructed: normal force of surface 2",
+          R"({"code":"exploration_not_compliant","arguments":[{"code":"quantity_of_surface",)"
+          R"("arguments":[{"code":"normal_force_N"},"2"]}]})"};
+}
+
+}  // namespace
+
 int main(int count, char** arguments) {
   using namespace asperity;
   if (count != 2) {
@@ -29,7 +40,7 @@ int main(int count, char** arguments) {
   AttemptRow aborted = some_attempt(1);
   aborted.outcome = AttemptOutcome::aborted;
   aborted.valid = false;
-  aborted.invalid_reason = "the participant stopped";
+  aborted.invalid_reason = joined(not_explored(), set_aside_because("the participant sneezed"));
   study.add_attempt(id, aborted);
   for (int trial = 1; trial <= 2; ++trial) {
     AttemptRow attempt = some_attempt(trial, trial == 1 ? 2 : 1);
@@ -46,6 +57,12 @@ int main(int count, char** arguments) {
     study.add_attempt(id, attempt);
   }
   study.add_event(id, {.time_ns = 9'000'000'000, .kind = "note", .text = "done"});
+  const StoredWords repeated = set_aside_because("the participant sneezed");
+  study.add_event(id, {.time_ns = 9'000'000'000,
+                       .kind = "trial_repeated",
+                       .text = repeated.text,
+                       .data_json = R"({"trial":1,"attempt":1})",
+                       .text_json = repeated.json});
   study.end_segment(id, 1, 9'000'000'000, "completed");
   study.end_session(id, SessionState::completed, "2026-03-01T09:30:00Z");
   study.add_decision(id, {.trial = 2,
