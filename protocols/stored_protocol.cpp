@@ -214,6 +214,11 @@ std::string without_texts(const std::string& source) {
   return protocol.dump();
 }
 
+std::string language_of(const std::string& source) {
+  const std::string stated = text_in(Json::parse(source, nullptr, false), "language");
+  return stated.empty() ? "en" : stated;
+}
+
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.title = text_in(root, "title"),

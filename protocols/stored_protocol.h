@@ -53,4 +53,7 @@ StoredProtocol stored_protocol(const std::string& source);
 /// description, meanings, notes). Two of them ask the same in the same plan. Of a text that is not JSON, the text.
 std::string without_texts(const std::string& source);
 
+/// The language that the source states; "en" where it states none.
+std::string language_of(const std::string& source);
+
 }  // namespace asperity

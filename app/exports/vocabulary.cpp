@@ -136,14 +136,20 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
     const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
   }
-  std::map<std::tuple<std::string, std::string, std::string>, std::string> first_of{};
+  // Translations of one protocol; two files in the same language may ask different things.
+  struct Wordings {
+    std::string first_sha256{};
+    std::set<std::string> languages{};
+  };
+  std::map<std::tuple<std::string, std::string, std::string>, Wordings> translations{};
   for (const ProtocolRow& protocol : study.protocols()) {
     learn_from_protocol(protocol, vocabulary);
+    Wordings& wordings =
+        translations[{protocol.name, protocol.version, without_texts(protocol.source)}];
+    if (wordings.languages.empty()) wordings.first_sha256 = protocol.source_sha256;
+    const bool is_new = wordings.languages.insert(language_of(protocol.source)).second;
     vocabulary.first_wording[protocol.source_sha256] =
-        first_of
-            .insert({{protocol.name, protocol.version, without_texts(protocol.source)},
-                     protocol.source_sha256})
-            .first->second;
+        is_new ? wordings.first_sha256 : protocol.source_sha256;
   }
   return vocabulary;
 }

@@ -388,6 +388,23 @@ TEST(WideExport, CountsLanguagesOfOneVersionTogether) {
   EXPECT_EQ(anna.at("session_feel"), "bad");
 }
 
+TEST(WideExport, KeepsTwoFilesOfOneLanguageApart) {
+  MadeUpStudy made;
+  fill(made);
+  for (const char* prompt : {"Which is rougher?", "Which is smoother?"}) {
+    ProtocolRow protocol{};
+    protocol.name = "sorting";
+    protocol.version = "1.0.0";
+    protocol.kind = "recognition";
+    protocol.design = "chapter";
+    protocol.source = R"({"questions": {"feel": {"form": "text", "prompt": ")" +
+                      std::string(prompt) + R"("}}})";
+    made.add_session("anna", made.study().add_protocol(protocol), {some_trial()});
+  }
+  export_to(made, made.beside("out"));
+  EXPECT_FALSE(only_row_of(made.beside("out") / "wide.csv").contains("sorting_which_n"));
+}
+
 // "It hurts" to another question than before, and to the same question of another protocol.
 TEST(WideExport, KeepsAnswersToQuestionsOfAVersionApart) {
   MadeUpStudy made;
