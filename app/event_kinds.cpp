@@ -146,7 +146,7 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true},
       {.name = "masking_noise_missing",
        .meaning = "the noise could not start: the sound card did not play; the session was paused "
-                  "before its first trial, or the first after it was resumed",
+                  "before this trials first trial, or the first after it was resumed",
        .hed = "Experiment-control, Mishap, Signal-noise",
        .text_is_public = true},
       {.name = "mask_on",
@@ -180,7 +180,8 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true,
        .public_data = {"source", "held_s"}},
       {.name = "refused",
-       .meaning = "an input was refused. Text: the words that were shown. Data: the input",
+       .meaning =
+           "an input was refused. Text: in English, the words that were shown. Data: the input",
        .hed = "Sensory-event, Visual-presentation, Feedback, Experiment-participant",
        .text_is_public = true,
        .public_data = {"input"}},

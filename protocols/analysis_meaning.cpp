@@ -53,7 +53,7 @@ void Meaning::check_analysis() {
       const std::vector<std::string> names(items.begin(), items.end());
       report("/analysis/target", "the target " + in_quotes(*declared.target) +
                                      " cannot be chosen in a main block" +
-                                     (names.empty() ? "" : "; there are " + one_of(names)));
+                                     (names.empty() ? "" : "; use " + one_of(names)));
     }
   }
   if (declared.equivalence_margin && protocol_.kind != ProtocolKind::matching &&

@@ -55,7 +55,7 @@ class Doubts final {
                  std::any_of(factor->second.levels.begin(), factor->second.levels.end(),
                              [&](const Level& level) { return text_of(level) == name; });
         });
-    if (!is_used) doubt(pointer, "no block asks for the exploration " + in_quotes(name));
+    if (!is_used) doubt(pointer, "no block uses the exploration " + in_quotes(name));
   }
 
   void doubt_rule(const Exploration& asked, const std::string& pointer) {

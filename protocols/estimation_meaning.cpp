@@ -31,7 +31,7 @@ void Meaning::check_spacings(const std::string& factor) {
   constexpr std::size_t kCoefficients = 3;  // of a parabola
   if (spacings.size() < kCoefficients) {
     report(pointer_to("/factors", factor) + "/levels",
-           "a curve over spacings needs three different ones at least, but there are " +
+           "a curve needs at least three different spacings, but there are " +
                std::to_string(spacings.size()));
   }
 }

@@ -217,7 +217,8 @@ void RecordingWriter::append(std::int64_t time_ns, const float* values) {
 }
 
 RecordingRow RecordingWriter::finish() {
-  if (file_->finished) throw std::logic_error("a recording is finished once");
+  if (file_->finished)
+    throw std::logic_error("the recording is already finished; finish it only once");
   file_->flush();
   const auto total = static_cast<std::uint64_t>(file_->records);
   file_->put_chunk({.records = 0, .bytes = sizeof total}, &total);

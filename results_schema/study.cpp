@@ -296,7 +296,8 @@ Study& Study::operator=(Study&&) noexcept = default;
 Study::~Study() = default;
 
 Study Study::create(const std::filesystem::path& folder, const std::string& name) {
-  if (name.empty()) throw std::invalid_argument("name: a study needs one");
+  if (name.empty())
+    throw std::invalid_argument("the name of a study must not be empty; give a name");
   if (!std::filesystem::exists(folder)) {
     PartFolder part(folder, kOwnersFolder);
     fill_new_study(part.content(), name);

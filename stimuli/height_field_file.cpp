@@ -85,7 +85,7 @@ class Sidecar final {
       } else if (value.is_string()) {
         result.parameters.emplace(key, value.get<std::string>());
       } else {
-        refuse("has a provenance parameter " + key + " that is neither a number nor a text.");
+        refuse("has a provenance parameter " + key + " that is neither a number nor a string.");
       }
     }
     return result;
@@ -97,7 +97,7 @@ class Sidecar final {
   std::string text(const Json& object, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_string()) {
-      refuse("needs a text " + std::string(key) + ".");
+      refuse("needs a string \"" + std::string(key) + "\".");
     }
     return found->get<std::string>();
   }

@@ -277,9 +277,10 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t largest = *std::max_element(triangles[i].begin(), triangles[i].end());
     if (largest >= vertices()) {
-      throw std::invalid_argument(name_ + " needs vertex number " + std::to_string(largest + 1ULL) +
-                                  " (counted from 1) in its triangle " + std::to_string(i + 1) +
-                                  " and has " + std::to_string(vertices()) + ".");
+      throw std::invalid_argument(name_ + " refers in triangle " + std::to_string(i + 1) +
+                                  " to vertex " + std::to_string(largest + 1ULL) +
+                                  " (counted from 1), but has only " + std::to_string(vertices()) +
+                                  " vertices.");
     }
   }
   if (polygons_ > 0) {

@@ -119,10 +119,11 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
        {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
         std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
     if (wavelength_m < 2.0 * pitch_m) {
-      throw std::invalid_argument(std::string(field) + " is " + number_text(wavelength_m) +
-                                  " m; over " + number_text(recipe.width_m) + " m " + name +
-                                  " shows nothing shorter than two pixels, " +
-                                  number_text(2.0 * pitch_m) + " m.");
+      throw std::invalid_argument(
+          std::string(field) + " is " + number_text(wavelength_m) + " m; " + name + ", " +
+          number_text(recipe.width_m) +
+          " m wide, cannot represent wavelengths shorter than two pixels, " +
+          number_text(2.0 * pitch_m) + " m. Choose a longer wavelength.");
     }
   }
 }

@@ -222,7 +222,7 @@ class Reader final {
                number_text(kFurthest_m) + " m.");
       }
       if (!(std::abs(glm::length(mesh.normals[i]) - 1.0) < kUnit)) {
-        refuse("has at vertex " + std::to_string(i) + " a normal that is not of unit length.");
+        refuse("has a normal at vertex " + std::to_string(i) + " that is not of unit length.");
       }
     }
     // A look-up on the border of a face may touch the texel beyond.
@@ -271,7 +271,7 @@ class Reader final {
   std::string text(const Json& json, const char* key) const {
     const auto found = json.find(key);
     if (found == json.end() || !found->is_string()) {
-      refuse("needs a text " + std::string(key) + " in its first line.");
+      refuse("needs a string \"" + std::string(key) + "\" in its first line.");
     }
     return found->get<std::string>();
   }

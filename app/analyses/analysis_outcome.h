@@ -48,6 +48,7 @@ struct TestSentence {
   std::string test{};  ///< one of test_names()
   bool is_confirmatory = false;
   bool is_untested = false;
+  bool has_mean_interval = false;  ///< the CI of a mean proportion
   std::string text{};
   std::vector<std::string> sources{};  ///< keys of references.h
 };

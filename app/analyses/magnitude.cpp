@@ -156,9 +156,9 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
         "normalised_high", "raw"},
        {}},
       phrase("Analysis",
-             "Geometric means. normalised: each participant's own scale removed by the mean of the "
-             "logarithms of all cells. raw: not normalised. left out: participants who are only in "
-             "raw, because they have no estimate in some cell.")};
+             "Geometric means of the estimates. normalised: each participant's scale removed (the "
+             "mean of the logarithms of all cells). raw: not normalised. left out: number of "
+             "participants without an estimate in some cell; only raw includes them.")};
   if (gathered.people.size() > 1) {
     curves.note = phrase("Analysis",
                          "%1 The CI of normalised is within participants (Cousineau and Morey): it "

@@ -17,6 +17,7 @@
 #include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
+#include "app/analyses/test_sentences.h"
 
 namespace asperity {
 
@@ -397,8 +398,16 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
         equal_size ? percent(chance) : phrase("Analysis", "different from trial to trial"),
         p_text(*test));
   };
+  if (test->is_significant() && holds_in_interval(*mean, chance)) {
+    qualify_test_sentence(outcome, test->name, kChanceInInterval);
+  }
   const Sayings sayings{
-      holds_in_interval(*mean, chance)
+      mean->n == 1
+          ? with_numbers(phrase("Analysis",
+                                "For this participant only: %1 of the items were matched correctly "
+                                "(%2), where the chance level is %3; permutation test, %4. More "
+                                "participants are needed."))
+      : holds_in_interval(*mean, chance)
           ? with_numbers(
                 phrase("Analysis",
                        "Not established: on average %1 of a participant's items were matched "
@@ -596,7 +605,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
          .chance = 1.0 / static_cast<double>(items),
          .proportion = phrase("Analysis", "the proportion of correctly matched items"),
          .assumption =
-             phrase("Analysis", "The items of a trial are taken as independent of each other.")},
+             phrase("Analysis", "The items of a trial are treated as independent of each other.")},
         outcome);
   } else {
     add_no_crossed_model(

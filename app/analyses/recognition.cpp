@@ -16,6 +16,7 @@
 #include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
+#include "app/analyses/test_sentences.h"
 
 namespace asperity {
 
@@ -306,7 +307,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   if (mean == nullptr || !mean->value || test == nullptr) return;
   const Phrase question = phrase("Analysis", "Are textures recognised above chance?");
   const Phrase proportion =
-      averaged(phrase("Analysis", "The proportion of each participant's correct responses"), mean);
+      averaged(phrase("Analysis", "Each participant's proportion correct"), mean);
   const Phrase method =
       (mean->n > 1
            ? phrase("Analysis",
@@ -332,8 +333,15 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
     return words.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test));
   };
   const double level = 1.0 / static_cast<double>(pictures);
+  if (test->is_significant() && holds_in_interval(*mean, level)) {
+    qualify_test_sentence(outcome, test->name, kChanceInInterval);
+  }
   const Sayings sayings{
-      *mean->value < level
+      mean->n == 1
+          ? with_numbers(phrase("Analysis",
+                                "For this participant only: %1 of the responses were correct (%2), "
+                                "where the chance level is %3; %4. More participants are needed."))
+      : *mean->value < level
           ? with_numbers(phrase("Analysis",
                                 "No, less often than by chance: on average %1 of a participant's "
                                 "responses were correct (%2), where the chance level is %3; %4."))

@@ -13,6 +13,7 @@
 #include "analysis/two_samples.h"
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
+#include "app/analyses/test_sentences.h"
 
 namespace asperity {
 
@@ -97,7 +98,7 @@ Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
     return phrase("Analysis", "95 % CI [%1, %2]").with(percent(*share.low), percent(*share.high));
   }
-  return phrase("Analysis", "one participant has no interval");
+  return phrase("Analysis", "no CI, because there is only one participant");
 }
 
 bool holds_in_interval(const Finding& estimate, double value) noexcept {
@@ -176,6 +177,9 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(means, difference, p_text(*test));
   };
+  if (test->is_significant() && holds_in_interval(*sexes.difference, 0.0)) {
+    qualify_test_sentence(outcome, test->name, "; the 95 % CI of the difference contains 0");
+  }
   const Sayings sayings{
       holds_in_interval(*sexes.difference, 0.0)
           ? with_numbers(phrase("Analysis",

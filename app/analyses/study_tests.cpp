@@ -208,7 +208,7 @@ void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
 }  // namespace
 
 StudyTests::StudyTests(const GatheredAnswers& gathered)
-    : kind_(gathered.kind), family_(gathered.declared.family) {
+    : kind_(gathered.kind), people_(gathered.people.size()), family_(gathered.declared.family) {
   is_declared_ = !family_.empty();
   for (const TestName& test : test_names()) {
     if (family_.empty() && test.kind == gathered.kind) family_.emplace_back(test.name);
@@ -237,6 +237,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   if (test.made_by == nullptr) return;
   const TestMethod& by = *test.made_by;
   test.unit = by.unit;
+  test.pools_participants = test.unit != kUsualUnit && people_ > 1;
   if (test.unit != kUsualUnit) test.method += "; n counts " + test.unit;
   if (found.value(by.degrees.front(), key) == 0.0) {  // no hypothesis was tested
     test.p.reset();

@@ -53,10 +53,13 @@ class StudyTests final {
     std::optional<Effect> estimate{};   ///< the proportion that is tested
     std::optional<double> adjusted{};   ///< within the family,
     bool is_only_confirmatory = false;  ///< of which it is the only one
+    bool pools_participants = false;    ///< n counts responses of more than one
     std::string status = "ok";
 
     /// Only a test of the family can show something; adjusted within it, at 5 %.
     bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
+    /// Whatever it can show.
+    bool is_significant() const noexcept { return adjusted ? shows() : p && *p < 0.05; }
   };
   /// The test whose p is the quantity `p` with this key. A p that is not a number is the reason that
   /// there is no test; of the study's own family such a test counts as p = 1.
@@ -85,6 +88,7 @@ class StudyTests final {
   Phrase note_on_columns() const;
 
   std::string kind_{};
+  std::size_t people_ = 0;
   std::vector<std::string> family_{};
   std::string name_{};
   bool is_declared_ = false;

@@ -132,7 +132,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
 
 Phrase chance_note(const Tally& tally, const Phrase& at_chance) {
   const std::optional<std::uint64_t> outcomes = tally.outcomes();
-  if (!outcomes) return phrase("Analysis", "Chance differs between the trials.");
+  if (!outcomes) return phrase("Analysis", "The chance level differs between trials.");
   return at_chance.with(std::to_string(*outcomes));
 }
 

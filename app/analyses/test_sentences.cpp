@@ -12,77 +12,80 @@ namespace asperity {
 
 namespace {
 
-constexpr double kAlpha5 = 0.05;
 constexpr std::string_view kUnitOfPeople = "participants";
 
 /// What a test of protocols of a kind found. %1 and %2: what it is about.
 struct Claim {
   std::string_view kind{};
   std::string_view test{};
+  std::string_view method{};  ///< of a single one: its code; empty of every other
   std::string_view higher{};  ///< significant, the statistic positive or without a sign
   std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
   std::string_view nothing{};
 };
 
 constexpr std::array kClaims{
-    Claim{"selection", "pairs", "%1 was chosen significantly more often than %2",
+    Claim{"selection", "pairs", "", "%1 was chosen significantly more often than %2",
           "%1 was chosen significantly less often than %2",
           "The numbers of choices of %1 and %2 were not significantly different"},
-    Claim{"selection", "target_pairs", "%1 was chosen significantly more often than %2",
+    Claim{"selection", "target_pairs", "", "%1 was chosen significantly more often than %2",
           "%1 was chosen significantly less often than %2",
           "The numbers of choices of %1 and %2 were not significantly different"},
-    Claim{"selection", "preference",
+    Claim{"selection", "preference", "",
           "The numbers of choices of the items were significantly different", "",
           "The numbers of choices of the items were not significantly different"},
-    Claim{"selection", "position",
+    Claim{"selection", "position", "",
           "The numbers of choices of the positions in a trial were significantly different", "",
           "The numbers of choices of the positions in a trial were not significantly different"},
-    Claim{"selection", "textures",
+    Claim{"selection", "textures", "",
           "The proportion of choices of the target differed significantly between the textures", "",
           "The proportion of choices of the target did not differ significantly between the "
           "textures"},
-    Claim{"matching", "items",
+    Claim{"matching", "items", "",
           "The number of correctly matched items was significantly above the chance level", "",
           "The number of correctly matched items was not significantly above the chance level"},
-    Claim{"matching", "whole",
+    Claim{"matching", "whole", "",
           "The number of trials with all items correct was significantly above the chance level",
           "",
           "The number of trials with all items correct was not significantly above the chance "
           "level"},
-    Claim{"matching", "textures",
+    Claim{"matching", "textures", "",
           "The number of correct matches of %1 was significantly above the chance level", "",
           "The number of correct matches of %1 was not significantly above the chance level"},
-    Claim{"matching", "sexes", "Women matched significantly more items correctly than men",
+    Claim{"matching", "sexes", "", "Women matched significantly more items correctly than men",
           "Women matched significantly fewer items correctly than men",
           "The numbers of correctly matched items of women and men were not significantly "
           "different"},
-    Claim{"recognition", "right",
+    Claim{"recognition", "right", "binomial",
+          "The number of correct responses was significantly above the chance level", "",
+          "The number of correct responses was not significantly above the chance level"},
+    Claim{"recognition", "right", "",
           "The mean proportion correct was significantly above the chance level",
           "The mean proportion correct was significantly below the chance level",
           "The mean proportion correct was not significantly different from the chance level"},
-    Claim{"recognition", "textures",
+    Claim{"recognition", "textures", "",
           "The number of correct responses to %1 was significantly above the chance level", "",
           "The number of correct responses to %1 was not significantly above the chance level"},
-    Claim{"recognition", "information",
+    Claim{"recognition", "information", "",
           "The responses were significantly associated with the stimulus", "",
           "The responses were not significantly associated with the stimulus"},
-    Claim{"recognition", "sexes",
+    Claim{"recognition", "sexes", "",
           "The mean proportion correct of women was significantly higher than that of men",
           "The mean proportion correct of women was significantly lower than that of men",
           "The mean proportions correct of women and men were not significantly different"},
-    Claim{"magnitude", "spacing",
+    Claim{"magnitude", "spacing", "",
           "The roughness estimates differed significantly between the spacings", "",
           "The roughness estimates did not differ significantly between the spacings"},
-    Claim{"magnitude", "interaction",
+    Claim{"magnitude", "interaction", "",
           "The effect of spacing on the roughness estimates differed significantly between the "
           "conditions",
           "",
           "The effect of spacing on the roughness estimates did not differ significantly between "
           "the conditions"},
-    Claim{"magnitude", "condition",
+    Claim{"magnitude", "condition", "",
           "The roughness estimates differed significantly between the conditions", "",
           "The roughness estimates did not differ significantly between the conditions"},
-    Claim{"magnitude", "peaks",
+    Claim{"magnitude", "peaks", "",
           "The peak of %1 was at a significantly larger spacing than that of %2",
           "The peak of %1 was at a significantly smaller spacing than that of %2",
           "The spacings of the peaks of %1 and %2 were not significantly different"}};
@@ -95,15 +98,16 @@ std::string with_places_filled(std::string_view words, std::string_view about) {
 }
 
 std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
+  // Those of a single method stand first.
   const auto* const claim = std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& each) {
-    return each.kind == kind && each.test == test.name;
+    return each.kind == kind && each.test == test.name &&
+           (each.method.empty() || each.method == test.made_by->code);
   });
   if (claim == kClaims.end()) return {};
-  const bool is_significant = test.adjusted ? test.shows() : *test.p < kAlpha5;
   const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
-  return with_places_filled(!is_significant ? claim->nothing
-                            : is_negative   ? claim->lower
-                                            : claim->higher,
+  return with_places_filled(!test.is_significant() ? claim->nothing
+                            : is_negative          ? claim->lower
+                                                   : claim->higher,
                             test.about);
 }
 
@@ -184,14 +188,25 @@ TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kin
     const std::string name = by.effect_name.english();
     sentence.text += "; " + (name.empty() ? text : name + text.substr(by.effect_symbol.size()));
     if (test.effect->takes_trials_as_independent) {
-      sentence.text += " (trials taken as independent)";
+      sentence.text += " (trials treated as independent)";
     }
   }
-  sentence.text += '.';
-  for (const std::string_view source : test.made_by->sources) {
-    if (!source.empty()) sentence.sources.emplace_back(source);
+  if (test.pools_participants) {
+    sentence.text += " (responses of all participants pooled as independent)";
   }
+  sentence.text += '.';
+  const auto& [of_test, of_effect] = test.made_by->sources;
+  if (!of_test.empty()) sentence.sources.emplace_back(of_test);
+  if (test.effect && !of_effect.empty()) sentence.sources.emplace_back(of_effect);
+  sentence.has_mean_interval = test.estimate && test.estimate->low;
   return sentence;
+}
+
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
+                           std::string_view clause) {
+  for (TestSentence& sentence : outcome.test_sentences) {
+    if (sentence.test == test) sentence.text.insert(sentence.text.size() - 1, clause);
+  }
 }
 
 }  // namespace asperity

@@ -30,4 +30,12 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind,
                               bool is_confirmatory);
 
+/// Of a mean proportion, whose CI is of another method than the test.
+inline constexpr std::string_view kChanceInInterval =
+    "; the 95 % CI of the mean contains the chance level";
+
+/// Adds a clause before the full stop of the sentences of a test.
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
+                           std::string_view clause);
+
 }  // namespace asperity

@@ -95,9 +95,7 @@ int analyze_tables(const AnalyzeOptions& options) {
   for (const std::string& file : options.tables) {
     const TidyTable& table = input.tables.emplace_back(read_file(file, kTableFile), file);
     if (table.rows() > 0) continue;
-    throw std::runtime_error(file +
-                             ": below the line of column names there is no row: there is nothing "
-                             "to analyse");
+    throw std::runtime_error(file + ": the table has no rows below the header; add at least one");
   }
   refuse_further_tables(family, input);
   const TableFindings findings{

@@ -26,7 +26,7 @@ extern "C" void restore_echo_and_end(int number) {
   std::raise(number);
 }
 
-/// For the signals that would end the program: one that somebody else handles, or ignores, is theirs.
+/// For the signals that would end the program. Signals that are handled elsewhere, or ignored, are left unchanged.
 void handle_ending_signals(void (*from)(int), void (*to)(int)) {
   for (const int number : kEndingSignals) {
     struct sigaction now {};

@@ -4,11 +4,11 @@
 
 namespace asperity {
 
-/// While it lives, a terminal does not show what is typed on it. When it goes, the terminal is as it was, and what was
-/// typed meanwhile is discarded. Does nothing for an input that is not a terminal.
+/// While it lives, a terminal does not show what is typed on it. The destructor restores the terminal and discards what
+/// was typed meanwhile. Does nothing for an input that is not a terminal.
 ///
-/// The terminal is also put back where a signal ends the program without destructors; what ended it still does. Only
-/// SIGKILL leaves it silent (`stty echo` brings it back).
+/// The terminal is also restored where a signal ends the program without destructors. Only signals that are not handled
+/// here, such as SIGKILL and SIGSTOP, leave it silent (`stty echo` restores it).
 ///
 /// Threads: one object at a time.
 class UnechoedInput final {

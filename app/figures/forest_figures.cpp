@@ -446,7 +446,7 @@ Figure recognition_forest(const FoundNumbers& found) {
       .title = phrase("Figures", "How often each was recognised"),
       .note = phrase("Figures",
                      "Circles are proportions of the trials with that stimulus, with Wilson 95 % "
-                     "CIs that take trials as independent. The square is the mean of the "
+                     "CIs that treat trials as independent. The square is the mean of the "
                      "participants' own proportions with a t 95 % CI on the logit scale.")};
   std::vector<ForestRow> rows{};
   for (const Finding* recall : found.all("recall")) {

@@ -16,11 +16,17 @@ constexpr double kWanted = 0.8;         // what plans usually aim at
 constexpr std::size_t kMostCurves = 6;  // as many as look different
 
 /// The columns that make a plan besides its size, with what they are called on paper.
-constexpr std::array kColumns{
-    std::pair{"kind", ""}, std::pair{"alpha", "α"},     std::pair{"k", "k"},
-    std::pair{"p0", "p₀"}, std::pair{"p1", "p₁"},       std::pair{"theta", "θ"},
-    std::pair{"d", "d"},   std::pair{"f", "f"},         std::pair{"rho", "ρ"},
-    std::pair{"eps", "ε"}, std::pair{"probs", "shares"}};
+constexpr std::array kColumns{std::pair{"kind", ""},
+                              std::pair{"alpha", "α"},
+                              std::pair{"k", "k"},
+                              std::pair{"p0", "p₀"},
+                              std::pair{"p1", "p₁"},
+                              std::pair{"theta", "θ"},
+                              std::pair{"d", "d"},
+                              std::pair{"f", "f"},
+                              std::pair{"rho", "ρ"},
+                              std::pair{"eps", "ε"},
+                              std::pair{"probs", "proportions"}};
 
 Phrase words_of_kind(const std::string& kind) {
   static const std::map<std::string, Phrase> kWords{

@@ -112,10 +112,11 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
   Figure figure{
       .name = "sweep",
       .title = sweep_title(sweep.order.varied),
-      .note = phrase("Figures",
-                     "Full marks: strokes of the held tool; small outlined ones: strokes that a "
-                     "status excludes. Curves: parabolas of the logarithms. Large outlined marks: "
-                     "their peaks within the range, with 95 % Fieller intervals of the fit."),
+      .note =
+          phrase("Figures",
+                 "Filled symbols: strokes of the held tool. Small open symbols: strokes excluded "
+                 "because of their status. Curves: parabolas fitted to the logarithms. Large open "
+                 "symbols: their peaks within the range, with 95 % Fieller intervals of the fit."),
       .x = {.name = phrase("Figures", "texture frequency"),
             .unit = "1/m",
             .scale = AxisScale::log10},
@@ -247,9 +248,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
     if (condition.name.empty()) condition.name = phrase("Figures", "estimates");
   }
   if (predicted_count == 0.0) {
-    throw std::runtime_error("nothing of the sweep is within the spacings that were estimated, " +
-                             text_of_number(shortest_mm) + " to " + text_of_number(longest_mm) +
-                             " mm");
+    throw std::runtime_error(
+        "no spacing of the sweep lies within the range of the estimated spacings, " +
+        text_of_number(shortest_mm) + " to " + text_of_number(longest_mm) + " mm");
   }
   const double factor = std::exp(sum / count - predicted_sum / predicted_count);
   for (FigureSeries& marks : predicted) {

@@ -99,24 +99,6 @@ std::string devices_text(const ReportFacts& facts) {
   return text;
 }
 
-/// Whether people held a device, and whether it could push them.
-std::string force_text(const ReportFacts& facts) {
-  std::string text{};
-  for (const std::string hand : {"virtual", "recorded"}) {
-    const SessionShare held = share_of_sessions(facts, [&hand](const RecordedStretch& stretch) {
-      return stretch.device && stretch.device->hand_of_program() == hand;
-    });
-    if (!held.is_any()) continue;
-    text += " A " + hand + " hand moved the device " + held.text() +
-            ": no participant moved a device or felt a force there.";
-  }
-  if (const SessionShare weak = share_of_sessions(facts, gives_no_force); weak.is_any()) {
-    text += " A device without motors was used " + weak.text() +
-            ": forces were computed but not exerted, and no participant felt the surfaces there.";
-  }
-  return text;
-}
-
 ReportList resumed_elsewhere(const ReportFacts& facts) {
   ReportList list{};
   for (const ReportedSession& session : facts.sessions) {
@@ -165,6 +147,24 @@ std::string recorded_noise_text(const ReportFacts& facts) {
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return text;
+}
+
+std::string unfelt_force_text(const ReportFacts& facts) {
+  std::string text{};
+  for (const std::string hand : {"virtual", "recorded"}) {
+    const SessionShare held = share_of_sessions(facts, [&hand](const RecordedStretch& stretch) {
+      return stretch.device && stretch.device->hand_of_program() == hand;
+    });
+    if (!held.is_any()) continue;
+    text += (text.empty() ? "A " : " A ") + hand + " hand moved the device " + held.text() +
+            ": no participant moved a device or felt a force there.";
+  }
+  if (const SessionShare weak = share_of_sessions(facts, gives_no_force); weak.is_any()) {
+    text += (text.empty() ? "" : " ") + std::string("A device without motors was used ") +
+            weak.text() +
+            ": forces were computed but not exerted, and no participant felt the surfaces there.";
+  }
   return text;
 }
 
@@ -227,7 +227,10 @@ std::string SessionShare::text_after_not() const {
 ReportSection conditions_section(const ReportFacts& facts) {
   ReportSection section{"Apparatus and conditions", {}};
   const bool has_people = facts.group != AnswerGroup::virtual_participants;
-  const std::string device = devices_text(facts) + (has_people ? force_text(facts) : "");
+  std::string device = devices_text(facts);
+  if (const std::string unfelt = has_people ? unfelt_force_text(facts) : ""; !unfelt.empty()) {
+    device += (device.empty() ? "" : " ") + unfelt;
+  }
   if (!device.empty()) section.parts.emplace_back(ReportText{device});
   ReportList elsewhere = resumed_elsewhere(facts);
   if (!elsewhere.items.empty()) section.parts.emplace_back(std::move(elsewhere));

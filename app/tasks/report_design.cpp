@@ -189,15 +189,15 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   bands.push_back(text);
 }
 
-/// "force or speed are outside their bands", of what has a band.
+/// "the force or the speed is outside its band", of what has a band.
 std::string guided_by_tones(const Exploration& exploration) {
   const auto has_band = [](const Band& band) { return band.minimum || band.maximum; };
   const bool force = has_band(exploration.normal_force_N);
   const bool speed = has_band(exploration.speed_m_per_s);
-  if (force && speed) return "force or speed are outside their bands";
+  if (force && speed) return "the force or the speed is outside its band";
   return force   ? "the force is outside its band"
          : speed ? "the speed is outside its band"
-                 : "force or speed are outside their bands, of which none is set";
+                 : "the force or the speed is outside its band (no band is set)";
 }
 
 std::string guidance_text(const Exploration& exploration, const ReportFacts& facts) {
@@ -274,8 +274,8 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
       (bounded(exploration.normal_force_N) || bounded(exploration.speed_m_per_s));
   if (is_judged_in_part) {
     text +=
-        " No proportion of the contact time or of the strokes has to lie in the bands of force and "
-        "speed: no attempt is outside the limits because of them.";
+        " The protocol requires no minimum proportion of the contact time or of the strokes within "
+        "the bands of force and speed, so the bands alone put no attempt outside the limits.";
   }
   text += guidance_text(exploration, facts);
   const bool repeats = exploration.maximum_repeats > 0;

@@ -135,12 +135,12 @@ ReportSection making_section(const ReportFacts& facts) {
                                         reading_count(facts.sessions.size()));
   }
   if (!files.empty()) {
-    section.parts.emplace_back(ReportText{
-        reading_count(files.size()) +
-        (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
-        " to the protocol; sessions.tsv of an export has the SHA-256 of each. The list of sessions "
-        "gives the seed and the row of the order of each: with the protocol, the files and the "
-        "program they determine its plan."});
+    section.parts.emplace_back(
+        ReportText{reading_count(files.size()) +
+                   (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
+                   " to the protocol; sessions.tsv of an export has the SHA-256 of each. The list "
+                   "of sessions gives the seed and the counterbalancing row of each: with the "
+                   "protocol, the files and the program they determine its plan."});
   }
   section.parts.emplace_back(std::move(table));
   return section;
@@ -160,7 +160,7 @@ ReportSection sessions_section(const ReportFacts& facts) {
   table.is_reference = true;
   table.title = "Sessions, with the seed of each";
   table.columns = {{"participant", false}, {"session", true},     {"began (UTC)", false},
-                   {"state", false},       {"trials done", true}, {"row of the order", true},
+                   {"state", false},       {"trials done", true}, {"counterbalancing row", true},
                    {"seed", true}};
   for (const ReportedSession& session : facts.sessions) {
     const SessionRow& row = session.row;

@@ -82,7 +82,9 @@ ReportSection notes_section(const ReportFacts& facts) {
       "Times count from the beginning of the session. The trial is the one that was under way; – "
       "stands for a time between trials, or after the session.";
   if (left_out > 0) {
-    table.note += " " + std::to_string(left_out) + " further rows: events.tsv of an export.";
+    table.note += " " + std::to_string(left_out) +
+                  (left_out == 1 ? " further row is" : " further rows are") +
+                  " in events.tsv of an export.";
   }
   section.parts.emplace_back(std::move(table));
   return section;

@@ -57,12 +57,14 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"n.trials.permutation", {"trials in which every picture was assigned once", count}},
       {"n.valid", {"choices", count}},
       {"null.lower",
-       {"correctly matched items, lower limit of 95 % under guessing, trials taken as independent",
+       {"correctly matched items, lower limit of 95 % under guessing, trials treated as "
+        "independent",
         count}},
       {"null.sd",
-       {"correctly matched items, SD under guessing, trials taken as independent", number}},
+       {"correctly matched items, SD under guessing, trials treated as independent", number}},
       {"null.upper",
-       {"correctly matched items, upper limit of 95 % under guessing, trials taken as independent",
+       {"correctly matched items, upper limit of 95 % under guessing, trials treated as "
+        "independent",
         count}},
       {"pc.se.cluster", {"cluster-robust standard error of the proportion correct", number}},
       {"pl.loglik", {"log-likelihood of the scale", number}},
@@ -178,8 +180,8 @@ std::string note_on_columns(const ReportTable& table) {
   std::string note = has("Holm") ? "Holm: Holm-corrected over the tests of the same name." : "";
   if (has("n")) {
     note += std::string(note.empty() ? "" : " ") +
-            "n: the participants, responses or trials that the analysis counted, as analyze STUDY "
-            "--json has it.";
+            "n: number of participants, responses or trials in the analysis, as in the output of "
+            "analyze STUDY --json.";
   }
   return note;
 }

@@ -1,6 +1,7 @@
 // Methods and results as a paper prints them, each sentence from what is stored.
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "app/analyses/cell_words.h"
@@ -60,6 +61,14 @@ std::string paper_participants(const ReportFacts& facts, const StudyMetadata& me
     text += " Consent was obtained beforehand" +
             (share.whole == share.all ? "." : ' ' + share.text() + '.');
   }
+  const auto excluded = static_cast<std::size_t>(
+      std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                    [](const ReportedSession& each) { return each.row.excluded.has_value(); }));
+  if (excluded > 0) {
+    text += ' ' + capitalised(count_in_words(excluded)) +
+            (excluded == 1 ? " session was" : " sessions were") + " excluded from the analysis.";
+  }
+  if (!facts.withdrawals.empty()) text += ' ' + withdrawals_text(facts.withdrawals).text;
   if (metadata.ethics_approval) text += " Ethics approval: " + stopped(*metadata.ethics_approval);
   return text;
 }
@@ -73,9 +82,14 @@ std::string paper_apparatus(const ReportFacts& facts) {
                          ? model
                          : model.substr(0, blank) + " (version " + model.substr(blank + 1) + ')');
   }
-  std::string text = "Surfaces were rendered by Asperity with the " +
-                     std::string(facts.models.size() == 1 ? "force model " : "force models ") +
-                     listed(models);
+  std::set<std::string> programs{};
+  for (const ReportedSession& session : facts.sessions) {
+    for (const RecordedStretch& stretch : session.stretches)
+      programs.insert(stretch.program.program);
+  }
+  std::string text =
+      "Surfaces were rendered (" + listed({programs.begin(), programs.end()}) + ") with the " +
+      std::string(facts.models.size() == 1 ? "force model " : "force models ") + listed(models);
   std::set<double> rates_Hz{};
   for (const ReportedSession& session : facts.sessions) rates_Hz.insert(session.row.rate_Hz);
   if (rates_Hz.size() == 1) {
@@ -89,6 +103,9 @@ std::string paper_apparatus(const ReportFacts& facts) {
             reading_quantity(facts.file.protocol->material.stiffness_N_per_m, "N/m") +
             ", and forces were limited to " +
             reading_quantity(facts.file.protocol->force_limit_N, "N") + '.';
+  }
+  if (facts.group != AnswerGroup::virtual_participants) {
+    if (const std::string unfelt = unfelt_force_text(facts); !unfelt.empty()) text += ' ' + unfelt;
   }
   if (facts.has_equal_force) {
     text +=
@@ -132,13 +149,11 @@ std::string paper_task(const ReportFacts& facts) {
       return presented_text(facts, "texture", "textures") +
              ", and each was to be assigned to one of as many pictures.";
     case ProtocolKind::recognition:
-      return presented_text(facts, "texture", "textures") +
-             ", and its picture was to be chosen among several.";
+      return "In each trial, one texture was presented, and its picture was to be chosen among "
+             "several.";
     case ProtocolKind::magnitude:
-      return presented_text(facts, "surface", "surfaces") +
-             ", and its roughness was to be given a number (absolute magnitude estimation with "
-             "free "
-             "modulus).";
+      return "In each trial, one surface was presented, and its roughness was to be given a number "
+             "(absolute magnitude estimation with free modulus).";
   }
   return {};
 }
@@ -152,7 +167,10 @@ std::string paper_questions(const Protocol& protocol) {
   }
   if (questions.empty()) return {};
   return (questions.size() == 1 ? "The question was " : "The questions were ") + listed(questions) +
-         (questions.back().ends_with("?”") ? "" : ".");
+         (questions.back().ends_with("?”") || questions.back().ends_with(".”") ||
+                  questions.back().ends_with("!”")
+              ? ""
+              : ".");
 }
 
 std::string paper_order(const ReportFacts& facts, Sources& sources) {
@@ -183,57 +201,105 @@ std::string paper_order(const ReportFacts& facts, Sources& sources) {
   return text;
 }
 
-std::string paper_data(const ReportFacts& facts, const AnalysisOutcome* outcome, Sources& sources) {
-  std::string text{};
-  if (facts.attempts > 0) {
-    const std::string all = facts.attempts == 1
-                                ? "the only attempt at a trial"
-                                : "the " + reading_count(facts.attempts) + " attempts at trials";
-    const bool is_all = facts.counted == facts.attempts;
-    text = (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
-           (facts.counted == 1 ? " was" : " were") + " analysed, with Asperity " +
-           program_version() + '.';
+/// The confirmatory ones first, without further ones that could not be made.
+std::vector<TestSentence> printed_sentences(const AnalysisOutcome& outcome) {
+  std::vector<TestSentence> printed{};
+  std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
+               std::back_inserter(printed),
+               [](const TestSentence& each) { return each.is_confirmatory; });
+  std::size_t exploratory = 0;
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (each.is_confirmatory || each.is_untested || exploratory == kMostExploratory) continue;
+    ++exploratory;
+    printed.push_back(each);
   }
-  if (outcome == nullptr) return text;
-  const auto confirmatory =
-      std::count_if(outcome->test_sentences.begin(), outcome->test_sentences.end(),
-                    [](const TestSentence& each) { return each.is_confirmatory; });
-  if (confirmatory > 1) {
-    text += " The p values of the " + reading_count(static_cast<std::uint64_t>(confirmatory)) +
-            " confirmatory tests were Holm-corrected" + cited("Holm 1979", sources) + '.';
+  return printed;
+}
+
+/// Where no analysis is shown.
+std::string withheld_text(const ReportFacts& facts) {
+  return reading_count(facts.attempts) +
+         (facts.attempts == 1 ? " attempt at a trial is" : " attempts at trials are") +
+         " stored; there are no results.";
+}
+
+/// "The 18 attempts at trials were analysed", "Two of the 18 …", "None of the 18 …"
+std::string analysed_text(const ReportFacts& facts) {
+  const std::string all = facts.attempts == 1
+                              ? "the only attempt at a trial"
+                              : "the " + reading_count(facts.attempts) + " attempts at trials";
+  if (facts.counted == 0) {
+    return facts.attempts == 1 ? "The only attempt at a trial was not included in the analysis."
+                               : "None of " + all + " was included in the analysis.";
   }
-  if (!outcome->test_sentences.empty()) text += " The level of significance was .05.";
+  const bool is_all = facts.counted == facts.attempts;
+  return (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
+         (facts.counted == 1 ? " was" : " were") + " analysed, with Asperity " + program_version() +
+         '.';
+}
+
+std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
+  std::size_t family = 0;
+  std::size_t made = 0;
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (!each.is_confirmatory) continue;
+    ++family;
+    if (!each.is_untested) ++made;
+  }
+  if (family < 2 || made == 0) return {};
+  return "The p values of the " + reading_count(family) +
+         " confirmatory tests were Holm-corrected" + cited("Holm 1979", sources) +
+         (made < family ? "; a test that could not be made counts as p = 1." : ".");
+}
+
+std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome, Sources& sources) {
+  std::vector<std::string> sentences{facts.attempts > 0 ? analysed_text(facts) : "",
+                                     correction_text(outcome, sources)};
+  const std::vector<TestSentence> printed = printed_sentences(outcome);
+  const auto is_any = [&printed](const auto& is_so) {
+    return std::any_of(printed.begin(), printed.end(), is_so);
+  };
+  if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
+    sentences.emplace_back("The level of significance was .05.");
+  }
+  if (is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
+    sentences.emplace_back(
+        "Confidence intervals (CI) of mean proportions are Student's t over participants on the "
+        "logit scale.");
+  }
   Sources methods{};
-  for (const TestSentence& sentence : outcome->test_sentences) {
+  for (const TestSentence& sentence : printed) {
     methods.insert(sentence.sources.begin(), sentence.sources.end());
   }
   std::string all{};
   for (const std::string& key : methods) {
     all += (all.empty() ? "" : "; ") + std::string(reference(key).cited);
   }
-  if (!all.empty()) text += " Tests and effect sizes are those of the literature (" + all + ").";
+  if (!all.empty()) {
+    sentences.push_back("Tests and effect sizes were computed as described in the literature (" +
+                        all + ").");
+  }
   sources.merge(methods);
-  return text;
+  return with_sentences(sentences);
 }
 
 std::string results_paragraph(const AnalysisOutcome& outcome) {
   std::vector<std::string> sentences{};
-  for (const TestSentence& each : outcome.test_sentences) {
-    if (each.is_confirmatory) sentences.push_back(each.text);
-  }
-  std::size_t exploratory = 0;
-  std::size_t left_out = 0;
-  for (const TestSentence& each : outcome.test_sentences) {
-    if (each.is_confirmatory || each.is_untested) continue;
-    if (exploratory == kMostExploratory) {
-      ++left_out;
-      continue;
+  bool is_exploratory = false;
+  const std::vector<TestSentence> printed = printed_sentences(outcome);
+  for (const TestSentence& each : printed) {
+    if (!each.is_confirmatory && !is_exploratory) {
+      is_exploratory = true;
+      sentences.emplace_back("The following tests are exploratory.");
     }
-    if (exploratory++ == 0) sentences.emplace_back("The following tests are exploratory.");
     sentences.push_back(each.text);
   }
-  if (left_out > 0) {
-    sentences.push_back("The table of tests has " + reading_count(left_out) + " more.");
+  const auto worth_printing = static_cast<std::size_t>(std::count_if(
+      outcome.test_sentences.begin(), outcome.test_sentences.end(),
+      [](const TestSentence& each) { return each.is_confirmatory || !each.is_untested; }));
+  if (worth_printing > printed.size()) {
+    sentences.push_back("The table of tests has " + reading_count(worth_printing - printed.size()) +
+                        " more.");
   }
   return with_sentences(sentences);
 }
@@ -247,11 +313,16 @@ ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* out
   std::vector<std::string> methods{paper_participants(facts, metadata), paper_apparatus(facts),
                                    paper_environment(facts)};
   if (facts.file.protocol) {
+    if (facts.sources.size() > 1) {
+      methods.push_back("The protocol has " + count_in_words(facts.sources.size()) +
+                        " files of this version; the following is that of the first.");
+    }
     methods.push_back(paper_task(facts));
     methods.push_back(paper_questions(*facts.file.protocol));
     methods.push_back(paper_order(facts, sources));
   }
-  methods.push_back(paper_data(facts, outcome, sources));
+  methods.push_back(outcome == nullptr ? withheld_text(facts)
+                                       : paper_data(facts, *outcome, sources));
   section.parts.emplace_back(ReportText{"Methods", ReportText::Tone::lead});
   section.parts.emplace_back(ReportText{with_sentences(methods)});
   const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome);

@@ -116,7 +116,7 @@ std::string reason_text(const std::string& reason) {
 ReportTable fates_table(const ReportFacts& facts) {
   ReportTable table{};
   table.title = "Attempts of the main phase that do not count, and flagged ones that do";
-  table.columns = {{"attempts", true}, {"what became of them", false}, {"reason", false}};
+  table.columns = {{"attempts", true}, {"outcome", false}, {"reason", false}};
   const auto add = [&table](const std::string& fate, const ReasonCounts& reasons) {
     std::vector<std::pair<std::string, std::size_t>> by_count(reasons.begin(), reasons.end());
     std::stable_sort(by_count.begin(), by_count.end(),

@@ -72,9 +72,9 @@ std::string times(const ReportedCount& count, const std::string& none, const std
 /// " (one of them in contact)": of the missed deadlines, where there were any.
 std::string in_contact_text(const ReportedServo& servo) {
   if (servo.missed_deadlines.total == 0) return {};
-  if (servo.missed_in_contact.of == 0) return " (how many in contact is not recorded)";
+  if (servo.missed_in_contact.of == 0) return " (the number in contact is not recorded)";
   if (servo.missed_in_contact.of < servo.attempts) {
-    return " (how many in contact is not recorded for every attempt)";
+    return " (the number in contact is not recorded for every attempt)";
   }
   const std::uint64_t missed = unsigned_count(servo.missed_in_contact.total);
   return " (" + (missed == 0 ? "none" : count_in_words(missed)) + " in contact)";
@@ -158,7 +158,7 @@ ReportText losses_text(const ReportFacts& facts) {
 ReportTable times_table(const ReportedServo& servo) {
   ReportTable table{};
   table.title = "Timing of the servo loop";
-  table.columns = {{"of an attempt", false}, {"median attempt", true}, {"worst attempt", true}};
+  table.columns = {{"measure", false}, {"median attempt", true}, {"worst attempt", true}};
   table.rows = {time_row("lateness, median", servo.lateness_p50_s),
                 time_row("lateness, 99th percentile", servo.lateness_p99_s),
                 time_row("lateness, latest tick", servo.lateness_maximum_s),
@@ -174,7 +174,10 @@ ReportTable counts_table(const ReportFacts& facts) {
   const ReportedServo& servo = facts.servo;
   ReportTable table{};
   table.title = "Missed deadlines and changed forces";
-  table.columns = {{"what", false}, {"ticks in all", true}, {"in", true}, {"most in one", true}};
+  table.columns = {{"event", false},
+                   {"ticks in total", true},
+                   {"attempts affected", true},
+                   {"most in one attempt", true}};
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),

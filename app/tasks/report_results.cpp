@@ -239,7 +239,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"subj.sd", "the SD of the participants’ proportions"},
       {"subj.t", "the test of the mean proportion"},
       {"subj.t.p.two", "the test of the mean proportion"},
-      {"tost.p", "the test of equivalence"},
+      {"tost.p", "the equivalence test"},
       {"trend.t", "the test of the trend"},
       {"welch.t", "Welch’s test"}};
   if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;

@@ -59,6 +59,8 @@ SampleTexts sample_texts(const ReportFacts& facts);
 /// "falcon Novint Falcon (in 2 of 3 sessions); mouse pointer of a window (in 1 of 3 sessions)"; empty where none is
 /// recorded.
 std::string devices_in(const ReportFacts& facts);
+/// In which sessions participants moved no device or felt no force; empty where there are none.
+std::string unfelt_force_text(const ReportFacts& facts);
 /// What the rows support about masking noise, without what the protocol requests.
 std::string recorded_noise_text(const ReportFacts& facts);
 /// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (aiming at 1 N)"

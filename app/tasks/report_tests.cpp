@@ -218,7 +218,8 @@ std::string words_of_value(const std::string& value) {
       {"ICC2", "ICC(2,1)"},
       {"ICC2k", "ICC(2,k)"},
       {"ICC3", "ICC(3,1)"},
-      {"ICC3k", "ICC(3,k)"}};
+      {"ICC3k", "ICC(3,k)"},
+      {"Other or not told", "Other or not reported"}};
   const auto known = kWords.find(value);
   return known == kWords.end() ? value : known->second;
 }

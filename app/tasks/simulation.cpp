@@ -248,8 +248,8 @@ void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
-  // A batch is added at once. Whoever is missing in it was deleted, unless nobody ever was: then a program that adds
-  // participants one by one was interrupted.
+  // Participants are added in one transaction. A missing one was therefore deleted, unless the study has no deletion:
+  // then an older program was interrupted while it added them one by one.
   if (there.begun == batch_ && there.any_deleted) return;
   std::vector<ParticipantRow> missing{};
   for (int i = 0; i < batch_.participants; ++i) {

@@ -79,9 +79,9 @@ const char* words_of(VariedQuantity quantity) {
     case VariedQuantity::probe_diameter:
       return "the tool";
     case VariedQuantity::applied_force:
-      return "the force that is asked for";
+      return "the instructed force";
     case VariedQuantity::exploratory_speed:
-      return "the speed that is asked for";
+      return "the instructed speed";
   }
   return "";
 }
@@ -255,11 +255,12 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
       instead += (instead.empty() ? "" : " or") + std::string(" --vary ") + text_of(other) +
                  (numbers ? " --values " + option_values(*numbers) : "");
     }
-    refuse_beside(
-        protocol,
-        "has the conditions " + enumerated(conditions) + ", which do not differ in " +
-            words_of(order.varied) + ", what --vary " + text_of(order.varied) + " varies; " +
-            (instead.empty() ? "a sweep cannot vary what they differ in" : "use" + instead));
+    refuse_beside(protocol,
+                  "has the conditions " + enumerated(conditions) + ", which do not differ in " +
+                      words_of(order.varied) + ", the quantity that --vary " +
+                      text_of(order.varied) + " varies; " +
+                      (instead.empty() ? "a sweep cannot vary the quantity in which they differ"
+                                       : "use" + instead));
   }
   const auto numbers = numbers_by_condition(conditions, varied);
   const std::string theirs =

@@ -47,10 +47,15 @@ std::optional<LateResume> late_resume(const Study& study, const Protocol& protoc
 }
 
 Phrase complaint_about(const LateResume& late) {
+  // With a decimal where it can be close to the maximum.
+  constexpr double kTwoDays_h = 48.0;
+  const Phrase age = late.age_hours < kTwoDays_h
+                         ? phrase("TimeAgo", "%1 hours ago").with(fixed(late.age_hours, 1))
+                         : time_ago(late.age_hours);
   return phrase("UnfinishedSession",
                 "the session last ran %1, and the protocol requires sessions to be resumed within "
                 "%2 hours")
-      .with(time_ago(late.age_hours), number_text(late.maximum_age_hours));
+      .with(age, number_text(late.maximum_age_hours));
 }
 
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {

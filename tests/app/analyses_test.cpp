@@ -910,7 +910,7 @@ TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
     EXPECT_THAT(answer, testing::Not(HasSubstr("Chosen more often")));
   }
   EXPECT_THAT(question_of(outcome, "textures").answer.english(),
-              testing::StartsWith("That new is chosen equally often with every texture has"));
+              testing::StartsWith("Test of equal proportions of new with every texture:"));
   EXPECT_THAT(question_of(outcome, "preference").answer.english(),
               HasSubstr(", the only confirmatory test"));
 }

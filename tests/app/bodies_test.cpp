@@ -424,7 +424,7 @@ TEST_F(FeltBodies, GiveTheRecordedHandTheRecordedForceUnlessOneWasExchanged) {
   EXPECT_THAT(found_by_replay(), IsEmpty());
   save_rasp(study(), 0.005);
   EXPECT_THAT(found_by_replay(),
-              testing::Contains(HasSubstr("the body \"rasp\" is not the tool that was felt")));
+              testing::Contains(HasSubstr("the body \"rasp\" is not the tool that was presented")));
   save_rasp(study(), kRasp_m);
 }
 

@@ -125,7 +125,7 @@ TEST(CodedPhrases, OfTheStoreHaveTheSameWordsThere) {
   for (const WithdrawalReason reason : {WithdrawalReason::consent_withdrawn,
                                         WithdrawalReason::not_eligible, WithdrawalReason::other}) {
     MadeUpStudy made{};
-    made.add_person("P1", "female");
+    made.add_person("P1", "F");
     made.add_session("P1", made.add_protocol("sorting", "selection"), {});
     made.study().withdraw("P1", {.reason = reason, .decided_by = "R. Hook"});
     const StoredWords excluded = made.study().sessions().front().excluded.value();

@@ -97,6 +97,17 @@ TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
   EXPECT_THAT(methods, Not(HasSubstr("Consent")));  // of which nothing is stored
 }
 
+TEST(PaperText, StatesThatNothingWasAnalysed) {
+  MadeUpStudy made;
+  made.add_person("p1", "F");
+  const std::int64_t session = made.add_session("p1", made.add_protocol("which", "selection"),
+                                                {one_of_two("sinusoid"), one_of_two("sinusoid")});
+  made.study().add_decision(session, {.verdict = Verdict::exclude, .reason = "fire alarm"});
+  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  EXPECT_THAT(methods, HasSubstr("One session was excluded from the analysis."));
+  EXPECT_THAT(methods, HasSubstr("None of the 2 attempts at trials was included in the analysis."));
+}
+
 /// Every test that a study can report has words, and every work that is cited an entry.
 TEST(PaperText, HasWordsForEveryTestAndEntriesForEverySource) {
   for (const TestName& name : test_names()) {

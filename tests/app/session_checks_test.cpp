@@ -433,7 +433,7 @@ TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
             "Measured 12 days ago; every stimulus is within its capabilities.");
   measure(0.1, 0.9);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; some stimuli exceed its capabilities.");
+            "Measured 2 hours ago; some stimuli exceed its capabilities.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 1U) << "one kind of warning is one line";
   EXPECT_EQ(lines.front().state, State::look);
@@ -452,7 +452,7 @@ TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor)
   measure(0.1, 0.9, "in place of delta.3", {DeviceTrait::friction, DeviceTrait::damping});
   EXPECT_EQ(check("calibration").state, State::look);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; every stimulus is within its known capabilities. "
+            "Measured 2 hours ago; every stimulus is within its known capabilities. "
             "Unknown for delta.3 and not compared: friction, damping.");
   ask_for(R"("limits": {"friction_N": 0.1})");
   const std::string limited = check("calibration").text.english();
@@ -471,7 +471,7 @@ TEST_F(RehearsedChecks, CallNothingUncomparedThatWasCompared) {
   inputs.tried = nullptr;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::peak_force});
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; every stimulus is within its capabilities.");
+            "Measured 2 hours ago; every stimulus is within its capabilities.");
   EXPECT_EQ(check("calibration").state, State::fine);
   reach_m = 0.001;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::friction});
@@ -500,9 +500,10 @@ TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {
 TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   ask_for(R"("limits": {"friction_N": 0.0001, "latency_s": 0.01})");
   measure(1.0, 0.0002);
-  EXPECT_EQ(check("calibration").text.english(),
-            "Measured a day ago; every stimulus is within its capabilities, but it does not meet "
-            "the protocol's limits.");
+  EXPECT_EQ(
+      check("calibration").text.english(),
+      "Measured 24 hours ago; every stimulus is within its capabilities, but it does not meet "
+      "the protocol's limits.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
   EXPECT_EQ(lines[0].text.english(),

@@ -337,8 +337,7 @@ TEST(BadProtocol, IsReportedWithAllThatIsWrongWithItFromTheFirstLineToTheLast) {
   EXPECT_EQ(warned.status, 1);
   EXPECT_NE(warned.err.find("stimuli/walnut.png is not in the study"), std::string::npos)
       << warned.err;
-  EXPECT_NE(warned.err.find("warning: no block asks for the exploration \"spare\""),
-            std::string::npos)
+  EXPECT_NE(warned.err.find("warning: no block uses the exploration \"spare\""), std::string::npos)
       << warned.err;
   const std::vector<int> lines = lines_said(warned.err, protocol);
   EXPECT_GE(lines.size(), 2U);
@@ -460,7 +459,7 @@ void expect_table_refused(const std::string& kind, const std::string& table,
 TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
   const std::string head = "id,k,n,p0,conf\n";
   expect_table_refused("proportion", "", {}, {"table.csv:1", "column names"});
-  expect_table_refused("proportion", head, {}, {"table.csv", "there is no row"});
+  expect_table_refused("proportion", head, {}, {"table.csv", "the table has no rows"});
   expect_table_refused("proportion", "name,hits\na,1\n", {}, {"no column \"id\"", "name, hits"});
   expect_table_refused("proportion", "id;k;n;p0\na;1;2;0,5\n", {}, {"semicolons", "commas"});
   expect_table_refused("proportion", "id\tk\tn\tp0\na\t1\t2\t0,5\n", {},

@@ -190,7 +190,7 @@ TEST_F(RenderBodies, SaysWhatIsMissingOrWrong) {
   refused({"--stimulus", place_ / "text.mesh", "--tool", "sphere:0.01"}, {"text.mesh"});
   refused({"--stimulus", "plane:0.02,0.02", "--tool", "disc:0.01", "--coupling", "virtual",
            "--param", "coupling=none"},
-          {"--coupling", "once"});
+          {"--coupling", "give one of them"});
 }
 
 TEST_F(RenderBodies, AModelOfAPointTakesNone) {

@@ -262,7 +262,7 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   const Outcome other = outcome({"--vary", "probe_diameter"});
   EXPECT_EQ(other.status, 1);
   EXPECT_THAT(other.err, HasSubstr("--vary applied_force --values 0.5,1,2"));
-  EXPECT_THAT(outcome({"--vary", "applied_force"}).err, HasSubstr("0.25 N is none of them"));
+  EXPECT_THAT(outcome({"--vary", "applied_force"}).err, HasSubstr("0.25 N is not one of them"));
   EXPECT_FALSE(fs::exists(out)) << "nothing was computed in vain";
 
   const std::vector<std::string> right{"--vary",  "applied_force", "--values",

@@ -188,7 +188,7 @@ TEST(MeshFile, ThatIsWrongIsRefusedInASentence) {
       {"points", "v 0 0 0\nv 1 0 0\n", {"2 vertices and no faces"}},
       {"word", "v 0 0 zero\n", {"thing:1", "\"zero\"", "number"}},
       {"short line", "v 0 0\n", {"thing:1", "ends"}},
-      {"no such vertex", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", {"vertex number 4", "has 3"}},
+      {"no such vertex", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", {"to vertex 4 ", "has only 3 vertices"}},
       {"vertex 0", "v 0 0 0\nf 0 1 1\n", {"thing:2", "first vertex is number 1"}},
       {"too far back", "v 0 0 0\nf -1 -2 -1\n", {"thing:2", "-2", "only 1"}},
       {"half an index", "v 0 0 0\nf 1.5 1 1\n", {"thing:2", "\"1.5\"", "whole number"}},

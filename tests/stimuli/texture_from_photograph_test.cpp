@@ -188,7 +188,7 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
               HasSubstr("homomorphic_wavelength_m"));
   // 400 pixels over 0.1 m: two pixels are 0.5 mm.
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = 4e-4; }),
-              HasSubstr("nothing shorter than two pixels, 5e-04 m"));
+              HasSubstr("wavelengths shorter than two pixels, 5e-04 m. Choose a longer wavelength."));
 }
 
 // A hand explores at most a metre, and what is wider was meant in another unit.

@@ -123,8 +123,9 @@ TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
               HasSubstr("outside of the atlas"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.vertices_m[2].z = std::nan(""); }),
               HasSubstr("vertex 2 with z = not a number;"));
-  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals[2] *= 2.0; }),
-              HasSubstr("at vertex 2 a normal that is not of unit length. Make the mesh again"));
+  EXPECT_THAT(
+      refusal_of_changed([](auto& s) { s.mesh.normals[2] *= 2.0; }),
+      HasSubstr("has a normal at vertex 2 that is not of unit length. Make the mesh again"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals.pop_back(); }),
               HasSubstr("one normal for each vertex"));
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places.pop_back(); }),

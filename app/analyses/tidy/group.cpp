@@ -132,7 +132,7 @@ class GroupComparison final {
 
   void pooled() {
     const TwoByTwo& table = groups_.pooled;
-    const std::string independent = ", trials taken as independent";
+    const std::string independent = ", trials treated as independent";
     for (const auto& [name, count] :
          {std::pair{groups_.names[0], table.first}, std::pair{groups_.names[1], table.second}}) {
       list_.count("pooled.k", name, count.hits, basis("correct responses"));
@@ -234,8 +234,8 @@ class GroupComparison final {
           basis("logistic regression"));
       return;
     }
-    coefficients("glm.beta", fixed->beta, "logistic regression, trials taken as independent");
-    coefficients("glm.se", fixed->standard_error, "trials taken as independent");
+    coefficients("glm.beta", fixed->beta, "logistic regression, trials treated as independent");
+    coefficients("glm.se", fixed->standard_error, "trials treated as independent");
     const auto clustered = [this](const std::string& key, double error) {
       Basis own = basis("with the participant as the unit (CR0)");
       own.undefined =

@@ -130,7 +130,7 @@ class Recognition final {
   void shares() {
     const ConfidenceInterval wilson = wilson_interval(right_, confidence_);
     const ConfidenceInterval exact = clopper_pearson_interval(right_, confidence_);
-    Basis pooled = basis("correct of all trials; Wilson interval, trials taken as independent");
+    Basis pooled = basis("correct of all trials; Wilson interval, trials treated as independent");
     pooled.interval = wilson;
     pooled.confidence = confidence_;
     list_.number("pc", "", proportion(right_), pooled);
@@ -138,9 +138,9 @@ class Recognition final {
     number("pc.wilson.upper", "", wilson.high, "interval of Wilson");
     number("pc.cp.lower", "", exact.low, "interval of Clopper and Pearson");
     number("pc.cp.upper", "", exact.high, "interval of Clopper and Pearson");
-    list_.number("pc.p.greater", "", binomial_upper_tail(right_, chance()),
-                 of_trials("exact binomial, one-sided against chance 1/m, trials taken as "
-                           "independent"));
+    list_.number(
+        "pc.p.greater", "", binomial_upper_tail(right_, chance()),
+        of_trials("exact binomial, one-sided against chance 1/m, trials treated as independent"));
     list_.count("pc.k", "", right_.hits, of_trials("correct responses"));
     add_cohen_h("pc.h", "", right_, {.chance = chance(), .confidence = confidence_}, list_);
   }
@@ -232,7 +232,7 @@ class Recognition final {
     if (right_.hits > 0 && right_.hits < right_.trials) {
       const double pc = proportion(right_);
       number("dprime.se", "", std::sqrt(pc * (1.0 - pc) / n) / choice.slope(dprime),
-             "delta method, trials taken as independent");
+             "delta method, trials treated as independent");
     } else {
       const double end = 1.0 / (2.0 * n);
       number("dprime.corrected", "", choice.dprime(right_.hits == 0 ? end : 1.0 - end),
@@ -262,9 +262,9 @@ class Recognition final {
     number("G", "", it.G, "likelihood ratio against no transfer");
     number("G.df", "", it.df, "degrees of freedom of G");
     list_.number("G.p", "", it.p.value_or(kUndefined),
-                 of_trials("χ² of G, trials taken as independent; too small where trials are few: "
-                           "in simulations of 24 to 144 trials without information p was at most "
-                           ".05 in 6 to 12 % of the tables"));
+                 of_trials("χ² of G, trials treated as independent; too small where trials are "
+                           "few: in simulations of 24 to 144 trials without information p was at "
+                           "most .05 in 6 to 12 % of the tables"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
          "if all errors were equally frequent (Fano's bound)");

@@ -95,8 +95,8 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("period: mean"), us(servo.period_mean_s)},
       {MeasureTables::tr("period: 99 of 100 below"), us(servo.period_p99_s)},
       {MeasureTables::tr("period: longest"), us(servo.period_maximum_s)},
-      {MeasureTables::tr("lateness: 99 of 100 below"), us(servo.lateness_p99_s)},
-      {MeasureTables::tr("lateness: greatest"), us(servo.lateness_maximum_s)},
+      {MeasureTables::tr("lateness: 99th percentile"), us(servo.lateness_p99_s)},
+      {MeasureTables::tr("lateness: maximum"), us(servo.lateness_maximum_s)},
       // Judged in contact alone, where these are counted apart.
       {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines),
        in_contact ? State::unknown : none(servo.missed_deadlines)},
@@ -120,7 +120,7 @@ QString limit_words(const std::string& kind) {
   if (kind == "contact") return MeasureTables::tr("anything was touched");
   if (kind == "folded") {
     return MeasureTables::tr(
-        "a surface folds over seen along the contact, which leaves out a part");
+        "viewed along the contact, a surface folds over itself; part of it is omitted");
   }
   if (kind == "window_border") {
     return MeasureTables::tr("the deepest place lay at the border of what is looked at");
@@ -204,12 +204,12 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
   loop_ = add(tr("How the servo loop ran"), "attempt_loop",
               {{tr("Measure"), 0, CellAlign::text},
                {tr("Value"), 160, CellAlign::number},
-               {tr("Standing"), 160, CellAlign::text}});
+               {tr("Assessment"), 160, CellAlign::text}});
   limits_ = add(tr("What the force model counted, in ticks"), "attempt_limits",
                 {{tr("Surface"), 88, CellAlign::number},
                  {tr("What"), 0, CellAlign::text},
                  {tr("Ticks"), 160, CellAlign::number},
-                 {tr("Standing"), 160, CellAlign::text}});
+                 {tr("Assessment"), 160, CellAlign::text}});
   limits_heading_ = page->findChild<QLabel*>("attempt_limits_heading");
   rows->addStretch(1);
   setWidget(page);

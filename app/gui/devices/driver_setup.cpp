@@ -79,7 +79,7 @@ QString what_it_is(const std::string& driver, DriverNeed need) {
 QString otherwise(DriverNeed need) {
   switch (need) {
     case DriverNeed::firmware:
-      return DriverSetup::tr("no file: only a Falcon that has it loaded can be used");
+      return DriverSetup::tr("no file: only a Falcon whose firmware is already loaded can be used");
     case DriverNeed::library:
       return DriverSetup::tr("where the system looks for libraries");
     case DriverNeed::service:

@@ -516,9 +516,8 @@ void ProtocolEditorPage::look_at_disk() {
     ask_about_theirs(*now, Then::nothing);
   } else {
     take_content(*now);
-    banner().show_news(State::look,
-                       tr("The file was changed by another program; its text is shown now. Undo "
-                          "brings back the one before."));
+    banner().show_news(State::look, tr("The file was changed by another program and its new text "
+                                       "is shown. Undo restores the previous text."));
   }
 }
 

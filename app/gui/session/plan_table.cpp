@@ -333,7 +333,7 @@ void PlanTable::set_blind(bool blind) {
 }
 
 void PlanTable::fit_columns() {
-  constexpr int kPadding = 16;
+  constexpr int kPadding = 12;
   int widest = 0;
   const QFontMetrics letters(text_font(TextSize::body, true));
   // The trial under way is marked, and its number is what the experimenter looks for.

@@ -19,8 +19,7 @@ void SessionQuestions::lock(const QString& why) {
 }
 
 void SessionQuestions::ask_to_repeat() {
-  form_.ask(tr("Why is the last trial repeated? What was answered stays stored and no longer "
-               "counts."),
+  form_.ask(tr("Why is the last trial repeated? Its response remains stored but no longer counts."),
             offered_reasons(ReasonFor::repeating), tr("Repeat last trial"),
             [this](const Phrase& reason) { requests_.repeat_last(reason); });
 }

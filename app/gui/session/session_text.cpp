@@ -111,7 +111,7 @@ QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s
     case SessionPhase::fault:
       return tr("stopped");
     case SessionPhase::paused:
-      return tr("paused before it");
+      return tr("paused before this trial");
     case SessionPhase::rest:
       return tr("after the break");
     case SessionPhase::idle:

@@ -302,7 +302,7 @@ void DeviceChooser::show_chosen() {
   set_up_->setEnabled(!is_trying);
   devices_->setEnabled(whom_ != For::virtual_participants && !is_trying);
   try_->setVisible(is_attached && whom_ == For::people);
-  try_->setText(is_trying ? tr("Stop trying") : tr("Try this device"));
+  try_->setText(is_trying ? tr("Cancel") : tr("Try this device"));
   try_->setEnabled(is_trying || (now.is_usable() && has_looked_ && !is_looking &&
                                  protocol_ != nullptr && !question_->isVisibleTo(this)));
   QString said = remark_of_choice(now);
@@ -389,10 +389,8 @@ void DeviceChooser::try_now(const std::string& agreed) {
   if (agreed.empty()) {
     state_->set_state(State::unknown, tr("Opening the device…"));
   } else {
-    state_->set_state(
-        State::look,
-        tr("Keep hands away: it moves by itself until it has found its zero. Esc, Stop "
-           "trying, or its power switch, stops it."));
+    state_->set_state(State::look, tr("Keep hands away: it moves by itself until it has found its "
+                                      "zero. Esc, Cancel, or its power switch, stops it."));
     try_->setFocus();
   }
   state_->show();

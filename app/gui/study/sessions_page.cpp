@@ -92,11 +92,12 @@ State state_of_session(const SessionOverview& session) {
 SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Sessions"), parent) {
   setObjectName("sessions_page");
-  set_empty_state(new EmptyState(
-      tr("No session yet"),
-      tr("Choose a protocol on the page Protocols and press “Start session…”. To see first what "
-         "comes out, press “Simulate…” there: virtual participants take minutes off an hour."),
-      this));
+  set_empty_state(
+      new EmptyState(tr("No session yet"),
+                     tr("Choose a protocol on the Protocols page and press “Start session…”. To "
+                        "preview the results, press “Simulate…” there: virtual participants need "
+                        "minutes where a session takes an hour."),
+                     this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("sessions_filter");
   filter_->setAccessibleName(tr("Filter"));

@@ -267,8 +267,8 @@ void TrialsPage::ask_to_exclude() {
     question.verb = tr("Include session");
   } else {
     question.text =
-        tr("Why do analyses leave the whole session out? It stays in the study and can be included "
-           "again.");
+        tr("Why is the whole session excluded from analyses? It stays in the study and can be "
+           "included again.");
     question.offered = offered_reasons(ReasonFor::excluding_session);
     question.verb = tr("Exclude session");
   }
@@ -299,9 +299,8 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
         State::look, tr("It is running, and who runs it is blind: until it ends, its own window "
                         "shows what may be known."));
   } else if (excluded) {
-    standing_->set_state(
-        State::stop,
-        tr("Analyses leave the whole session out: %1").arg(OutcomeWords::of_reason(excluded)));
+    standing_->set_state(State::stop, tr("The whole session is excluded from analyses: %1")
+                                          .arg(OutcomeWords::of_reason(excluded)));
   }
   exclude_->setText(excluded ? tr("Include session again…") : tr("Exclude session…"));
   std::vector<StudyTable::Row> rows{};

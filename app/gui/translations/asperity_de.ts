@@ -144,7 +144,7 @@
         <translation>Das Zufallsniveau ist 1/2: Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
-        <source>Chance differs between the trials.</source>
+        <source>The chance level differs between trials.</source>
         <translation>Der Zufall ist von Durchgang zu Durchgang verschieden.</translation>
     </message>
     <message>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>Does the position in the trial matter?</source>
-        <translation>Spielt der Platz im Durchgang eine Rolle?</translation>
+        <translation>Spielt die Position im Durchgang eine Rolle?</translation>
     </message>
     <message>
         <source>As the preference, with the positions in the place of the models.</source>
@@ -336,7 +336,7 @@
         <translation>Das lässt sich nicht prüfen: die Versuchspersonen haben nicht jede Textur gleich oft beurteilt.</translation>
     </message>
     <message>
-        <source>It does: that %1 is chosen equally often with every texture has %2.</source>
+        <source>Yes: test of equal proportions of %1 with every texture, %2.</source>
         <translation>Ja: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
     </message>
     <message>
@@ -352,7 +352,7 @@
         <translation>Tests</translation>
     </message>
     <message>
-        <source>one participant has no interval</source>
+        <source>no CI, because there is only one participant</source>
         <translation>eine einzelne Versuchsperson ergibt kein Intervall</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>%1 Paare von Texturen wurden gleich oft verwechselt, und keines öfter: die eine mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
-        <source>That %1 is chosen equally often with every texture has %2.</source>
+        <source>Test of equal proportions of %1 with every texture: %2.</source>
         <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
     </message>
     <message>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
-        <translation>Verwechslungsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
+        <translation>Konfusionsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
     <message>
         <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: of the mean parabola over the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
@@ -857,15 +857,15 @@
     </message>
     <message>
         <source>Yes: %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
-        <translation>Ja: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3.</translation>
+        <translation>Ja: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
         <source>Not significantly: %1; difference (women − men) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3. Das zeigt nicht, dass sie gleich sind.</translation>
+        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
     </message>
     <message>
         <source>Of these participants %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppen: %3.</translation>
+        <translation>Bei diesen Versuchspersonen: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
         <source>Participant-level proportions: each participant&apos;s own, over the participants</source>
@@ -1100,7 +1100,7 @@
         <translation>der Anteil der Wahlen von %1</translation>
     </message>
     <message>
-        <source>The items of a trial are taken as independent of each other.</source>
+        <source>The items of a trial are treated as independent of each other.</source>
         <translation>Die Zuordnungen eines Durchgangs gelten als voneinander unabhängig.</translation>
     </message>
     <message>
@@ -1132,10 +1132,6 @@
         <translation>Anteile: der richtigen Antworten.</translation>
     </message>
     <message>
-        <source>Geometric means. normalised: each participant&apos;s own scale removed by the mean of the logarithms of all cells. raw: not normalised. left out: participants who are only in raw, because they have no estimate in some cell.</source>
-        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab jeder Versuchsperson, über das Mittel der Logarithmen aller Zellen. roh: nicht normiert. weggelassen: Versuchspersonen, die nur in roh stehen, weil ihnen in einer Zelle eine Schätzung fehlt.</translation>
-    </message>
-    <message>
         <source>%1 The CI of normalised is within participants (Cousineau and Morey): it compares cells and does not contain the differences between participants.</source>
         <translation>%1 Das Konfidenzintervall von normiert gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es vergleicht Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
     </message>
@@ -1157,10 +1153,10 @@
     </message>
     <message>
         <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: by the model more often confused than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
-        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für Ununterscheidbares, getrennt von den Antwortneigungen; über 1: nach dem Modell öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
+        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für nicht unterscheidbare Texturen, um Antworttendenzen bereinigt; über 1: nach dem Modell öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s correct responses</source>
+        <source>Each participant&apos;s proportion correct</source>
         <translation>Der Anteil der richtigen Antworten jeder Versuchsperson</translation>
     </message>
     <message>
@@ -1185,7 +1181,7 @@
     </message>
     <message>
         <source>Means of the participants&apos; own results.</source>
-        <translation>Mittelwerte der eigenen Ergebnisse der Versuchspersonen.</translation>
+        <translation>Mittelwerte der individuellen Ergebnisse der Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 CIs of the means by Student&apos;s t, of proportions on the logit scale; of the difference Welch&apos;s CI, which belongs to another method than p: where one just excludes that there is no difference, the other need not.</source>
@@ -1269,19 +1265,31 @@
     </message>
     <message>
         <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
-        <translation>Nicht gesichert: im Mittel wurden %1 der Items einer Versuchsperson richtig zugeordnet (%2), bei einer Ratewahrscheinlichkeit von %3; Permutationstest über Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält die Ratewahrscheinlichkeit; es werden mehr Versuchspersonen benötigt.</translation>
+        <translation>Nicht gesichert: Im Mittel wurden %1 der Items einer Versuchsperson richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest über Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
         <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
-        <translation>Nein, seltener als durch Raten: im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einer Ratewahrscheinlichkeit von %3; %4.</translation>
+        <translation>Nein, seltener als durch Raten: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
-        <translation>Nicht gesichert: im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einer Ratewahrscheinlichkeit von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält die Ratewahrscheinlichkeit; es werden mehr Versuchspersonen benötigt.</translation>
+        <translation>Nicht gesichert: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
         <source>Not established: %1; difference (women − men) %2. Permutation test of group labels: %3. The test is significant, but the CI of the difference contains 0; more participants are needed.</source>
         <translation>Nicht gesichert: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, doch das Konfidenzintervall der Differenz enthält 0; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>Geometric means of the estimates. normalised: each participant&apos;s scale removed (the mean of the logarithms of all cells). raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
+        <translation>Geometrische Mittel der Schätzungen. normalised: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). raw: nicht normalisiert. left out: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur raw enthält sie.</translation>
+    </message>
+    <message>
+        <source>For this participant only: %1 of the items were matched correctly (%2), where the chance level is %3; permutation test, %4. More participants are needed.</source>
+        <translation>Nur für diese Versuchsperson: %1 der Items wurden richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest, %4. Es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>For this participant only: %1 of the responses were correct (%2), where the chance level is %3; %4. More participants are needed.</source>
+        <translation>Nur für diese Versuchsperson: %1 der Antworten waren richtig (%2), bei einem Zufallsniveau von %3; %4. Es werden mehr Versuchspersonen benötigt.</translation>
     </message>
 </context>
 <context>
@@ -2389,11 +2397,11 @@
     </message>
     <message>
         <source>Scale of preference (Bradley–Terry)</source>
-        <translation>Skala der Bevorzugung (Bradley–Terry)</translation>
+        <translation>Präferenzskala (Bradley–Terry)</translation>
     </message>
     <message>
         <source>Scale of preference (Plackett–Luce)</source>
-        <translation>Skala der Bevorzugung (Plackett–Luce)</translation>
+        <translation>Präferenzskala (Plackett–Luce)</translation>
     </message>
     <message>
         <source>%1 (%2 of %3)</source>
@@ -2708,12 +2716,12 @@
         <translation>Leistung über der Schwelle</translation>
     </message>
     <message>
-        <source>Full marks: strokes of the held tool; small outlined ones: strokes that a status excludes. Curves: parabolas of the logarithms. Large outlined marks: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes excluded because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
         <translation>Volle Zeichen: Striche des gehaltenen Werkzeugs; kleine umrandete: Striche, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
         <source>%1 (no effect by construction)</source>
-        <translation>%1 (ohne Wirkung, so gebaut)</translation>
+        <translation>%1 (konstruktionsbedingt ohne Effekt)</translation>
     </message>
     <message>
         <source>%1 of virtual participants</source>
@@ -2745,11 +2753,11 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>Confusion matrix</source>
-        <translation>Verwechslungsmatrix</translation>
+        <translation>Konfusionsmatrix</translation>
     </message>
     <message>
         <source>Numbers are responses; the shade is their proportion among the responses to the stimulus. Correct responses are framed.</source>
@@ -2864,7 +2872,7 @@
         <translation>Anteile an den Durchgängen mit dieser Textur mit 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
     </message>
     <message>
-        <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that take trials as independent. The square is the mean of the participants&apos; own proportions with a t 95 % CI on the logit scale.</source>
+        <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that treat trials as independent. The square is the mean of the participants&apos; own proportions with a t 95 % CI on the logit scale.</source>
         <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz mit 95-%-KI nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
@@ -2873,11 +2881,11 @@
     </message>
     <message>
         <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels assumes less.</source>
-        <translation>Der Balken ist das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen; der Permutationstest der Gruppen setzt weniger voraus.</translation>
+        <translation>Der Balken ist das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen; der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus.</translation>
     </message>
     <message>
         <source>Bars are %1 % CIs: of the difference of the participants&apos; means by Welch, of all responses pooled by Newcombe, as if they were independent. The permutation test of group labels assumes less than either.</source>
-        <translation>Balken sind %1-%-KI: der Differenz der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Permutationstest der Gruppen setzt weniger voraus als beide.</translation>
+        <translation>Balken sind %1-%-KI: der Differenz der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus als beide.</translation>
     </message>
     <message>
         <source>%1 − %2, with its %3 % CI</source>
@@ -2949,7 +2957,7 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own results; there are no CIs.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Ergebnisse der Versuchspersonen; Konfidenzintervalle gibt es nicht.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen; Konfidenzintervalle gibt es nicht.</translation>
     </message>
     <message>
         <source>The difference of the participants&apos; means; it has no CI.</source>
@@ -3058,8 +3066,8 @@
 <context>
     <name>FormWords</name>
     <message>
-        <source>As it is</source>
-        <translation>Original</translation>
+        <source>Unchanged</source>
+        <translation>Unverändert</translation>
     </message>
     <message>
         <source>Equalized</source>
@@ -4451,7 +4459,7 @@
     </message>
     <message>
         <source>%1; every stimulus is within its capabilities.</source>
-        <translation>%1; jeder Reiz liegt innerhalb seiner Leistung.</translation>
+        <translation>%1; jeder Reiz liegt in seinem Leistungsbereich.</translation>
     </message>
     <message>
         <source>%1; some stimuli exceed its capabilities.</source>
@@ -4471,7 +4479,7 @@
     </message>
     <message>
         <source>%1; every stimulus is within its capabilities, but it does not meet the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt innerhalb seiner Leistung, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+        <translation>%1; jeder Reiz liegt in seinem Leistungsbereich, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
     </message>
     <message>
         <source>%1 Unknown for %2 and not compared: %3.</source>
@@ -4479,15 +4487,15 @@
     </message>
     <message>
         <source>%1; every stimulus is within its known capabilities, but it does not meet the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt innerhalb seiner bekannten Leistung, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+        <translation>%1; jeder Reiz liegt in seinem bekannten Leistungsbereich, aber es hält die Grenzen des Protokolls nicht ein.</translation>
     </message>
     <message>
         <source>%1; every stimulus is within its known capabilities.</source>
-        <translation>%1; jeder Reiz liegt innerhalb seiner bekannten Leistung.</translation>
+        <translation>%1; jeder Reiz liegt in seinem bekannten Leistungsbereich.</translation>
     </message>
     <message>
         <source>Measure a real device as soon as one is available.</source>
-        <translation>Messen Sie ein echtes Gerät, sobald eines verfügbar ist.</translation>
+        <translation>Ein echtes Gerät vermessen, sobald eines verfügbar ist.</translation>
     </message>
     <message>
         <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
@@ -4535,7 +4543,7 @@
     </message>
     <message>
         <source>“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.</source>
-        <translation></translation>
+        <translation>„%1“ übt bis zu %2 N bei bis zu %3 Hz aus; das Protokoll verlangt %4 N bei %5 Hz.</translation>
     </message>
     <message>
         <source>%1 The session last ran on “%2”.</source>
@@ -4656,7 +4664,7 @@
         <translation>gestoppt</translation>
     </message>
     <message>
-        <source>paused before it</source>
+        <source>paused before this trial</source>
         <translation>davor angehalten</translation>
     </message>
     <message>
@@ -4920,7 +4928,7 @@
     </message>
     <message>
         <source>permutation test of group labels</source>
-        <translation>Permutationstest der Gruppen</translation>
+        <translation>Permutationstest der Gruppenzugehörigkeit</translation>
     </message>
     <message>
         <source>repeated-measures ANOVA</source>
@@ -4967,10 +4975,6 @@
         <translation>generalisiertes η²</translation>
     </message>
     <message>
-        <source>transmitted information in bits, bias-corrected</source>
-        <translation>übertragene Information in Bit, um die Verzerrung berichtigt</translation>
-    </message>
-    <message>
         <source>Pearson’s X² of the pooled choices</source>
         <translation>Pearsons X² der zusammengefassten Wahlen</translation>
     </message>
@@ -5005,6 +5009,10 @@
     <message>
         <source>The CIs of W of choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
         <translation>Die Konfidenzintervalle von W bei Wahlen sind Näherungen: In Simulationen mit 12 und 20 Versuchspersonen enthielten sie den wahren Wert in 77 bis 100 % der Studien.</translation>
+    </message>
+    <message>
+        <source>bias-corrected transmitted information in bits</source>
+        <translation>bias-korrigierte übertragene Information in Bit</translation>
     </message>
 </context>
 <context>
@@ -5226,7 +5234,7 @@
     </message>
     <message>
         <source>The tables were not written: you cancelled it. Nothing of them is left in %1.</source>
-        <translation>Die Tabellen wurden nicht geschrieben: es wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
+        <translation>Die Tabellen wurden nicht geschrieben: der Vorgang wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
     </message>
     <message>
         <source>With the recordings, tick by tick; they are large</source>
@@ -5394,7 +5402,7 @@
     </message>
     <message>
         <source>The recording was not read: you cancelled it. It is read when the attempt is opened again.</source>
-        <translation>Die Aufzeichnung wurde nicht gelesen: es wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
+        <translation>Die Aufzeichnung wurde nicht gelesen: der Vorgang wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
     </message>
     <message>
         <source>The session is running, and who runs it is blind: what was felt and answered is shown here once it has ended.</source>
@@ -5406,7 +5414,7 @@
     </message>
     <message>
         <source>%1 was not written: you cancelled it.</source>
-        <translation>%1 wurde nicht geschrieben: es wurde abgebrochen.</translation>
+        <translation>%1 wurde nicht geschrieben: der Vorgang wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Textures and models are shown by name, although the session is not complete: an experimenter who resumes it is no longer blind to them.</source>
@@ -5663,8 +5671,8 @@
         <translation>Bewegen lassen</translation>
     </message>
     <message>
-        <source>Stop trying</source>
-        <translation>Versuch anhalten</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -5679,8 +5687,8 @@
         <translation>„Einrichten…“</translation>
     </message>
     <message>
-        <source>Keep hands away: it moves by itself until it has found its zero. Esc, Stop trying, or its power switch, stops it.</source>
-        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Esc, „Versuch anhalten“ oder sein Netzschalter hält es an.</translation>
+        <source>Keep hands away: it moves by itself until it has found its zero. Esc, Cancel, or its power switch, stops it.</source>
+        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Esc, „Abbrechen“ oder sein Netzschalter hält es an.</translation>
     </message>
     <message>
         <source>A virtual hand holds it; the participant feels nothing.</source>
@@ -5807,7 +5815,7 @@
     </message>
     <message>
         <source>This study can only be read here: no profile could be kept.</source>
-        <translation>Diese Studie kann hier nur gelesen werden: Kein Profil könnte behalten werden.</translation>
+        <translation>Diese Studie kann hier nur gelesen werden: Ein Profil ließe sich nicht speichern.</translation>
     </message>
     <message>
         <source>Esc, F12 and the red button take the force away at once. At the end you move the handle along the borders of its workspace.</source>
@@ -6135,7 +6143,7 @@
         <translation>Wo der Inverse Service von Haply lauscht, HOST:PORT, falls nicht unter 127.0.0.1:10001.</translation>
     </message>
     <message>
-        <source>no file: only a Falcon that has it loaded can be used</source>
+        <source>no file: only a Falcon whose firmware is already loaded can be used</source>
         <translation>keine Datei: nur ein Falcon, der sie geladen hat, ist benutzbar</translation>
     </message>
     <message>
@@ -6445,7 +6453,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>&lt;b&gt;Oberfläche und Hand&lt;/b&gt;, für alle gleich</translation>
     </message>
     <message>
-        <source>There is no sound card to hear a force with.</source>
+        <source>There is no sound card. Connect one to hear a force.</source>
         <translation>Es gibt keine Soundkarte, mit der eine Kraft zu hören wäre.</translation>
     </message>
     <message>
@@ -6563,7 +6571,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>SPEED mm/s</source>
-        <translation>TEMPO mm/s</translation>
+        <translation>GESCHWINDIGKEIT mm/s</translation>
     </message>
     <message>
         <source>time, s</source>
@@ -6685,11 +6693,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Periode: längste</translation>
     </message>
     <message>
-        <source>lateness: 99 of 100 below</source>
-        <translation>Verspätung: 99 von 100 unter</translation>
+        <source>lateness: 99th percentile</source>
+        <translation>Verspätung: 99. Perzentil</translation>
     </message>
     <message>
-        <source>lateness: greatest</source>
+        <source>lateness: maximum</source>
         <translation>Verspätung: größte</translation>
     </message>
     <message>
@@ -6813,7 +6821,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Standing</source>
+        <source>Assessment</source>
         <translation>Bewertung</translation>
     </message>
     <message>
@@ -6857,7 +6865,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>etwas wurde berührt</translation>
     </message>
     <message>
-        <source>a surface folds over seen along the contact, which leaves out a part</source>
+        <source>viewed along the contact, a surface folds over itself; part of it is omitted</source>
         <translation>eine Oberfläche überlappt sich in Richtung des Kontakts, ein Teil bleibt außer Acht</translation>
     </message>
     <message>
@@ -7186,7 +7194,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Keep as phrase</source>
-        <translation>Als Floskel merken</translation>
+        <translation>Als Textbaustein speichern</translation>
     </message>
     <message>
         <source>Notes “%1”. The right mouse button forgets it.</source>
@@ -7194,7 +7202,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Forget this phrase</source>
-        <translation>Diese Floskel vergessen</translation>
+        <translation>Diesen Textbaustein löschen</translation>
     </message>
     <message>
         <source>earlier  %1</source>
@@ -7825,7 +7833,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Noch nicht speichern</translation>
     </message>
     <message>
-        <source>The file was changed by another program; its text is shown now. Undo brings back the one before.</source>
+        <source>The file was changed by another program and its new text is shown. Undo restores the previous text.</source>
         <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ holt den vorigen zurück.</translation>
     </message>
     <message>
@@ -8346,7 +8354,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>“%1” was not saved: you cancelled it.</source>
-        <translation>„%1“ wurde nicht gespeichert: es wurde abgebrochen.</translation>
+        <translation>„%1“ wurde nicht gespeichert: der Vorgang wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
@@ -8540,7 +8548,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Note: the keys answer the trial now, use a phrase.</source>
-        <translation>Notiz: Die Tasten beantworten gerade den Durchgang; eine Floskel benutzen.</translation>
+        <translation>Notiz: Die Tasten beantworten gerade den Durchgang; einen Textbaustein verwenden.</translation>
     </message>
     <message>
         <source>Brings the participant&apos;s window back to its place, in front of the others.</source>
@@ -8683,7 +8691,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::SessionQuestions</name>
     <message>
-        <source>Why is the last trial repeated? What was answered stays stored and no longer counts.</source>
+        <source>Why is the last trial repeated? Its response remains stored but no longer counts.</source>
         <translation>Warum wird der letzte Durchgang wiederholt? Was geantwortet wurde, bleibt gespeichert und zählt nicht mehr.</translation>
     </message>
     <message>
@@ -8966,7 +8974,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 virtuell</translation>
     </message>
     <message>
-        <source>Choose a protocol on the page Protocols and press “Start session…”. To see first what comes out, press “Simulate…” there: virtual participants take minutes off an hour.</source>
+        <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: virtual participants need minutes where a session takes an hour.</source>
         <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
     </message>
     <message>
@@ -9355,7 +9363,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>The study has not been read.</source>
-        <translation>Die Studie ist nicht gelesen.</translation>
+        <translation>Die Studie wurde noch nicht eingelesen.</translation>
     </message>
     <message>
         <source>One session, %1 answers: look at the table.</source>
@@ -9548,7 +9556,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>The study is no longer at %1: its folder was removed, renamed, or is on a medium that is gone. Bring it back, or close the study.</source>
-        <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der weg ist. Den Ordner zurückbringen oder die Studie schließen.</translation>
+        <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der nicht mehr angeschlossen ist. Den Ordner zurückbringen oder die Studie schließen.</translation>
     </message>
     <message>
         <source>Close study</source>
@@ -9710,7 +9718,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>SPEED mm/s, along the surface</source>
-        <translation>TEMPO mm/s, längs der Oberfläche</translation>
+        <translation>GESCHWINDIGKEIT mm/s, längs der Oberfläche</translation>
     </message>
     <message>
         <source>POSITION mm</source>
@@ -9864,7 +9872,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sitzung einschließen</translation>
     </message>
     <message>
-        <source>Why do analyses leave the whole session out? It stays in the study and can be included again.</source>
+        <source>Why is the whole session excluded from analyses? It stays in the study and can be included again.</source>
         <translation>Warum lassen die Auswertungen die ganze Sitzung weg? Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
     </message>
     <message>
@@ -9872,7 +9880,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sitzung ausschließen</translation>
     </message>
     <message>
-        <source>Analyses leave the whole session out: %1</source>
+        <source>The whole session is excluded from analyses: %1</source>
         <translation>Auswertungen lassen die ganze Sitzung weg: %1</translation>
     </message>
     <message>
@@ -10215,7 +10223,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Profil entlang der orangen Linie</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>Ort, mm</translation>
     </message>
     <message>
@@ -10304,7 +10312,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>The file was not read: you cancelled it.</source>
-        <translation>Die Datei wurde nicht gelesen: es wurde abgebrochen.</translation>
+        <translation>Das Lesen der Datei wurde abgebrochen.</translation>
     </message>
     <message>
         <source>%1 files were dropped; the workbench shows one at a time, the first: %2.</source>

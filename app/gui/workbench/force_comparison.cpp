@@ -328,7 +328,7 @@ void ForceComparison::set_sound(SoundOutput output) {
   output_ = std::move(output);
   heard_->setEnabled(!output_.is_null);
   no_sound_->setVisible(output_.is_null);
-  no_sound_->setText(tr("There is no sound card to hear a force with."));
+  no_sound_->setText(tr("There is no sound card. Connect one to hear a force."));
   open_or_close_sound();
 }
 

@@ -167,14 +167,15 @@ QWidget* WorkbenchPage::make_workspace() {
   caption_->setFont(text_font(TextSize::small));
   middle->addWidget(caption_);
   plots_ = new QStackedWidget(work);
-  profile_ = new SignalPlots(
-      {.heading = tr("Profile along the orange line"), .x = tr("Place, mm"), .y = tr("Height, µm")},
-      {.heading = tr("Its spectrum"),
-       .x = tr("Waves per mm"),
-       .y = tr("Power, µm² mm"),
-       .x_scale = PlotScale::logarithmic,
-       .y_scale = PlotScale::logarithmic},
-      plots_);
+  profile_ = new SignalPlots({.heading = tr("Profile along the orange line"),
+                              .x = tr("Position, mm"),
+                              .y = tr("Height, µm")},
+                             {.heading = tr("Its spectrum"),
+                              .x = tr("Waves per mm"),
+                              .y = tr("Power, µm² mm"),
+                              .x_scale = PlotScale::logarithmic,
+                              .y_scale = PlotScale::logarithmic},
+                             plots_);
   profile_->setObjectName("profile");
   auto* felt = new QWidget(plots_);
   forces_ = new SignalPlots({.heading = tr("Force"), .x = tr("Time, s"), .y = tr("Force, N")},

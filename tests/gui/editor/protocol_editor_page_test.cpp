@@ -514,7 +514,7 @@ TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereRunWithTheOldOne) {
   ASSERT_TRUE(eventually([&] { return asks(); }));
   EXPECT_TRUE(child<QuestionBar>(*page_, "editor_question")
                   .question()
-                  .contains("sessions were run with version 1.1.0 of another text"));
+                  .contains("sessions were run with another text of version 1.1.0"));
   EXPECT_EQ(read_file(file_), library_text("chapter_recognition"));
   click("editor_raise_version");
   ASSERT_TRUE(saved());

@@ -459,7 +459,7 @@ TEST(SessionWindow, MarksTheTrialThatComesInEveryPhaseBetweenTrials) {
     EXPECT_TRUE(model.index(model.row_of(16), 2).data().toString().startsWith("✓ "));
   }
   EXPECT_EQ(in(SessionPhase::rest), QStringList{"17: after the break"});
-  EXPECT_EQ(in(SessionPhase::paused), QStringList{"17: paused before it"});
+  EXPECT_EQ(in(SessionPhase::paused), QStringList{"17: paused before this trial"});
   EXPECT_EQ(in(SessionPhase::contact), QStringList{"17: feeling 6.2 s"});
   session.set_phase(SessionPhase::feedback);
   window->refresh();

@@ -216,7 +216,7 @@ TEST_F(TheDeviceChooser, StopsTryingWhereSomebodyStopsOrLeaves) {
   require([this] { return has_reason("has not been tried yet"); }, "reason");
   click("device_try");
   require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
-  EXPECT_EQ(find<QPushButton>("device_try").text(), "Stop trying");
+  EXPECT_EQ(find<QPushButton>("device_try").text(), "Cancel");
   click("device_try");
   require([this] { return shown("device_state").contains("Not tried yet"); }, "end");
   EXPECT_EQ(find<QPushButton>("device_try").text(), "Try this device");
@@ -349,7 +349,7 @@ TEST_F(TheDeviceChooser, RemembersTheDeviceOfAStudyAndTakesNoOtherInItsPlace) {
   bench->units.clear();
   make_page();
   EXPECT_EQ(page->order().inputs.device, kDevice);
-  require([this] { return has_reason("force_dimension:42 is not there"); }, "reason");
+  require([this] { return has_reason("The device is not connected"); }, "reason");
   EXPECT_FALSE(find<QPushButton>("start").isEnabled());
   EXPECT_FALSE(find<QPushButton>("device_try").isEnabled());
   bench->units.push_back({.serial = 42});

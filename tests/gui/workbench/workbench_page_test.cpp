@@ -437,7 +437,7 @@ TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
       {nothing, "is empty"},
       {folder() / "pictures.png", "is a folder"},
       {half, "is truncated or damaged"},
-      {folder() / "pipe.png", "no file that holds a picture"},
+      {folder() / "pipe.png", "is not a picture file"},
       {huge, "3.0 GiB; pictures of up to 2 GiB"},
       {folder() / "gone.png", "is not there any more"}};
   for (const auto& [file, words_for_it] : drops) {
