@@ -37,9 +37,13 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
   ~Accessibility() override { apply_language("en"); }
 
   static void expect_accessible(const QWidget& window, const QString& what) {
-    QCoreApplication::processEvents();
-    EXPECT_EQ(nameless_controls(window).join('\n').toStdString(), "") << what.toStdString();
-    EXPECT_EQ(steps_against_reading(window).join('\n').toStdString(), "") << what.toStdString();
+    // What appears when work in the background ends is laid out by later events.
+    const auto complaints = [&window] {
+      return (nameless_controls(window) + steps_against_reading(window)).join('\n').toStdString();
+    };
+    EXPECT_TRUE(eventually([&complaints] { return complaints().empty(); }))
+        << what.toStdString() << '\n'
+        << complaints();
   }
 
   /// Deletes the dialog.
