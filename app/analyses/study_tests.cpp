@@ -70,12 +70,6 @@ std::string reason_for(const std::string& name) {
   return std::string(known == kReasons.end() ? "no_responses" : known->second);
 }
 
-Cell permutations_cell(const StudyTests::Test& test) {
-  if (!test.random_permutations) return {};
-  return *test.random_permutations == 0 ? std::string("exact")
-                                        : std::to_string(*test.random_permutations);
-}
-
 /// The smallest attainable p, where it exceeds 5 %.
 std::optional<double> too_large(std::optional<double> smallest) {
   return smallest && *smallest > kAlpha ? smallest : std::nullopt;
@@ -102,7 +96,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
           {"value", cell_of(test.statistic)},
           {"df1", degrees(0)},
           {"df2", degrees(1)},
-          {"permutations", permutations_cell(test)},
+          {"permutations", text_cell(permutations_text(test))},
           {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
           {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
           {"effect_low", of_effect([](const Effect& e) { return e.low; })},

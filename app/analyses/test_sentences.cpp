@@ -130,14 +130,16 @@ std::string estimate_text(const StudyTests::Test& test) {
 
 std::string method_text(const StudyTests::Test& test) {
   std::string code(test.made_by->code);
-  if (test.random_permutations) {
-    code += '|' + (*test.random_permutations == 0 ? std::string("exact")
-                                                  : std::to_string(*test.random_permutations));
-  }
+  if (const std::string made = permutations_text(test); !made.empty()) code += '|' + made;
   return words_of_cell("method", code).english();
 }
 
 }  // namespace
+
+std::string permutations_text(const StudyTests::Test& test) {
+  if (!test.random_permutations) return {};
+  return *test.random_permutations == 0 ? "exact" : std::to_string(*test.random_permutations);
+}
 
 std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value) {
   std::string inner{};

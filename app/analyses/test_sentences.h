@@ -12,6 +12,9 @@
 
 namespace asperity {
 
+/// "exact", or how many permutations were drawn; empty of a test that permutes nothing.
+std::string permutations_text(const StudyTests::Test& test);
+
 /// "F(2, 38) = 5.17"
 std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value);
 

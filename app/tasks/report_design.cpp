@@ -15,17 +15,6 @@ namespace {
 
 std::string quoted(const std::string& text) { return "“" + text + "”"; }
 
-/// Those of the main phase, quoted, each once.
-std::vector<std::string> main_questions(const Protocol& protocol) {
-  std::vector<std::string> questions{};
-  for (const auto& [name, block] : protocol.blocks) {
-    const std::string question = quoted(block.question.prompt);
-    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
-    if (block.phase == Phase::main && is_new) questions.push_back(question);
-  }
-  return questions;
-}
-
 /// What the protocol specifies, whatever became of it.
 std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
@@ -374,6 +363,16 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
 }
 
 }  // namespace
+
+std::vector<std::string> main_questions(const Protocol& protocol) {
+  std::vector<std::string> questions{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const std::string question = quoted(block.question.prompt);
+    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
+    if (block.phase == Phase::main && is_new) questions.push_back(question);
+  }
+  return questions;
+}
 
 std::string instructed_exploration(const Exploration& exploration) {
   std::vector<std::string> bands{};

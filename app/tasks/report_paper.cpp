@@ -159,12 +159,7 @@ std::string paper_task(const ReportFacts& facts) {
 }
 
 std::string paper_questions(const Protocol& protocol) {
-  std::vector<std::string> questions{};
-  for (const auto& [name, block] : protocol.blocks) {
-    const std::string question = "“" + block.question.prompt + "”";
-    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
-    if (block.phase == Phase::main && is_new) questions.push_back(question);
-  }
+  const std::vector<std::string> questions = main_questions(protocol);
   if (questions.empty()) return {};
   return (questions.size() == 1 ? "The question was " : "The questions were ") + listed(questions) +
          (questions.back().ends_with("?”") || questions.back().ends_with(".”") ||

@@ -63,6 +63,8 @@ std::string devices_in(const ReportFacts& facts);
 std::string unfelt_force_text(const ReportFacts& facts);
 /// What the rows support about masking noise, without what the protocol requests.
 std::string recorded_noise_text(const ReportFacts& facts);
+/// The questions of the main phase, quoted, each once.
+std::vector<std::string> main_questions(const Protocol& protocol);
 /// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (aiming at 1 N)"
 std::string instructed_exploration(const Exploration& exploration);
 

@@ -54,7 +54,7 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
   }
 };
 
-/// Pages that show nothing until they are told what.
+/// Fills pages that need a selection.
 void fill_page(StudyWindow& window, const std::string& key) {
   QWidget* page = window.page(QString::fromStdString(key));
   const std::filesystem::path& folder = window.study()->folder();
