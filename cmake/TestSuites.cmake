@@ -35,7 +35,7 @@ endif()
 function(asperity_register name filter count)
   add_test("${name}" ${launcher} "${program}" "--gtest_filter=${filter}")
   math(EXPR begins_early "${cost} + ${count}")
-  math(EXPR longest_s "${timeout_s} + 30 * (${count} - 1)")
+  math(EXPR longest_s "${timeout_s} + 3 * (${count} - 1)")
   set_tests_properties("${name}" PROPERTIES
     LABELS "${labels}" TIMEOUT ${longest_s} COST ${begins_early} WORKING_DIRECTORY "${working_directory}")
 endfunction()

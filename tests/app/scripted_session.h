@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ class WatchedRig final : public Rig {
   }
   void pass(double duration_s, Recorder& recorder) override {
     rig_.pass(duration_s, recorder);
+    // What a test waits for may never come; a session in simulated time would wait for it at full speed, without an end.
+    if ((passed_s_ += duration_s) > kLongest_s) {
+      throw std::runtime_error("The session has lasted ten minutes of simulated time.");
+    }
     if (at_pass) at_pass();
   }
   void emergency_stop() noexcept override { rig_.emergency_stop(); }
@@ -50,7 +55,9 @@ class WatchedRig final : public Rig {
   void move_clock_to(std::int64_t now_ns) { rig_.move_clock_to(now_ns); }
 
  private:
+  static constexpr double kLongest_s = 600.0;
   SteppedRig rig_;
+  double passed_s_ = 0.0;
 };
 
 /// A recognition whose practice asks for three right answers in a row, of five trials at most.

@@ -796,7 +796,7 @@ TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
     if (!cleared) {
       cleared = true;
       requests_.clear_fault();
-    } else if (!told && now.trouble->what.english().find("not fit") != std::string::npos) {
+    } else if (!told && now.trouble->what.english().find("not ready") != std::string::npos) {
       told = true;
       requests_.abort("it is broken");
     }
@@ -1086,7 +1086,7 @@ TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
     requests_.resume();
   });
   EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(said, HasSubstr("cannot begin"));
+  EXPECT_THAT(said, HasSubstr("cannot start"));
   EXPECT_TRUE(events_of("masking_noise_lost").empty());
   EXPECT_EQ(events_of("masking_noise_missing").size(), 1U);
   EXPECT_EQ(attempts().size(), 1U);
