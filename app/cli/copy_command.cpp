@@ -25,6 +25,7 @@ void add_copy(CLI::App& program, Job& job) {
       ->required();
   command->callback([options, &job] {
     job = [options] {
+      Study::read_beside_writers();  // record_output() is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
       study.copy_to(options->folder);
       say("copied " + options->study + " to " + options->folder);

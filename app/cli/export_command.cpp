@@ -98,6 +98,7 @@ void add_export(CLI::App& program, Job& job) {
   command->footer("--public:\n" + wrapped_text(publication_text_of_any_study(), kColumns, "  "));
   command->callback([options, &job] {
     job = [options] {
+      Study::read_beside_writers();  // record_output() is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();

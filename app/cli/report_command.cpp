@@ -39,6 +39,7 @@ void add_report(CLI::App& program, Job& job) {
         throw WrongUsage(error.what());
       }
       const InterruptWatch interrupt;
+      Study::read_beside_writers();  // record_output() is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
       const LettersWithoutWindows letters;
       bool written = false;

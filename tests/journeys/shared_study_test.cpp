@@ -1,6 +1,7 @@
 // A study that somebody else uses, that cannot be written, or whose disk is full.
 
 #include <array>
+#include <csignal>
 #include <sys/mount.h>
 #include <unistd.h>
 
@@ -130,6 +131,35 @@ TEST(RunningSession, IsRefusedASecondTimeNamingHostAndProcess) {
   EXPECT_GE(tsv(tables.at("attempts.tsv")).rows.size(), done);
   const Outcome verified = asperity({"verify", small.place() / "copy"});
   EXPECT_EQ(verified.status, 0) << verified.err;
+}
+
+TEST(RunningSession, DoesNotKeepAnOutputFromBeingListed) {
+  const SmallStudy small(50);
+  Invocation invocation{};
+  invocation.arguments =
+      with(virtual_run_arguments(small.selection(), small.study()), "--realtime");
+  Program session(invocation);
+  ASSERT_TRUE(session.read_until([](const std::string&, const std::string& err) {
+    return !done_lines(err).empty();
+  })) << session.err();
+  const fs::path tables = small.place() / "tables";
+  const fs::path report = small.place() / "report.html";
+  const fs::path copy = small.place() / "copy";
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"export", small.study(), "--out", tables},
+                                             {"report", small.study(), "--out", report},
+                                             {"copy", small.study(), copy}}) {
+    const Outcome made = asperity(arguments);
+    EXPECT_EQ(made.status, 0);
+    EXPECT_EQ(made.err.find("list"), std::string::npos) << made.err;
+  }
+  session.send(SIGINT);
+  session.finish();
+  const Outcome withdrawn = asperity({"withdraw", small.study(), "standin1", "--by", "a test"});
+  EXPECT_EQ(withdrawn.status, 0) << withdrawn.err;
+  for (const fs::path& output : {tables, report, copy}) {
+    EXPECT_NE(withdrawn.out.find(output.string() + '\n'), std::string::npos) << withdrawn.out;
+  }
 }
 
 TEST(Copy, OfAStudyThatIsBeingSimulatedIsConsistent) {
