@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/coded_phrases.h"
-#include "app/conductor/clock.h"
 #include "app/device_remarks.h"
 #include "app/earlier_wordings.h"
+#include "app/utc_time.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 

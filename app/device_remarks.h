@@ -2,11 +2,8 @@
 
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "app/device_profile.h"
 #include "app/phrase.h"
 #include "device/device_trait.h"
 
@@ -59,13 +56,5 @@ std::vector<Phrase> coded_remarks();
 Phrase phrase_of(DeviceTrait trait);
 /// "friction, damping"
 Phrase listed_traits(const std::vector<DeviceTrait>& traits);
-/// "Simulated model of delta.3; known: workspace, …; unknown: …": the line above the items of such a
-/// device. Empty of every other.
-Phrase what_is_known(const DeviceProfile& profile);
-/// What items are called where they are read: "friction_N" at a terminal, "Friction" in a window.
-using ItemNames = std::function<std::string(const std::string& item)>;
-/// Whether it met its limits, with and without a number, and which limited items were not measured. A
-/// sentence or two. Without `called` items have their own names.
-Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called = {});
 
 }  // namespace asperity

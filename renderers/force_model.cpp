@@ -103,6 +103,12 @@ ModelRegistry built_in_models() {
   return registry;
 }
 
+std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
+  std::vector<ModelDeclaration> declarations{};
+  for (const ForceModel& model : models.models()) declarations.push_back(model.declaration);
+  return declarations;
+}
+
 RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs) {
   RendererInputs plate = inputs;
   if (declaration.amplitude_parameter) plate.parameters[*declaration.amplitude_parameter] = 0.0;

@@ -79,6 +79,9 @@ class ModelRegistry final {
 /// height_map, sinusoid, stochastic, lateral_gradient, pd_gradient.
 ModelRegistry built_in_models();
 
+/// The declarations of all models, against which a protocol is checked.
+std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
+
 /// Texture and friction taken out of one stimulus: the same model as a plain plate, its amplitude
 /// parameter and its Material's friction zero. The texture force is the difference to it.
 RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs);

@@ -24,7 +24,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/device_kind.h"
-#include "app/device_remarks.h"
+#include "app/profile_verdict.h"
 #include "app/tasks/measure_device.h"
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"

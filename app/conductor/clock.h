@@ -69,9 +69,4 @@ inline double seconds_between(std::int64_t from_ns, std::int64_t to_ns) noexcept
   return static_cast<double>(to_ns - from_ns) * 1e-9;
 }
 
-/// Nanoseconds since 1970 as UTC ISO 8601 with milliseconds.
-std::string utc_text(std::int64_t since_1970_ns);
-/// Of UTC ISO 8601, to the second, with the part of the day. Errors: std::invalid_argument.
-double days_since_1970(const std::string& utc);
-
 }  // namespace asperity

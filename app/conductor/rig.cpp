@@ -9,6 +9,7 @@
 #include "app/conductor/recorded_hand.h"
 #include "app/conductor/recorder.h"
 #include "app/device_kind.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -27,6 +28,16 @@ SimulatedDeviceSettings with_noise(SimulatedDeviceSettings settings, const Rando
 }
 
 }  // namespace
+
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
+                             const std::string& device) {
+  RigSettings settings{};
+  settings.device = simulated_settings(device).value_or(SimulatedDeviceSettings{});
+  settings.servo.rate_Hz = protocol.rate_Hz;
+  settings.limits.force_N = protocol.force_limit_N;
+  settings.device.faults = faults;
+  return settings;
+}
 
 struct SteppedRig::Assembly {
   Assembly(const RigSettings& settings, const HandHabits& habits, const Random& random)

@@ -7,12 +7,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/random.h"
 #include "app/conductor/clock.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/virtual_hand.h"
+#include "protocols/protocol.h"
 #include "renderers/record_ring.h"
 #include "renderers/servo_loop.h"
 #include "renderers/servo_thread.h"
@@ -26,6 +28,12 @@ struct RigSettings {
   ForceLimits limits{};
   SimulatedDeviceSettings device{};
 };
+
+/// The settings that a protocol requires. `device` as --device names it: what the simulated device
+/// stands for; without meaning for other devices.
+/// Errors: std::runtime_error for a "simulated:MODEL" that does not exist.
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
+                             const std::string& device = "simulated");
 
 /// What the conductor needs of the physical side.
 ///

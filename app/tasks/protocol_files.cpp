@@ -304,12 +304,6 @@ std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::s
 
 }  // namespace
 
-std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
-  std::vector<ModelDeclaration> declarations{};
-  for (const ForceModel& model : models.models()) declarations.push_back(model.declaration);
-  return declarations;
-}
-
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study) {
   const std::filesystem::path found = found_file(file, study);

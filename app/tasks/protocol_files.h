@@ -19,9 +19,6 @@ namespace asperity {
 
 class Study;
 
-/// The declarations of a registry, as a protocol is checked against them.
-std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
-
 /// Reads and checks a protocol file. A name without a file is looked for in the study's
 /// `protocols/`.
 ///

@@ -7,7 +7,6 @@
 #include "app/conductor/layout.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
-#include "app/tasks/protocol_files.h"
 
 namespace asperity {
 

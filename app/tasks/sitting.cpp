@@ -14,7 +14,6 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/unfinished_session.h"
-#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -97,16 +96,6 @@ void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns
 }
 
 }  // namespace
-
-RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
-                             const std::string& device) {
-  RigSettings settings{};
-  settings.device = simulated_settings(device).value_or(SimulatedDeviceSettings{});
-  settings.servo.rate_Hz = protocol.rate_Hz;
-  settings.limits.force_N = protocol.force_limit_N;
-  settings.device.faults = faults;
-  return settings;
-}
 
 std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
   std::int64_t last_ns = session.clock_zero_ns;

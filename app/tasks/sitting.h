@@ -30,12 +30,6 @@ struct Sitting {
   bool record = true;
 };
 
-/// The physical side as a protocol asks for it. `device` as --device names it: what the simulated device
-/// stands for; of no meaning for others.
-/// Errors: std::runtime_error for a "simulated:MODEL" that there is not.
-RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
-                             const std::string& device = "simulated");
-
 /// The latest time that is stored of a session, on its clock; a session goes on after it.
 std::int64_t last_time_ns(const Study& study, const SessionRow& session);
 

@@ -10,7 +10,6 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/rig.h"
-#include "app/tasks/sitting.h"
 
 namespace asperity {
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/phrase.h"
-#include "app/tasks/run_session.h"
 #include "device/device_capability.h"
 #include "device/drivers.h"
 #include "protocols/protocol.h"

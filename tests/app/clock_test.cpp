@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/utc_time.h"
+
 namespace asperity {
 namespace {
 

@@ -20,6 +20,7 @@
 #include "app/conductor/reason.h"
 #include "app/device_remarks.h"
 #include "app/earlier_wordings.h"
+#include "app/profile_verdict.h"
 #include "app/tasks/measure_device.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"

@@ -18,7 +18,6 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/conductor/clock.h"
-#include "app/device_remarks.h"
 #include "app/gui/devices/device_test_steps.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
@@ -31,6 +30,7 @@
 #include "app/gui/study/settings.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
+#include "app/profile_verdict.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
 

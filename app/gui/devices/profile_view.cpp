@@ -3,11 +3,11 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
 
-#include "app/device_remarks.h"
 #include "app/gui/devices/profile_words.h"
 #include "app/gui/devices/response_plot.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/profile_verdict.h"
 
 namespace asperity {
 

@@ -34,6 +34,7 @@
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
 #include "app/tasks/device_choice.h"
+#include "app/utc_time.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
