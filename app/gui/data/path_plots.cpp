@@ -65,6 +65,7 @@ PathPlots::PathPlots(QWidget* parent) : QFrame(parent) {
     plot->axisRect()->setAutoMargins(QCP::msNone);
   }
   path_->xAxis->setLabel(tr("x, mm"));
+  path_->xAxis->setTicker(plain_ticker());
   path_->axisRect()->setMargins(QMargins(56, 4, 8, 44));
   spectrum_->xAxis->setLabel(tr("frequency, Hz"));
   spectrum_->axisRect()->setMargins(QMargins(56, 4, 8, 44));

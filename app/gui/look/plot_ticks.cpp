@@ -22,6 +22,15 @@ bool have_room(const QCPAxis& axis, int ticks) {
   return pixels >= QFontMetrics(axis.tickLabelFont()).capHeight();
 }
 
+/// Writes a minus sign where the locale has a hyphen.
+template <typename Ticker>
+class WithMinus final : public Ticker {
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return Ticker::getTickLabel(tick, locale, format, precision).replace('-', "−");
+  }
+};
+
 class DecadeTicker final : public QCPAxisTickerLog {
  protected:
   QVector<double> createTickVector(double step, const QCPRange& range) override {
@@ -49,6 +58,7 @@ class DecadeTicker final : public QCPAxisTickerLog {
 }  // namespace
 
 void keep_labels_apart(QCPAxis& axis, int most) {
+  axis.setTicker(plain_ticker());
   QObject::connect(axis.parentPlot(), &QCustomPlot::afterLayout, &axis, [&axis, most] {
     int ticks = most;
     while (ticks > 1 && !have_room(axis, ticks)) --ticks;
@@ -56,6 +66,16 @@ void keep_labels_apart(QCPAxis& axis, int most) {
     axis.ticker()->setTickCount(ticks);
     axis.parentPlot()->replot(QCustomPlot::rpQueuedReplot);  // this one has its ticks already
   });
+}
+
+QSharedPointer<QCPAxisTicker> plain_ticker() {
+  return QSharedPointer<WithMinus<QCPAxisTicker>>::create();
+}
+
+QSharedPointer<QCPAxisTicker> step_ticker(double step) {
+  auto ticker = QSharedPointer<WithMinus<QCPAxisTickerFixed>>::create();
+  ticker->setTickStep(step);
+  return ticker;
 }
 
 QSharedPointer<QCPAxisTicker> decade_ticker() { return QSharedPointer<DecadeTicker>::create(); }

@@ -63,7 +63,7 @@ QString words_as_published(const Phrase& phrase) {
 }
 
 QString shown_number(double value, char format, int precision) {
-  return QLocale().toString(value, format, precision);
+  return QLocale().toString(value, format, precision).replace('-', "−");
 }
 
 QString words_of(const Phrase& phrase, const QString& control) {

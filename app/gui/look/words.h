@@ -40,7 +40,7 @@ inline QString path_text(const std::filesystem::path& path) { return text(path.s
 /// The same for findings, whose numbers have a point, as in reports, figures and files.
 QString words_as_published(const Phrase& phrase);
 
-/// A number as windows show it: in the user's locale, without separators of thousands. `format` and `precision` as
+/// A number as windows show it: in the user's locale, without separators of thousands and with a minus sign (−). `format` and `precision` as
 /// QString::number.
 QString shown_number(double value, char format, int precision);
 

@@ -67,7 +67,9 @@ void ParticipantPage::form_choice(const Question& question) {
 }
 
 QString ParticipantPage::range_text(const Question& question) const {
-  const auto number = [](double value) { return QString::number(value, 'g', 12).toStdString(); };
+  const auto number = [](double value) {
+    return QString::number(value, 'g', 12).replace('-', "−").toStdString();
+  };
   if (question.minimum && question.maximum) {
     return said(phrase("ParticipantLayout", "From %1 to %2")
                     .with(number(*question.minimum), number(*question.maximum)));

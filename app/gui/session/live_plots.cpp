@@ -167,9 +167,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
   for (Strip* strip : {&d.force, &d.speed}) {
     QCustomPlot& plot = *strip->plot;
     plot.xAxis->setRange(-kShown_s, 0.0);
-    auto seconds = QSharedPointer<QCPAxisTickerFixed>::create();
-    seconds->setTickStep(2.0);
-    plot.xAxis->setTicker(seconds);
+    plot.xAxis->setTicker(step_ticker(2.0));
     strip->band = new QCPItemRect(&plot);
     strip->band->setLayer("bands");
     strip->band->setPen(Qt::NoPen);

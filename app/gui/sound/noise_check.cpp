@@ -233,8 +233,7 @@ QString NoiseCheck::reservation() const {
 }
 
 void NoiseCheck::show_state() {
-  gain_text_->setText(
-      tr("%1 dB").arg(shown_number(20.0 * std::log10(value_.gain), 'f', 1).replace('-', "−")));
+  gain_text_->setText(tr("%1 dB").arg(shown_number(20.0 * std::log10(value_.gain), 'f', 1)));
   const QString problem = reservation();
   if (problem.isEmpty()) {
     state_->set_state(State::fine, tr("Plays through %1.").arg(output_.name));

@@ -41,6 +41,16 @@ TEST(PlotTicks, KeepTheirLabelsApartAtEveryHeight) {
   }
 }
 
+TEST(PlotTicks, HaveAMinusSign) {
+  for (const auto& ticker : {plain_ticker(), step_ticker(2.0)}) {
+    QVector<double> places{};
+    QVector<QString> labels{};
+    ticker->generate(QCPRange(-4.0, 4.0), QLocale("de_DE"), 'g', 6, places, nullptr, &labels);
+    EXPECT_TRUE(labels.contains("−2")) << labels.join(", ").toStdString();
+    EXPECT_TRUE(labels.contains("2"));
+  }
+}
+
 TEST(PlotTicks, AreWrittenAsPowersOfTenInEveryLanguage) {
   for (const char* language : {"en_US", "de_DE"}) {
     QVector<double> places{};
