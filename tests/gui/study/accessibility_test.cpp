@@ -4,12 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QStackedWidget>
+#include <QtWidgets/QTableWidget>
 
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/devices/driver_setup.h"
 #include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/look/theme.h"
 #include "app/gui/session/session_dialogs.h"
 #include "app/gui/session/session_window.h"
 #include "app/gui/start/start_page.h"
@@ -39,7 +42,10 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
   static void expect_accessible(const QWidget& window, const QString& what) {
     // What appears when work in the background ends is laid out by later events.
     const auto complaints = [&window] {
-      return (nameless_controls(window) + steps_against_reading(window)).join('\n').toStdString();
+      return (nameless_controls(window) + steps_against_reading(window) +
+              told_by_color_alone(window))
+          .join('\n')
+          .toStdString();
     };
     EXPECT_TRUE(eventually([&complaints] { return complaints().empty(); }))
         << what.toStdString() << '\n'
@@ -147,6 +153,22 @@ TEST(AccessibleNames, AreMissedOfAButtonWithoutOne) {
   nameless->move(0, 110);
   EXPECT_EQ(nameless_controls(window), QStringList{});
   EXPECT_EQ(steps_against_reading(window), QStringList{});
+}
+
+TEST(ColorAlone, IsFoundInALabelAndInACell) {
+  QWidget window{};
+  auto* number = new QLabel(QString("<span style='color:%1'>4.2</span>").arg(theme().stop.name()),
+                            &window);
+  auto* table = new QTableWidget(1, 2, &window);
+  table->setItem(0, 0, new QTableWidgetItem("4.2"));
+  table->setItem(0, 1, new QTableWidgetItem("4.2"));
+  table->item(0, 1)->setForeground(theme().look);
+  table->move(0, 40);
+  window.show();
+  EXPECT_EQ(told_by_color_alone(window).size(), 2);
+  number->setText(QString("<span style='color:%1'>✕</span> 4.2").arg(theme().stop.name()));
+  table->item(0, 1)->setText("▲ 4.2");
+  EXPECT_EQ(told_by_color_alone(window), QStringList{});
 }
 
 }  // namespace

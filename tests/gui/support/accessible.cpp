@@ -1,19 +1,27 @@
 #include "tests/gui/support/accessible.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
+#include <QtCore/QRegularExpression>
+#include <QtGui/QTextDocument>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+
+#include "app/gui/look/theme.h"
 
 namespace asperity {
 
 namespace {
+
+constexpr std::array kMeaningful{&Theme::fine, &Theme::look, &Theme::stop};
 
 /// Inside another control, which is the one that has a name.
 bool is_part_of_a_control(const QWidget& widget) {
@@ -56,6 +64,48 @@ QRect place_of(const QWidget& control) {
 }
 
 }  // namespace
+
+QStringList told_by_color_alone(const QWidget& window) {
+  const auto means_something = [](const QColor& shown) {
+    return std::any_of(kMeaningful.begin(), kMeaningful.end(),
+                       [&shown](const auto& color) { return theme().*color == shown; });
+  };
+  const auto has_words_or_shape = [](const QString& text) {
+    static const QRegularExpression kWords("\\p{L}{2}|[✓▲✕●■▼!]");
+    return kWords.match(text).hasMatch();
+  };
+  QStringList found{};
+  for (const QLabel* label : window.findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->text().isEmpty()) continue;
+    const QString written = label->text() + label->styleSheet();
+    const bool is_colored =
+        std::any_of(kMeaningful.begin(), kMeaningful.end(), [&written](const auto& color) {
+          return written.contains((theme().*color).name(), Qt::CaseInsensitive);
+        });
+    QTextDocument plain{};
+    plain.setHtml(label->text());
+    if (is_colored && !has_words_or_shape(plain.toPlainText())) found << as_found(*label);
+  }
+  for (const QAbstractItemView* view : window.findChildren<QAbstractItemView*>()) {
+    const bool is_header = qobject_cast<const QHeaderView*>(view) != nullptr;  // of the same model
+    if (is_header || !view->isVisible() || view->model() == nullptr) continue;
+    const QAbstractItemModel& cells = *view->model();
+    for (int row = 0; row < cells.rowCount(); ++row) {
+      for (int column = 0; column < cells.columnCount(); ++column) {
+        const QModelIndex cell = cells.index(row, column);
+        const QVariant color = cell.data(Qt::ForegroundRole);
+        if (color.isValid() && means_something(color.value<QBrush>().color()) &&
+            !has_words_or_shape(cell.data().toString())) {
+          found << as_found(*view) + QString(" row %1, column %2: \"%3\"")
+                                         .arg(row)
+                                         .arg(column)
+                                         .arg(cell.data().toString());
+        }
+      }
+    }
+  }
+  return found;
+}
 
 QStringList nameless_controls(const QWidget& window) {
   QStringList nameless{};

@@ -15,4 +15,8 @@ QStringList nameless_controls(const QWidget& window);
 /// begins there on the right, or to one further left in the same line.
 QStringList steps_against_reading(const QWidget& window);
 
+/// Shown labels and cells in a colour that means something (fine, needs attention, stopped), without the shape of that
+/// state and without words: in grey they would look like any other.
+QStringList told_by_color_alone(const QWidget& window);
+
 }  // namespace asperity
