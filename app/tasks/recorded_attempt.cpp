@@ -7,6 +7,7 @@
 #include "app/conductor/layout.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
+#include "protocols/protocol_reader.h"
 
 namespace asperity {
 
