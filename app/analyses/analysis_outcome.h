@@ -43,10 +43,17 @@ struct AnsweredQuestion {
   Phrase counted{};     ///< what its n counts: "20 participants"; empty where there is none
 };
 
+/// What was specified of a test in advance.
+enum class TestRole {
+  confirmatory,  ///< of the family that the protocol declares
+  usual_family,  ///< of the family that is usual for its kind of protocol, which declares none
+  exploratory,
+};
+
 /// What a test found, in English, as a paper prints it.
 struct TestSentence {
   std::string test{};  ///< one of test_names()
-  bool is_confirmatory = false;
+  TestRole role = TestRole::exploratory;
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the CI of a mean proportion
   std::string text{};

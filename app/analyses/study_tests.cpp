@@ -89,27 +89,28 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
     return test.effect ? cell_of(part(*test.effect)) : Cell{};
   };
   using Effect = StudyTests::Test::Effect;
-  return {{"test", test.name},
-          {"about", text_cell(test.about)},
-          {"method", text_cell(by.code)},
-          {"statistic", test.statistic ? text_cell(by.symbol) : Cell{}},
-          {"value", cell_of(test.statistic)},
-          {"df1", degrees(0)},
-          {"df2", degrees(1)},
-          {"permutations", text_cell(permutations_text(test))},
-          {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
-          {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
-          {"effect_low", of_effect([](const Effect& e) { return e.low; })},
-          {"effect_high", of_effect([](const Effect& e) { return e.high; })},
-          {"n", static_cast<std::int64_t>(test.n)},
-          {"unit", test.unit},
-          {"left_out", static_cast<std::int64_t>(test.left_out)},
-          {"p", cell_of(test.p)},
-          {"p_holm", cell_of(test.adjusted)},
-          {"p_smallest", cell_of(too_large(test.smallest_p))},
-          {"family", text_cell(family)},
-          {"role", std::string(family.empty() ? "exploratory" : "confirmatory")},
-          {"status", test.p ? Cell{} : Cell{test.status}}};
+  return {
+      {"test", test.name},
+      {"about", text_cell(test.about)},
+      {"method", text_cell(by.code)},
+      {"statistic", test.statistic ? text_cell(by.symbol) : Cell{}},
+      {"value", cell_of(test.statistic)},
+      {"df1", degrees(0)},
+      {"df2", degrees(1)},
+      {"permutations", text_cell(permutations_text(test))},
+      {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
+      {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
+      {"effect_low", of_effect([](const Effect& e) { return e.low; })},
+      {"effect_high", of_effect([](const Effect& e) { return e.high; })},
+      {"n", static_cast<std::int64_t>(test.n)},
+      {"unit", test.unit},
+      {"left_out", static_cast<std::int64_t>(test.left_out)},
+      {"p", cell_of(test.p)},
+      {"p_holm", cell_of(test.adjusted)},
+      {"p_smallest", cell_of(too_large(test.smallest_p))},
+      {"family", text_cell(family)},
+      {"role", std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory")},
+      {"status", test.p ? Cell{} : Cell{test.status}}};
 }
 
 /// A cell by the name of its column.
@@ -284,22 +285,27 @@ Phrase StudyTests::note_on_family(std::size_t tests) const {
                           "The family that the protocol declares has one test (%1), the only "
                           "confirmatory one; there is nothing to correct for.")
                  : phrase("Analysis",
-                          "The protocol declares no family of tests. The usual family of this kind "
-                          "of protocol has one test (%1), the only confirmatory one; there is "
-                          "nothing to correct for."))
+                          "The protocol declares no family of tests, so that no test is "
+                          "confirmatory. The usual family of this kind of protocol has one test "
+                          "(%1); there is nothing to correct for."))
                 .with(family)
           : (is_declared_
                  ? phrase("Analysis",
                           "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
                           "the protocol declares (%2); a test that cannot be made counts as p = 1.")
                  : phrase("Analysis",
-                          "The protocol declares no family of tests. p, Holm: Holm-corrected over "
-                          "the %1 confirmatory tests, the usual family of this kind of protocol "
-                          "(%2); a test that cannot be made counts as p = 1."))
+                          "The protocol declares no family of tests, so that no test is "
+                          "confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual "
+                          "family of this kind of protocol (%2); a test that cannot be made counts "
+                          "as p = 1."))
                 .with(std::to_string(tests), family);
-  note = phrase("Analysis",
-                "%1 All other tests are exploratory and uncorrected. Where n counts responses or "
-                "trials, they are pooled as if they were independent. %2")
+  note = (is_declared_
+              ? phrase("Analysis",
+                       "%1 All other tests are exploratory and uncorrected. Where n counts "
+                       "responses or trials, they are pooled as if they were independent. %2")
+              : phrase("Analysis",
+                       "%1 The p of all other tests are uncorrected. Where n counts responses or "
+                       "trials, they are pooled as if they were independent. %2"))
              .with(note, note_on_columns());
   for (const Test& test : tests_) {
     if (test.left_out == 0) continue;
@@ -365,7 +371,9 @@ std::size_t StudyTests::tests_in_family() const {
 void StudyTests::adjust() {
   std::vector<Test*> family{};
   for (Test& test : tests_) {
-    if (is_in_family(test.name)) family.push_back(&test);
+    if (!is_in_family(test.name)) continue;
+    test.role = is_declared_ ? TestRole::confirmatory : TestRole::usual_family;
+    family.push_back(&test);
   }
   const auto holm_of = [&family](const auto& p_of) {
     std::vector<double> raw(family.size());
@@ -380,7 +388,7 @@ void StudyTests::adjust() {
     Test& test = *family[i];
     if (!test.p) continue;
     test.adjusted = adjusted[i];
-    test.is_only_confirmatory = family.size() == 1;
+    test.is_alone_in_family = family.size() == 1;
     if (test.smallest_p) test.smallest_p = smallest[i];
   }
 }
@@ -404,7 +412,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     Finding finding = finding_of(test);
     if (!test.p) finding.status = words_of_cell("status", test.status).english();
     outcome.findings.push_back(finding);
-    outcome.test_sentences.push_back(sentence_of_test(test, kind_, is_in_family(test.name)));
+    outcome.test_sentences.push_back(sentence_of_test(test, kind_));
     if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
     if (!is_in_family(test.name)) continue;
     finding.quantity = "p.holm";
@@ -426,10 +434,11 @@ Table reading_table(const NamedTable& table) {
 
 Phrase p_text(const StudyTests::Test& test) {
   const double p = test.adjusted.value_or(test.p.value_or(1.0));
-  const Phrase how = test.is_only_confirmatory
+  const Phrase how = test.adjusted && !test.is_alone_in_family
+                         ? phrase("Analysis", "%1, Holm-corrected")
+                     : test.adjusted && test.role == TestRole::confirmatory
                          ? phrase("Analysis", "%1, the only confirmatory test")
-                     : test.adjusted ? phrase("Analysis", "%1, Holm-corrected")
-                                     : phrase("Analysis", "%1, uncorrected");
+                         : phrase("Analysis", "%1, uncorrected");
   const Phrase text = how.with(reading_p(p));
   const std::optional<double> smallest = too_large(test.smallest_p);
   if (!smallest) return text;

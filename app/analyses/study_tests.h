@@ -52,7 +52,8 @@ class StudyTests final {
     std::optional<Effect> effect{};
     std::optional<Effect> estimate{};   ///< the proportion that is tested
     std::optional<double> adjusted{};   ///< within the family,
-    bool is_only_confirmatory = false;  ///< of which it is the only one
+    bool is_alone_in_family = false;    ///< of which it is the only one, so that p is not corrected
+    TestRole role = TestRole::exploratory;
     bool pools_participants = false;    ///< n counts responses of more than one
     std::string status = "ok";
 
@@ -101,7 +102,7 @@ class StudyTests final {
 Table reading_table(const NamedTable& table);
 
 /// "p = .031, uncorrected"; of the family "p = .062, Holm-corrected", or "p = .062, the only confirmatory test". Where no p
-/// of 5 % could be attained, with the smallest one.
+/// of 5 % could be attained, with the smallest one. Without a declaration no test is confirmatory.
 Phrase p_text(const StudyTests::Test& test);
 /// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
 /// of a test outside the family `told`, with the sentence that it is exploratory.

@@ -161,9 +161,8 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
          shown(*interval.high) + ']';
 }
 
-TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind,
-                              bool is_confirmatory) {
-  TestSentence sentence{.test = test.name, .is_confirmatory = is_confirmatory};
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind) {
+  TestSentence sentence{.test = test.name, .role = test.role};
   if (!test.p || test.made_by == nullptr) {
     sentence.is_untested = true;
     const std::string about =

@@ -30,8 +30,7 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 /// significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %], N = 6; one-sample t test,
 /// t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI [1.56, 6.83]."
 /// Of a test that could not be made, that and why.
-TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind,
-                              bool is_confirmatory);
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind);
 
 /// Of a mean proportion, whose CI is of another method than the test.
 inline constexpr std::string_view kChanceInInterval =

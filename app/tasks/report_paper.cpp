@@ -196,15 +196,16 @@ std::string paper_order(const ReportFacts& facts, Sources& sources) {
   return text;
 }
 
-/// The confirmatory ones first, without further ones that could not be made.
+bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
+
+/// Those of the family first, without further ones that could not be made.
 std::vector<TestSentence> printed_sentences(const AnalysisOutcome& outcome) {
   std::vector<TestSentence> printed{};
   std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
-               std::back_inserter(printed),
-               [](const TestSentence& each) { return each.is_confirmatory; });
+               std::back_inserter(printed), is_of_family);
   std::size_t exploratory = 0;
   for (const TestSentence& each : outcome.test_sentences) {
-    if (each.is_confirmatory || each.is_untested || exploratory == kMostExploratory) continue;
+    if (is_of_family(each) || each.is_untested || exploratory == kMostExploratory) continue;
     ++exploratory;
     printed.push_back(each);
   }
@@ -234,17 +235,26 @@ std::string analysed_text(const ReportFacts& facts) {
 }
 
 std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
+  std::vector<std::string> names{};  // of the tests in the family
   std::size_t family = 0;
   std::size_t made = 0;
+  bool is_declared = false;
   for (const TestSentence& each : outcome.test_sentences) {
-    if (!each.is_confirmatory) continue;
+    if (!is_of_family(each)) continue;
     ++family;
     if (!each.is_untested) ++made;
+    is_declared = each.role == TestRole::confirmatory;
+    const std::string name = words_of_cell("family", each.test).english();
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  if (family < 2 || made == 0) return {};
-  return "The p values of the " + reading_count(family) +
-         " confirmatory tests were Holm-corrected" + cited("Holm 1979", sources) +
-         (made < family ? "; a test that could not be made counts as p = 1." : ".");
+  const std::string undeclared =
+      is_declared ? "" : "No test was declared in advance: all tests are exploratory.";
+  if (family < 2 || made == 0) return undeclared;
+  return with_sentences(
+      {undeclared, "The p values of the " + reading_count(family) +
+                       (is_declared ? " confirmatory tests" : " tests") + " (" + listed(names) +
+                       ") were Holm-corrected" + cited("Holm 1979", sources) +
+                       (made < family ? "; a test that could not be made counts as p = 1." : ".")});
 }
 
 std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome, Sources& sources) {
@@ -280,18 +290,20 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
 
 std::string results_paragraph(const AnalysisOutcome& outcome) {
   std::vector<std::string> sentences{};
-  bool is_exploratory = false;
   const std::vector<TestSentence> printed = printed_sentences(outcome);
+  // Without a declaration all tests are exploratory, which the methods state.
+  bool follows_confirmatory = false;
   for (const TestSentence& each : printed) {
-    if (!each.is_confirmatory && !is_exploratory) {
-      is_exploratory = true;
+    const bool is_confirmatory = each.role == TestRole::confirmatory;
+    if (follows_confirmatory && !is_confirmatory) {
       sentences.emplace_back("The following tests are exploratory.");
     }
+    follows_confirmatory = is_confirmatory;
     sentences.push_back(each.text);
   }
   const auto worth_printing = static_cast<std::size_t>(std::count_if(
       outcome.test_sentences.begin(), outcome.test_sentences.end(),
-      [](const TestSentence& each) { return each.is_confirmatory || !each.is_untested; }));
+      [](const TestSentence& each) { return is_of_family(each) || !each.is_untested; }));
   if (worth_printing > printed.size()) {
     sentences.push_back("The table of tests has " + reading_count(worth_printing - printed.size()) +
                         " more.");

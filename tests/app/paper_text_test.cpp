@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/analyses/references.h"
 #include "app/analyses/study_tests.h"
@@ -46,10 +47,13 @@ MadeUpTrial one_of_two(const std::string& chosen) {
 }
 
 /// As many participants as entries, each of whom chose height_map so often in six trials.
-Report report_of_choices(const std::vector<int>& height_map) {
+Report report_of_choices(const std::vector<int>& height_map,
+                         const std::vector<std::string>& family = {}) {
   MadeUpStudy made;
   made.study().set_metadata({.ethics_approval = "committee 12/2026"});
-  const std::int64_t protocol = made.add_protocol("which", "selection");
+  nlohmann::json source = nlohmann::json::object();
+  if (!family.empty()) source["analysis"]["family"] = family;
+  const std::int64_t protocol = made.add_protocol("which", "selection", source.dump());
   for (std::size_t i = 0; i < height_map.size(); ++i) {
     const std::string label = "p" + std::to_string(i);
     made.add_person(label, i % 2 == 0 ? "F" : "M");
@@ -67,8 +71,24 @@ TEST(PaperText, StatesADifferenceWithItsTestOnce) {
   // All of 8 participants chose the one more often: p = 2/2⁸. The differences sum to 6+4+6+4+2+6+4+6.
   EXPECT_THAT(paragraph(report, "Results"),
               StartsWith("height_map was chosen significantly more often than sinusoid: sign-flip "
-                         "(randomisation) test, exact, D = 38, N = 8, p = .008, the only "
-                         "confirmatory test; Cohen’s d of paired differences = "));
+                         "(randomisation) test, exact, D = 38, N = 8, p = .008, uncorrected; "
+                         "Cohen’s d of paired differences = "));
+}
+
+TEST(PaperText, CallsNoTestConfirmatoryThatTheProtocolDoesNotDeclare) {
+  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  EXPECT_THAT(paragraph(report, "Methods"),
+              HasSubstr(" No test was declared in advance: all tests are exploratory. "));
+  EXPECT_THAT(paragraph(report, "Results"), Not(HasSubstr("confirmatory")));
+  EXPECT_THAT(paragraph(report, "Results"), Not(HasSubstr("The following tests are exploratory.")));
+}
+
+TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
+  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6}, {"pairs", "preference"});
+  EXPECT_THAT(paragraph(report, "Methods"),
+              HasSubstr(" The p values of the 2 confirmatory tests (pairs and preference) were "
+                        "Holm-corrected (Holm, 1979)."));
+  EXPECT_THAT(paragraph(report, "Methods"), Not(HasSubstr("declared in advance")));
   EXPECT_THAT(paragraph(report, "Results"), HasSubstr(" The following tests are exploratory. "));
 }
 
@@ -116,7 +136,7 @@ TEST(PaperText, HasWordsForEveryTestAndEntriesForEverySource) {
     test.n = 7;
     for (const double p : {0.01, 0.5}) {
       test.p = p;
-      EXPECT_THAT(sentence_of_test(test, name.kind, false).text, Not(StartsWith(":")))
+      EXPECT_THAT(sentence_of_test(test, name.kind).text, Not(StartsWith(":")))
           << name.kind << ' ' << name.name;
     }
   }

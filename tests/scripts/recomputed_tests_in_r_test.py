@@ -66,7 +66,7 @@ def check_study(study, folder):
     ours, compared, drawn = recomputed(study, folder), set(), 0
     for outcome in json.loads(asperity("analyze", study, "--json"))["outcomes"]:
         rows = next((table["rows"] for table in outcome["tables"] if table["name"] == "tests"), [])
-        in_family = sum(row["role"] == "confirmatory" for row in rows)
+        in_family = sum(bool(row["family"]) for row in rows)
         for row in rows:
             draws = 0 if row["permutations"] in (None, "exact") else int(row["permutations"])
             drawn += bool(draws)

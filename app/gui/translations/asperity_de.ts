@@ -804,8 +804,8 @@
         <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht möglicher Test zählt als p = 1.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests. p, Holm: Holm-corrected over the %1 confirmatory tests, the usual family of this kind of protocol (%2); a test that cannot be made counts as p = 1.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest. p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die übliche Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
+        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be made counts as p = 1.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
     </message>
     <message>
         <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
@@ -988,12 +988,16 @@
         <translation>Die Familie, die das Protokoll erklärt, hat einen Test (%1), den einzigen konfirmatorischen; es gibt nichts zu korrigieren.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests. The usual family of this kind of protocol has one test (%1), the only confirmatory one; there is nothing to correct for.</source>
-        <translation>Das Protokoll erklärt keine Familie von Tests. Die übliche Familie dieser Art von Protokoll hat einen Test (%1), den einzigen konfirmatorischen; es gibt nichts zu korrigieren.</translation>
+        <source>The protocol declares no family of tests, so that no test is confirmatory. The usual family of this kind of protocol has one test (%1); there is nothing to correct for.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. Die übliche Familie dieser Art von Protokoll hat einen Test (%1); es gibt nichts zu korrigieren.</translation>
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
         <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+    </message>
+    <message>
+        <source>%1 The p of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
+        <translation>%1 Die p aller anderen Tests sind nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
