@@ -17,6 +17,7 @@
 #include "app/analyses/reading_number.h"
 #include "app/analyses/repetition_reliability.h"
 #include "app/analyses/study_findings.h"
+#include "app/analyses/test_sentences.h"
 #include "app/analyses/tidy/finding_list.h"
 
 namespace asperity {
@@ -369,23 +370,13 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
             fixed(high, 2));
 }
 
-/// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected"; with the ε by which p was corrected, if it
-/// was. Nothing where one of the numbers is absent.
+/// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected". Nothing where one of the numbers is absent.
 Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
                          const StudyTests::Test& test) {
-  const std::optional<double> df1 = found.value("df1", effect);
-  const std::optional<double> df2 = found.value("df2", effect);
-  const std::optional<double> F = found.value("F", effect);
   const std::optional<double> pes = found.value("pes", effect);
-  if (!df1 || !df2 || !F || !pes) return {};
-  if (found.find("p.GG", effect) == nullptr) {
-    return phrase("Analysis", "F(%1, %2) = %3, partial η² = %4, %5")
-        .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), reading_bounded(*pes), p_text(test));
-  }
-  const std::optional<double> epsilon = found.value("eps.GG", effect);
-  if (!epsilon) return {};
-  return phrase("Analysis", "F(%1, %2) = %3, ε = %4, partial η² = %5, %6")
-      .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), reading_bounded(*epsilon),
+  if (test.degrees.size() != 2 || !test.statistic || !pes) return {};
+  return phrase("Analysis", "%1, partial η² = %2, %3")
+      .with(statistic_text(test.made_by->symbol, test.degrees, *test.statistic, test.epsilon),
             reading_bounded(*pes), p_text(test));
 }
 
@@ -393,8 +384,8 @@ Phrase method_of_effect(bool is_corrected, bool states_factor) {
   const Phrase anova =
       is_corrected
           ? phrase("Analysis",
-                   "Repeated-measures ANOVA of the logarithms, p corrected by ε of Greenhouse and "
-                   "Geisser.")
+                   "Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by "
+                   "ε of Greenhouse and Geisser.")
           : phrase("Analysis", "Repeated-measures ANOVA of the logarithms.");
   if (!states_factor) return anova;
   return phrase("Analysis",
@@ -487,8 +478,8 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
             .with(test.about.substr(0, bar), fixed(*ratio->value, 2), test.about.substr(bar + 1),
                   fixed(*ratio->low, 2), fixed(*ratio->high, 2));
     const Phrase one =
-        phrase("Analysis", "%1, t(%2) = %3, %4")
-            .with(numbers, fixed(test.degrees.front(), 0), fixed(*test.statistic, 2), p_text(test));
+        phrase("Analysis", "%1, %2, %3")
+            .with(numbers, statistic_text("t", test.degrees, *test.statistic), p_text(test));
     answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
     if (first == nullptr) first = ratio;
   }

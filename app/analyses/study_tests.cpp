@@ -97,6 +97,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
       {"value", cell_of(test.statistic)},
       {"df1", degrees(0)},
       {"df2", degrees(1)},
+      {"epsilon", cell_of(test.epsilon)},
       {"permutations", text_cell(permutations_text(test))},
       {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
       {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
@@ -154,7 +155,7 @@ Cell n_cell(const TestRow& row) {
   return n > 0.0 ? Cell{fixed(n, 0) + '|' + row.text("unit")} : Cell{};
 }
 
-/// "F(2, 38) = 5.17"
+/// "F(2, 38) = 5.17", "F(1.54, 29.18) = 5.17, ε = .77"
 Cell statistic_cell(const TestRow& row) {
   const std::optional<double> value = row.number("value");
   if (!value) return {};
@@ -162,7 +163,7 @@ Cell statistic_cell(const TestRow& row) {
   for (const char* column : {"df1", "df2"}) {
     if (const std::optional<double> df = row.number(column)) degrees.push_back(*df);
   }
-  return statistic_text(row.text("statistic"), degrees, *value);
+  return statistic_text(row.text("statistic"), degrees, *value, row.number("epsilon"));
 }
 
 /// "d = 2.74 [1.75, 3.71]"
@@ -245,6 +246,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
   }
+  if (!by.epsilon.empty()) test.epsilon = found.value(by.epsilon, key);
   if (!by.draws.empty()) {
     test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
   }
@@ -321,6 +323,7 @@ Phrase StudyTests::note_on_columns() const {
   std::vector<std::pair<std::string_view, Phrase>> symbols{};
   std::string pooled{};
   bool has_interval = false;
+  bool has_epsilon = false;
   std::vector<Phrase> coverages{};
   const auto add_symbol = [&symbols](std::string_view symbol, const Phrase& name) {
     const bool is_known = std::any_of(symbols.begin(), symbols.end(),
@@ -330,6 +333,7 @@ Phrase StudyTests::note_on_columns() const {
   for (const Test& test : tests_) {
     if (!test.p || test.made_by == nullptr) continue;
     if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
+    has_epsilon = has_epsilon || test.epsilon;
     if (!test.effect) continue;
     const std::string_view symbol = test.made_by->effect_symbol;
     add_symbol(symbol, test.made_by->effect_name);
@@ -352,6 +356,10 @@ Phrase StudyTests::note_on_columns() const {
   const auto add = [&note](const Phrase& sentence) {
     note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
   };
+  if (has_epsilon) {
+    add(phrase("Analysis",
+               "ε: by which both degrees of freedom are corrected (Greenhouse and Geisser)."));
+  }
   if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
   for (const Phrase& coverage : coverages) add(coverage);
   if (!pooled.empty()) {

@@ -40,7 +40,8 @@ class StudyTests final {
     /// That these data could give, of the family Holm-corrected: where it exceeds 5 %, nothing could show.
     std::optional<double> smallest_p{};
     std::optional<double> statistic{};
-    std::vector<double> degrees{};  ///< of freedom: none, one, or two of an F
+    std::vector<double> degrees{};    ///< of freedom: none, one, or two of an F; uncorrected
+    std::optional<double> epsilon{};  ///< that corrects them; nothing where they are not corrected
     std::optional<std::size_t>
         random_permutations{};  ///< 0: all were counted; nothing: not permuted
     struct Effect {

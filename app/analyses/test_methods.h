@@ -21,6 +21,7 @@ struct TestMethod {
   Phrase symbol_name{};       ///< what it stands for; empty of those that need no explanation
   std::string_view statistic{};
   std::array<std::string_view, 2> degrees{};  ///< of freedom; empty where it has none
+  std::string_view epsilon{};  ///< that corrects both degrees of freedom; empty where nothing does
   /// How many random permutations stand for all of them, 0 or absent where all were counted; empty
   /// where the test permutes nothing.
   std::string_view draws{};

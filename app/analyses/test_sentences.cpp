@@ -141,14 +141,17 @@ std::string permutations_text(const StudyTests::Test& test) {
   return *test.random_permutations == 0 ? "exact" : std::to_string(*test.random_permutations);
 }
 
-std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value) {
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
+                           std::optional<double> epsilon) {
   std::string inner{};
-  for (const double df : degrees) {
-    inner += (inner.empty() ? "" : ", ") + fixed(df, df == std::round(df) ? 0 : 1);
+  for (const double of_design : degrees) {
+    const double df = of_design * epsilon.value_or(1.0);
+    inner += (inner.empty() ? "" : ", ") + fixed(df, !epsilon && df == std::round(df) ? 0 : 2);
   }
   const bool is_count = symbol == "k" || symbol == "D";
   return std::string(symbol) + (inner.empty() ? "" : '(' + inner + ')') + " = " +
-         reading_signed(value, is_count ? 0 : 2);
+         reading_signed(value, is_count ? 0 : 2) +
+         (epsilon ? ", ε = " + reading_bounded(*epsilon) : "");
 }
 
 std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval) {
@@ -177,7 +180,8 @@ TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kin
   const std::string estimate = estimate_text(test);
   sentence.text = claim_of(test, kind) + ": " + estimate + method_text(test);
   if (test.statistic) {
-    sentence.text += ", " + statistic_text(test.made_by->symbol, test.degrees, *test.statistic);
+    sentence.text +=
+        ", " + statistic_text(test.made_by->symbol, test.degrees, *test.statistic, test.epsilon);
   }
   if (estimate.empty()) sentence.text += ", " + size_text(test);
   sentence.text += ", " + p_text(test).english();

@@ -15,8 +15,9 @@ namespace asperity {
 /// "exact", or how many permutations were drawn; empty of a test that permutes nothing.
 std::string permutations_text(const StudyTests::Test& test);
 
-/// "F(2, 38) = 5.17"
-std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value);
+/// "F(2, 38) = 5.17"; with an ε that corrects the degrees of freedom "F(1.54, 29.18) = 5.17, ε = .77".
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
+                           std::optional<double> epsilon = {});
 
 /// "d = 2.74 [1.75, 3.71]"; without an interval where an end is absent.
 struct EffectInterval {

@@ -12,7 +12,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/number_text.h"
 #include "app/analyses/analyze_study.h"
+#include "app/analyses/reading_number.h"
 #include "app/cli/analysis_output.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
@@ -1286,12 +1288,12 @@ TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
   ASSERT_FALSE(outcome.questions.empty());
   EXPECT_EQ(outcome.questions[0].name, "spacing");
   // Degrees of freedom, size and direction beside F: a reader of the sentence needs no table.
-  EXPECT_THAT(
-      outcome.questions[0].answer.english(),
-      testing::ContainsRegex("Yes: F\\(4, [0-9]+\\) = [0-9.]+, ε = [01]?\\.[0-9]+, partial η² = "
-                             "[01]?\\.[0-9]+, p .*; "
-                             "roughest was .* mm, and .* mm the least rough, by a factor "
-                             "of [0-9.]+\\."));
+  EXPECT_THAT(outcome.questions[0].answer.english(),
+              testing::ContainsRegex(
+                  "Yes: F\\([0-9.]+, [0-9.]+\\) = [0-9.]+, ε = [01]?\\.[0-9]+, partial η² = "
+                  "[01]?\\.[0-9]+, p .*; "
+                  "roughest was .* mm, and .* mm the least rough, by a factor "
+                  "of [0-9.]+\\."));
   EXPECT_THAT(question_of(outcome, "condition").answer.english(),
               testing::ContainsRegex("F\\(1, [0-9]+\\) = .*; .* was rougher than .* by a factor of "
                                      "[0-9.]+ \\(95 % CI \\[[0-9.]+, [0-9.]+\\]\\)\\."));
@@ -1307,8 +1309,14 @@ TEST(Magnitudes, HaveNoRoughestSpacingWhereTheTestShowsNone) {
         return 0.1 * (place % 5) + 0.01 * static_cast<double>(level) + (is_small ? 0.02 : 0.0);
       });
   const std::string said = question_of(outcome, "spacing").answer.english();
-  EXPECT_THAT(said, testing::StartsWith("Not significantly: F(4, 16) = "));
-  EXPECT_THAT(said, HasSubstr(", ε = "));
+  // p is that of the corrected degrees of freedom, which therefore stand with F.
+  const Table& tests = table_of(outcome, "tests").table;
+  const double epsilon = number(tests, {"spacing"}, "epsilon");
+  EXPECT_LT(epsilon, 1.0);
+  EXPECT_EQ(number(tests, {"spacing"}, "df1"), 4.0);
+  EXPECT_THAT(said, testing::StartsWith("Not significantly: F(" + fixed(4.0 * epsilon, 2) + ", " +
+                                        fixed(16.0 * epsilon, 2) + ") = "));
+  EXPECT_THAT(said, HasSubstr(", ε = " + reading_bounded(epsilon) + ", "));
   EXPECT_THAT(said, testing::Not(HasSubstr("rough")));
 }
 

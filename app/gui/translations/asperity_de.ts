@@ -540,8 +540,8 @@
         <translation>%1 war um den Faktor %3 rauer als %2</translation>
     </message>
     <message>
-        <source>F(%1, %2) = %3, partial η² = %4, %5</source>
-        <translation>F(%1, %2) = %3, partielles η² = %4, %5</translation>
+        <source>%1, partial η² = %2, %3</source>
+        <translation>%1, partielles η² = %2, %3</translation>
     </message>
     <message>
         <source>Yes: %1.</source>
@@ -558,10 +558,6 @@
     <message>
         <source>The cells of the participants have %1 to %2 estimates; each is averaged first, so that all weigh the same.</source>
         <translation>Die Zellen der Versuchspersonen haben %1 bis %2 Schätzungen; jede wird zuerst gemittelt, sodass alle gleich viel wiegen.</translation>
-    </message>
-    <message>
-        <source>F(%1, %2) = %3, ε = %4, partial η² = %5, %6</source>
-        <translation>F(%1, %2) = %3, ε = %4, partielles η² = %5, %6</translation>
     </message>
     <message>
         <source>%1 ended by the emergency stop</source>
@@ -960,8 +956,8 @@
         <translation>Noch gibt es keine Antworten.</translation>
     </message>
     <message>
-        <source>%1, t(%2) = %3, %4</source>
-        <translation>%1, t(%2) = %3, %4</translation>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
     <message>
         <source>Do the conditions differ in the spacing judged roughest?</source>
@@ -1002,6 +998,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>ε: by which both degrees of freedom are corrected (Greenhouse and Geisser).</source>
+        <translation>ε: damit sind beide Freiheitsgrade korrigiert (Greenhouse und Geisser).</translation>
     </message>
     <message>
         <source>Brackets: 95 % CI.</source>
@@ -1056,8 +1056,8 @@
         <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Repeated-measures ANOVA of the logarithms, p corrected by ε of Greenhouse and Geisser.</source>
-        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, p korrigiert mit ε nach Greenhouse und Geisser.</translation>
+        <source>Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by ε of Greenhouse and Geisser.</source>
+        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
     </message>
     <message>
         <source>Repeated-measures ANOVA of the logarithms.</source>
@@ -4939,8 +4939,8 @@
         <translation>Varianzanalyse mit Messwiederholung</translation>
     </message>
     <message>
-        <source>repeated-measures ANOVA, p corrected by Greenhouse and Geisser</source>
-        <translation>Varianzanalyse mit Messwiederholung, p nach Greenhouse und Geisser korrigiert</translation>
+        <source>repeated-measures ANOVA with Greenhouse–Geisser correction</source>
+        <translation>Varianzanalyse mit Messwiederholung und Greenhouse-Geisser-Korrektur</translation>
     </message>
     <message>
         <source>t test of the log ratio of two peaks</source>
