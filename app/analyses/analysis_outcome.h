@@ -43,6 +43,8 @@ struct AnsweredQuestion {
   Phrase counted{};     ///< what its n counts: "20 participants"; empty where there is none
 };
 
+struct TestMethod;
+
 /// What was specified of a test in advance.
 enum class TestRole {
   confirmatory,  ///< of the family that the protocol declares
@@ -56,8 +58,9 @@ struct TestSentence {
   TestRole role = TestRole::exploratory;
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the CI of a mean proportion
+  bool has_effect = false;
+  const TestMethod* made_by = nullptr;  ///< null where it could not be made
   std::string text{};
-  std::vector<std::string> sources{};  ///< keys of references.h
 };
 
 /// What tells a finding of an outcome from its others.

@@ -18,7 +18,6 @@ namespace asperity {
 namespace {
 
 constexpr double kAlpha = 0.05;
-constexpr std::string_view kUsualUnit = "participants";
 
 Finding finding_of(const StudyTests::Test& test) {
   Finding finding{};
@@ -44,7 +43,7 @@ std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
 /// An effect size that takes single trials for independent, in a test of participants, is marked; of one
 /// participant its interval would say nothing about participants.
 void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
-  if (!test.effect || test.unit != kUsualUnit) return;
+  if (!test.effect || test.unit != kUnitOfParticipants) return;
   const Finding* finding = found.find(test.made_by->effect, key);
   test.effect->takes_trials_as_independent = finding->n != test.n;
   if (test.n > 1) return;
@@ -233,8 +232,8 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   if (test.made_by == nullptr) return;
   const TestMethod& by = *test.made_by;
   test.unit = by.unit;
-  test.pools_participants = test.unit != kUsualUnit && people_ > 1;
-  if (test.unit != kUsualUnit) test.method += "; n counts " + test.unit;
+  test.pools_participants = test.unit != kUnitOfParticipants && people_ > 1;
+  if (test.unit != kUnitOfParticipants) test.method += "; n counts " + test.unit;
   if (found.value(by.degrees.front(), key) == 0.0) {  // no hypothesis was tested
     test.p.reset();
     test.status = "nothing_varies";

@@ -32,7 +32,7 @@ class StudyTests final {
     const TestMethod* made_by = nullptr;
     std::string method{};
     std::size_t n = 0;  ///< of the units that contributed
-    std::string unit{"participants"};
+    std::string unit{kUnitOfParticipants};
     /// Participants who answered and do not contribute, because nothing of theirs can be exchanged.
     std::size_t left_out = 0;
     std::optional<double> p{};

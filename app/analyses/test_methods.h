@@ -10,6 +10,9 @@
 
 namespace asperity {
 
+/// What the n of a test counts where it is of participants.
+inline constexpr std::string_view kUnitOfParticipants = "participants";
+
 /// How a test is reported. Its numbers stand among the findings of one analysis under one key: that of
 /// the p, with these quantities.
 struct TestMethod {

@@ -12,8 +12,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kUnitOfPeople = "participants";
-
 /// What a test of protocols of a kind found. %1 and %2: what it is about.
 struct Claim {
   std::string_view kind{};
@@ -113,8 +111,8 @@ std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
 
 std::string size_text(const StudyTests::Test& test) {
   const std::string n = reading_count(test.n);
-  if (test.unit == kUnitOfPeople) return "N = " + n;
-  return "n = " + n + ' ' + words_of_cell("n", n + '|' + test.unit).english().substr(n.size() + 1);
+  if (test.unit == kUnitOfParticipants) return "N = " + n;
+  return "n = " + words_of_cell("n", n + '|' + test.unit).english();
 }
 
 std::string estimate_text(const StudyTests::Test& test) {
@@ -200,9 +198,8 @@ TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kin
     sentence.text += " (responses of all participants pooled as independent)";
   }
   sentence.text += '.';
-  const auto& [of_test, of_effect] = test.made_by->sources;
-  if (!of_test.empty()) sentence.sources.emplace_back(of_test);
-  if (test.effect && !of_effect.empty()) sentence.sources.emplace_back(of_effect);
+  sentence.made_by = test.made_by;
+  sentence.has_effect = test.effect.has_value();
   sentence.has_mean_interval = test.estimate && test.estimate->low;
   return sentence;
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <span>
 
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/references.h"
+#include "app/analyses/test_methods.h"
 #include "app/program.h"
 #include "app/tasks/report_sections.h"
 #include "protocols/stored_protocol.h"
@@ -257,10 +259,46 @@ std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
                        (made < family ? "; a test that could not be made counts as p = 1." : ".")});
 }
 
-std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome, Sources& sources) {
+/// A name with what it is cited for behind it: "Cohen’s d (Cohen, 1988)".
+std::string cited_name(const Phrase& name, std::string_view source, Sources& sources) {
+  return name.english() + (source.empty() ? "" : cited(std::string(source), sources));
+}
+
+/// "Tests: one-sample t test, effect size Cohen’s d (Cohen, 1988); …": each once.
+std::string methods_text(std::span<const TestSentence> printed, Sources& sources) {
+  struct Used {
+    const TestMethod* method = nullptr;
+    std::vector<std::string> effects{};
+  };
+  std::vector<Used> all{};
+  for (const TestSentence& each : printed) {
+    if (each.made_by == nullptr) continue;
+    const TestMethod& by = *each.made_by;
+    auto used = std::find_if(all.begin(), all.end(),
+                             [&by](const Used& one) { return one.method->code == by.code; });
+    if (used == all.end()) used = all.insert(all.end(), {.method = &by});
+    if (!each.has_effect || by.effect_name.empty()) continue;
+    const std::string effect = cited_name(by.effect_name, by.sources[1], sources);
+    if (std::find(used->effects.begin(), used->effects.end(), effect) == used->effects.end()) {
+      used->effects.push_back(effect);
+    }
+  }
+  std::string text{};
+  for (const Used& used : all) {
+    text += (text.empty() ? "" : "; ") +
+            cited_name(used.method->name, used.method->sources[0], sources);
+    if (used.effects.empty()) continue;
+    text +=
+        (used.effects.size() == 1 ? ", effect size " : ", effect sizes ") + listed(used.effects);
+  }
+  if (text.empty()) return {};
+  return (all.size() == 1 ? "Test: " : "Tests: ") + text + '.';
+}
+
+std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
+                       std::span<const TestSentence> printed, Sources& sources) {
   std::vector<std::string> sentences{facts.attempts > 0 ? analysed_text(facts) : "",
                                      correction_text(outcome, sources)};
-  const std::vector<TestSentence> printed = printed_sentences(outcome);
   const auto is_any = [&printed](const auto& is_so) {
     return std::any_of(printed.begin(), printed.end(), is_so);
   };
@@ -272,25 +310,13 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
         "Confidence intervals (CI) of mean proportions are Student's t over participants on the "
         "logit scale.");
   }
-  Sources methods{};
-  for (const TestSentence& sentence : printed) {
-    methods.insert(sentence.sources.begin(), sentence.sources.end());
-  }
-  std::string all{};
-  for (const std::string& key : methods) {
-    all += (all.empty() ? "" : "; ") + std::string(reference(key).cited);
-  }
-  if (!all.empty()) {
-    sentences.push_back("Tests and effect sizes were computed as described in the literature (" +
-                        all + ").");
-  }
-  sources.merge(methods);
+  sentences.push_back(methods_text(printed, sources));
   return with_sentences(sentences);
 }
 
-std::string results_paragraph(const AnalysisOutcome& outcome) {
+std::string results_paragraph(const AnalysisOutcome& outcome,
+                              std::span<const TestSentence> printed) {
   std::vector<std::string> sentences{};
-  const std::vector<TestSentence> printed = printed_sentences(outcome);
   // Without a declaration all tests are exploratory, which the methods state.
   bool follows_confirmatory = false;
   for (const TestSentence& each : printed) {
@@ -328,11 +354,13 @@ ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* out
     methods.push_back(paper_questions(*facts.file.protocol));
     methods.push_back(paper_order(facts, sources));
   }
+  const std::vector<TestSentence> printed =
+      outcome == nullptr ? std::vector<TestSentence>{} : printed_sentences(*outcome);
   methods.push_back(outcome == nullptr ? withheld_text(facts)
-                                       : paper_data(facts, *outcome, sources));
+                                       : paper_data(facts, *outcome, printed, sources));
   section.parts.emplace_back(ReportText{"Methods", ReportText::Tone::lead});
   section.parts.emplace_back(ReportText{with_sentences(methods)});
-  const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome);
+  const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome, printed);
   if (!results.empty()) {
     section.parts.emplace_back(ReportText{"Results", ReportText::Tone::lead});
     section.parts.emplace_back(ReportText{results});

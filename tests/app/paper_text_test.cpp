@@ -1,5 +1,6 @@
 // The paragraphs of a report that a paper prints.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,17 @@ std::string paragraph(const Report& report, const std::string& heading) {
       if (text != nullptr && text->text == heading) {
         return std::get<ReportText>(section.parts[i + 1]).text;
       }
+    }
+  }
+  return {};
+}
+
+/// The entries under "References".
+std::vector<std::string> reference_list(const Report& report) {
+  for (const ReportSection& section : report.chapters.at(1).sections) {
+    if (section.heading != "Text for a paper") continue;
+    for (const ReportPart& part : section.parts) {
+      if (const auto* list = std::get_if<ReportList>(&part)) return list->items;
     }
   }
   return {};
@@ -90,6 +102,22 @@ TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
                         "Holm-corrected (Holm, 1979)."));
   EXPECT_THAT(paragraph(report, "Methods"), Not(HasSubstr("declared in advance")));
   EXPECT_THAT(paragraph(report, "Results"), HasSubstr(" The following tests are exploratory. "));
+}
+
+/// The list of references has exactly what the text cites.
+TEST(PaperText, CitesEachPublicationBehindItsTest) {
+  const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
+  EXPECT_THAT(
+      paragraph(report, "Methods"),
+      HasSubstr(" Tests: sign-flip (randomisation) test (Ernst, 2004), effect size Cohen’s d "
+                "of paired differences (Cohen, 1988); within-participant permutation test "
+                "(Ernst, 2004)"));
+  std::string text = paragraph(report, "Methods") + paragraph(report, "Results");
+  const std::vector<std::string> listed = reference_list(report);
+  for (const Reference& each : references()) {
+    const bool is_cited = text.find('(' + std::string(each.cited) + ')') != std::string::npos;
+    EXPECT_EQ(std::count(listed.begin(), listed.end(), each.entry), is_cited ? 1 : 0) << each.key;
+  }
 }
 
 TEST(PaperText, StatesTheDirectionOfADifference) {
