@@ -85,6 +85,7 @@ class Gathering {
 
   void declare(const ProtocolRow& protocol) {
     if (!sources_.insert(protocol.source_sha256).second) return;
+    without_texts_.insert(without_texts(protocol.source));
     StoredProtocol specified = stored_protocol(protocol.source);
     if (auto& estimation = specified.estimation) {
       gathered.estimation.spacing = estimation->spacing;
@@ -116,7 +117,7 @@ class Gathering {
 
   GatheredAnswers finish() && {
     gathered.count.participants = participants_.size();
-    gathered.sources = sources_.size();
+    gathered.sources = without_texts_.size();
     if (!gathered.declared_alike) gathered.declared = {};
     return std::move(gathered);
   }
@@ -212,6 +213,8 @@ class Gathering {
 
   std::set<std::string> participants_{};
   std::set<std::string> sources_{};
+  std::set<std::string>
+      without_texts_{};  ///< the same files without what differs between translations
   std::vector<Levels> levels_{};
   std::map<std::string, std::uint32_t> option_lists_{};
 };

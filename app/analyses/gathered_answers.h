@@ -109,7 +109,8 @@ struct GatheredAnswers {
   std::string version{};
   std::string kind{};
   std::string design{};
-  std::size_t sources = 0;  ///< different files that carry this name and version
+  std::size_t sources =
+      0;  ///< files that carry this name and version and differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
   std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order

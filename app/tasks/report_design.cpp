@@ -391,11 +391,16 @@ ReportSection design_section(const ReportFacts& facts) {
   const ProtocolRow& row = facts.protocol;
   const ProtocolCheck& check = facts.file;
   if (facts.sources.size() > 1) {
+    const std::string files = capitalised(count_in_words(facts.sources.size()));
     section.parts.emplace_back(
-        ReportText{capitalised(count_in_words(facts.sources.size())) +
-                       " different files carry the name and version of this protocol; their "
-                       "answers are counted together, and what follows is from the first.",
-                   ReportText::Tone::notice});
+        facts.differ_in_texts_only
+            ? ReportText{files + " files carry the name and version of this protocol. They differ "
+                                 "in language and texts only; the texts that follow are those of "
+                                 "the first."}
+            : ReportText{files + " different files carry the name and version of this protocol; "
+                                 "their responses are counted together, and what follows is from "
+                                 "the first.",
+                         ReportText::Tone::notice});
   }
   if (!check.protocol) {
     section.parts.emplace_back(ReportText{stopped(

@@ -10,6 +10,7 @@
 #include "app/tasks/session_timeline.h"
 #include "app/tasks/study_overview.h"
 #include "protocols/protocol.h"
+#include "protocols/stored_protocol.h"
 
 namespace asperity {
 
@@ -244,7 +245,10 @@ std::vector<ReportFacts> report_facts(const Study& study,
           check_protocol_text(of.source, of.name, built_in_models(), std::nullopt, std::nullopt);
     }
     facts.group = group;
-    facts.sources.insert(of.source_sha256);
+    if (facts.sources.insert(of.source_sha256).second && facts.sources.size() > 1) {
+      facts.differ_in_texts_only = facts.differ_in_texts_only &&
+                                   without_texts(of.source) == without_texts(facts.protocol.source);
+    }
     if (facts.participants.empty() || facts.participants.back().label != person.label) {
       facts.participants.push_back(person);
     }

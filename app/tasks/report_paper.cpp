@@ -347,8 +347,11 @@ ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* out
                                    paper_environment(facts)};
   if (facts.file.protocol) {
     if (facts.sources.size() > 1) {
-      methods.push_back("The protocol has " + count_in_words(facts.sources.size()) +
-                        " files of this version; the following is that of the first.");
+      methods.push_back(facts.differ_in_texts_only
+                            ? "The protocol was run in " + count_in_words(facts.sources.size()) +
+                                  " versions that differ in language and texts only."
+                            : "The protocol has " + count_in_words(facts.sources.size()) +
+                                  " files of this version; the following is that of the first.");
     }
     methods.push_back(paper_task(facts));
     methods.push_back(paper_questions(*facts.file.protocol));

@@ -37,6 +37,19 @@ std::string paragraph(const Report& report, const std::string& heading) {
   return {};
 }
 
+/// The texts of the section "Results".
+std::string results_of(MadeUpStudy& made) {
+  std::string text{};
+  for (const ReportSection& section : study_report(made.study(), {}).chapters.at(1).sections) {
+    if (section.heading != "Results") continue;
+    for (const ReportPart& part : section.parts) {
+      if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';
+      if (const auto* table = std::get_if<ReportTable>(&part)) text += table->note + '\n';
+    }
+  }
+  return text;
+}
+
 /// The entries under "References".
 std::vector<std::string> reference_list(const Report& report) {
   for (const ReportSection& section : report.chapters.at(1).sections) {
@@ -154,6 +167,29 @@ TEST(PaperText, StatesThatNothingWasAnalysed) {
   const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
   EXPECT_THAT(methods, HasSubstr("One session was excluded from the analysis."));
   EXPECT_THAT(methods, HasSubstr("None of the 2 attempts at trials was included in the analysis."));
+}
+
+TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
+  MadeUpStudy made;
+  int sessions = 0;
+  const auto add = [&](const std::string& source) {
+    const std::string label = "p" + std::to_string(++sessions);
+    made.add_person(label, "F");
+    made.add_session(label, made.add_protocol("which", "selection", source),
+                     {one_of_two("sinusoid"), one_of_two("height_map")});
+  };
+  const auto design = [&made] {
+    const ReportSection section = study_report(made.study(), {}).chapters.at(1).sections.front();
+    return std::get<ReportText>(section.parts.front()).text;
+  };
+  add(R"({"language": "en", "title": "Which?"})");
+  add(R"({"language": "de", "title": "Welche?"})");
+  EXPECT_THAT(design(), StartsWith("Two files carry the name and version of this protocol. They "
+                                   "differ in language and texts only; "));
+  EXPECT_THAT(results_of(made), Not(HasSubstr("different files")));
+  add(R"({"language": "de", "title": "Welche?", "sessions": 2})");
+  EXPECT_THAT(design(), StartsWith("Three different files carry the name and version"));
+  EXPECT_THAT(results_of(made), HasSubstr("2 different files carry this protocol name"));
 }
 
 /// Every test that a study can report has words, and every work that is cited an entry.
