@@ -45,6 +45,9 @@ struct AnsweredQuestion {
 
 struct TestMethod;
 
+/// The test of women and men; see test_names().
+inline constexpr const char* kSexesTest = "sexes";
+
 /// What was specified of a test in advance.
 enum class TestRole {
   confirmatory,  ///< of the family that the protocol declares
@@ -90,6 +93,8 @@ struct AnalysisOutcome {
   std::vector<Finding> findings{};
   std::set<FindingName> tests_in_tables{};  ///< whose p stands in a table: told there
   std::vector<TestSentence> test_sentences{};  ///< in the order of the table of tests
+  Phrase
+      note_of_tests_without_sexes{};  ///< of that table, where the test of women and men is left out
   std::vector<Phrase> remarks{};  ///< sentences, each to be read before believing a number
 };
 

@@ -73,6 +73,13 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
           .with(reading_points(*difference.value), reading_points(*difference.low),
                 reading_points(*difference.high), std::to_string(difference.n),
                 reading_number(*found.value("jzs.bf10", "0.7071")));
+  if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, the difference is
+    return phrase("Analysis",
+                  "The protocol declares no margin of equivalence, so that there is no verdict: "
+                  "%1. The data would not support equivalence within any margin: the CI reaches "
+                  "±100 percentage points, the largest difference that is possible.")
+        .with(numbers);
+  }
   if (!margin) {
     return phrase(
                "Analysis",

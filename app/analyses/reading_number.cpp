@@ -69,7 +69,10 @@ std::string reading_percent(double share) {
   std::from_chars(digits.data(), digits.data() + digits.size(), percent);
   const std::string whole = std::to_string(percent);
   const bool hides = (whole == "0" && share > 0.0) || (whole == "100" && share < 1.0);
-  return (hides ? fixed(100.0 * share, 1) : whole) + " %";
+  if (!hides) return whole + " %";
+  const std::string decimal = fixed(100.0 * share, 1);
+  if (decimal == "0.0") return "< 0.1 %";
+  return decimal == "100.0" ? "> 99.9 %" : decimal + " %";
 }
 
 std::string reading_signed(double value, int decimals) {

@@ -17,7 +17,8 @@ std::string reading_p(double p);
 /// The same under a heading that says p: ".011", "< .001".
 std::string reading_p_cell(double p);
 
-/// "78 %"; one decimal where a whole per cent would say 0 or 100 of what is neither.
+/// "78 %"; one decimal where a whole per cent would read 0 or 100 of what is neither, and "< 0.1 %" or "> 99.9 %" where a
+/// decimal would as well: a limit on the logit scale is never 0 or 1.
 std::string reading_percent(double share);
 
 /// So many decimals, with a minus that is as broad as a plus; what rounds to nothing has no sign.

@@ -273,7 +273,7 @@ const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view
   return found == tests_.end() ? nullptr : &*found;
 }
 
-Phrase StudyTests::note_on_family(std::size_t tests) const {
+Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) const {
   const Phrase family = words_of_cell("family", name_);
   const bool is_any_adjusted =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
@@ -307,7 +307,7 @@ Phrase StudyTests::note_on_family(std::size_t tests) const {
               : phrase("Analysis",
                        "%1 The p of all other tests are uncorrected. Where n counts responses or "
                        "trials, they are pooled as if they were independent. %2"))
-             .with(note, note_on_columns());
+             .with(note, note_on_columns(left_out));
   for (const Test& test : tests_) {
     if (test.left_out == 0) continue;
     note = phrase("Analysis",
@@ -318,7 +318,7 @@ Phrase StudyTests::note_on_family(std::size_t tests) const {
   return note;
 }
 
-Phrase StudyTests::note_on_columns() const {
+Phrase StudyTests::note_on_columns(std::string_view left_out) const {
   std::vector<std::pair<std::string_view, Phrase>> symbols{};
   std::string pooled{};
   bool has_interval = false;
@@ -330,7 +330,7 @@ Phrase StudyTests::note_on_columns() const {
     if (!name.empty() && !is_known) symbols.emplace_back(symbol, name);
   };
   for (const Test& test : tests_) {
-    if (!test.p || test.made_by == nullptr) continue;
+    if (!test.p || test.made_by == nullptr || test.name == left_out) continue;
     if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
     has_epsilon = has_epsilon || test.epsilon;
     if (!test.effect) continue;
@@ -432,6 +432,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     outcome.findings.push_back(std::move(finding));
   }
   outcome.tables.push_back(std::move(made));
+  outcome.note_of_tests_without_sexes = note_on_family(in_family, kSexesTest);
 }
 
 Table reading_table(const NamedTable& table) {
@@ -449,7 +450,8 @@ Phrase p_text(const StudyTests::Test& test) {
   const Phrase text = how.with(reading_p(p));
   const std::optional<double> smallest = too_large(test.smallest_p);
   if (!smallest) return text;
-  return phrase("Analysis", "%1; the smallest attainable is %2").with(text, reading_p(*smallest));
+  return phrase("Analysis", "%1; the smallest attainable p is %2")
+      .with(text, reading_p_cell(*smallest));
 }
 
 Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {

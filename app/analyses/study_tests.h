@@ -85,9 +85,10 @@ class StudyTests final {
   /// The p of the family, and the smallest ones that are attainable, with Holm's correction.
   void adjust();
   std::size_t tests_in_family() const;
-  /// What stands below the table: of how many tests the family is, and what the columns hold.
-  Phrase note_on_family(std::size_t tests) const;
-  Phrase note_on_columns() const;
+  /// What stands below the table: of how many tests the family is, and what the columns hold, without the symbols of the
+  /// tests that are called `left_out`.
+  Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
+  Phrase note_on_columns(std::string_view left_out) const;
 
   std::string kind_{};
   std::size_t people_ = 0;

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kSexes = "sexes";  // and, for their equivalence, kSexesEquivalence
+constexpr std::string_view kSexes = kSexesTest;  // and, for their equivalence, kSexesEquivalence
 constexpr std::string_view kEveryone = "Total";
 
 bool is_of_one_sex(const Finding& finding) {
@@ -55,7 +55,9 @@ AnalysisOutcome without_sexes(AnalysisOutcome outcome) {
                 [](const TestSentence& sentence) { return sentence.test == kSexes; });
   for (NamedTable& named : outcome.tables) {
     keep_everyone(named.table);
-    if (named.name == StudyTests::kTable) drop_test_of_sexes(named.table);
+    if (named.name != StudyTests::kTable) continue;
+    drop_test_of_sexes(named.table);
+    named.note = outcome.note_of_tests_without_sexes;
   }
   return outcome;
 }

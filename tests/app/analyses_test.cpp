@@ -1080,7 +1080,7 @@ TEST(StudyTests, StateTheSmallestPThatCouldBeAttained) {
   EXPECT_DOUBLE_EQ(
       number(table_of(two, "tests").table, {"pairs", "sinusoid|stochastic"}, "p_smallest"), 1.0);
   EXPECT_THAT(question_of(two, "pairs").answer.english(),
-              HasSubstr("; the smallest attainable is p > .999"));
+              HasSubstr("; the smallest attainable p is > .999"));
 }
 
 // What no analysis can be made of is said, and nothing falls over.

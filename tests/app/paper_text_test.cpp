@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -68,6 +69,19 @@ MadeUpTrial one_of_two(const std::string& chosen) {
     trial.surfaces.push_back(surface_of(model, model, "brick"));
   }
   trial.answers = {chosen};
+  return trial;
+}
+
+/// Two textures with their pictures, or with each other's.
+MadeUpTrial matched(bool is_correct) {
+  MadeUpTrial trial{};
+  trial.options = {"brick", "stone"};
+  for (const std::string& texture : trial.options) {
+    trial.surfaces.push_back(surface_of(texture, "height_map", texture));
+  }
+  trial.right = trial.options;
+  trial.answers = trial.options;
+  if (!is_correct) std::swap(trial.answers.front(), trial.answers.back());
   return trial;
 }
 
@@ -190,6 +204,24 @@ TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
   add(R"({"language": "de", "title": "Welche?", "sessions": 2})");
   EXPECT_THAT(design(), StartsWith("Three different files carry the name and version"));
   EXPECT_THAT(results_of(made), HasSubstr("2 different files carry this protocol name"));
+}
+
+TEST(ReportOfTests, ExplainsTheSymbolsOfItsTableOnly) {
+  MadeUpStudy made;
+  const auto add = [&made](const std::string& protocol, const std::string& source) {
+    const std::int64_t id = made.add_protocol(protocol, "matching", source);
+    for (int i = 0; i < 6; ++i) {
+      const std::string label = "p" + std::to_string(i);
+      made.add_session(label, id, {matched(i < 4), matched(true)});
+    }
+  };
+  for (int i = 0; i < 6; ++i) made.add_person("p" + std::to_string(i), i % 2 == 0 ? "F" : "M");
+  add("match", "{}");
+  EXPECT_THAT(results_of(made), HasSubstr("k: number correct"));
+  EXPECT_THAT(results_of(made), Not(HasSubstr("ΔM")));
+  EXPECT_THAT(results_of(made), Not(HasSubstr("Hedges")));
+  add("a_match_of_sexes", R"({"analysis": {"family": ["items", "sexes"]}})");
+  EXPECT_THAT(results_of(made), HasSubstr("ΔM: difference of the means"));
 }
 
 /// Every test that a study can report has words, and every work that is cited an entry.

@@ -978,6 +978,10 @@ TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
   EXPECT_EQ(reading_p_cell(0.0004), "< .001");
   EXPECT_EQ(reading_percent(0.002), "0.2 %") << "not nothing";
   EXPECT_EQ(reading_percent(0.998), "99.8 %") << "not all";
+  EXPECT_EQ(reading_percent(0.0004), "< 0.1 %") << "nor 0.0 %";
+  EXPECT_EQ(reading_percent(0.9996), "> 99.9 %") << "nor 100.0 %";
+  EXPECT_EQ(reading_percent(0.0), "0 %");
+  EXPECT_EQ(reading_percent(1.0), "100 %");
   EXPECT_EQ(reading_quantity(31e-6, "s"), "31 µs");
   EXPECT_EQ(reading_quantity(0.05, "m/s"), "50 mm/s");
   EXPECT_EQ(reading_quantity(0.8, "N"), "0.8 N");

@@ -792,8 +792,8 @@
         <translation>%1, nach Holm korrigiert</translation>
     </message>
     <message>
-        <source>%1; the smallest attainable is %2</source>
-        <translation>%1; das kleinste erreichbare ist %2</translation>
+        <source>%1; the smallest attainable p is %2</source>
+        <translation>%1; das kleinste erreichbare p ist %2</translation>
     </message>
     <message>
         <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be made counts as p = 1.</source>
@@ -898,6 +898,10 @@
     <message>
         <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
         <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
+    </message>
+    <message>
+        <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest difference that is possible.</source>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest; daher gibt es kein Urteil: %1. Die Daten würden Äquivalenz innerhalb keiner Grenze stützen: Das KI reicht bis ±100 Prozentpunkte, den größten möglichen Unterschied.</translation>
     </message>
     <message>
         <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would support equivalence within ±%2 percentage points.</source>
