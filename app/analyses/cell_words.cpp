@@ -1,8 +1,10 @@
 #include "app/analyses/cell_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
+#include <string_view>
 
 #include "app/analyses/test_methods.h"
 
@@ -166,6 +168,19 @@ const CellWords& words_in_any_column() {
 }
 
 }  // namespace
+
+std::string words_of_parameter(const std::string& key) {
+  constexpr std::array<std::string_view, 10> kUnits{
+      "_m_per_s", "_N_per_m", "_N_s_per_m", "_rad", "_Hz", "_kg", "_dB", "_N", "_m", "_s"};
+  std::string words = key;
+  for (const std::string_view unit : kUnits) {
+    if (words.size() <= unit.size() || !words.ends_with(unit)) continue;
+    words.erase(words.size() - unit.size());
+    break;
+  }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (const auto known = words_in_any_column().find(text); known != words_in_any_column().end()) {

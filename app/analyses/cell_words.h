@@ -13,4 +13,7 @@ namespace asperity {
 /// study has given, stays.
 Phrase words_of_cell(const std::string& column, const std::string& text);
 
+/// "amplitude" of the parameter or factor `amplitude_m`: its name in words, without the unit.
+std::string words_of_parameter(const std::string& key);
+
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/conditional_logit.h"
+#include "app/analyses/cell_words.h"
 #include "app/analyses/families.h"
 #include "app/analyses/selection_choices.h"
 #include "app/analyses/selection_questions.h"
@@ -301,7 +302,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
         phrase("Analysis",
                "The alternatives differ in %1 alone: these results are preferences and do not show "
                "whether the levels can be discriminated.")
-            .with(*gathered.compared_parameter));
+            .with(words_of_parameter(*gathered.compared_parameter)));
   }
   counts.table_1.note = chance_note(
       counts.choices, selection.all_offered

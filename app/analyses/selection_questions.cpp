@@ -8,6 +8,7 @@
 
 #include "analysis/conditional_logit.h"
 #include "analysis/number_text.h"
+#include "app/analyses/cell_words.h"
 
 namespace asperity {
 
@@ -248,9 +249,9 @@ TargetChoosers target_choosers(const Selection& selection) {
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome) {
   const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
-  const Phrase question =
-      parameter ? phrase("Analysis", "Which level of %1 is preferred?").with(*parameter)
-                : phrase("Analysis", "Which rendering is the most realistic?");
+  const Phrase question = parameter ? phrase("Analysis", "Which level of %1 is preferred?")
+                                          .with(words_of_parameter(*parameter))
+                                    : phrase("Analysis", "Which rendering is the most realistic?");
   if (!selection.all_offered) {
     ask_scale(selection, scale, question, outcome);
     return;
@@ -295,9 +296,9 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
     differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
   }
   const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
-  const Phrase question =
-      parameter ? phrase("Analysis", "Is one level of %1 preferred to another?").with(*parameter)
-                : phrase("Analysis", "Is one rendering preferred to another?");
+  const Phrase question = parameter ? phrase("Analysis", "Is one level of %1 preferred to another?")
+                                          .with(words_of_parameter(*parameter))
+                                    : phrase("Analysis", "Is one rendering preferred to another?");
   const Phrase method =
       selection.all_offered
           ? phrase("Analysis",

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/analyses/analyze_study.h"
+#include "app/analyses/cell_words.h"
 #include "app/analyses/reading_table.h"
 #include "tests/app/made_up_study.h"
 
@@ -307,6 +308,13 @@ TEST(UnfeltSessions, AreCountedByTheDeviceThatIsRecorded) {
   EXPECT_THAT(words_about_device(kFalcon, false), Not(HasSubstr(kNobodyFelt)));
   EXPECT_THAT(words_about_device("{}", false), Not(HasSubstr(kNobodyFelt)));
   EXPECT_THAT(words_about_device(kSimulated, true), Not(HasSubstr(kNobodyFelt)));
+}
+
+TEST(WordsOfParameters, HaveNoUnit) {
+  EXPECT_EQ(words_of_parameter("amplitude_m"), "amplitude");
+  EXPECT_EQ(words_of_parameter("stiffness_N_per_m"), "stiffness");
+  EXPECT_EQ(words_of_parameter("wave_speed_m_per_s"), "wave speed");
+  EXPECT_EQ(words_of_parameter("model"), "model");
 }
 
 }  // namespace
