@@ -549,10 +549,17 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_measures(found, measures, outcome);
 
   StudyTests tests(gathered);
+  const auto is_against = [&](double chance) {
+    if (equal_size) tests.state_chance(chance);
+  };
+  const double chance_of_item = 1.0 / static_cast<double>(items);
   tests.add("items", "", found, "relabel.p.greater");
+  is_against(chance_of_item);
   tests.add("whole", "", found, "perfect.relabel.p.greater");
+  is_against(1.0 / static_cast<double>(permutations(items)));
   for (const std::string& texture : felt) {
     tests.add("textures", texture, found, "texture.relabel.p.greater", texture);
+    is_against(chance_of_item);
   }
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");

@@ -626,7 +626,10 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   add_likeness_tables(pictures.felt, found_likeness, outcome);
 
   const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
+  const double chance =
+      1.0 / static_cast<double>(labels.size());  // where the pictures are the same
   tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
+  if (pictures.always_the_same) tests.state_chance(chance);
   tests.add("information", "", found, "G.perm.p");
   std::vector<Finding> textures{};
   if (!findings.empty()) {
@@ -636,6 +639,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   const FoundNumbers found_textures(textures);
   for (const std::string& texture : pictures.felt) {
     tests.add("textures", texture, found_textures, "p.greater", texture);
+    if (pictures.always_the_same) tests.state_chance(chance);
   }
   std::vector<Finding> sexes{};
   if (std::optional<TidyInput> groups = groups_table(gathered, judged)) {
@@ -667,7 +671,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   if (pictures.always_the_same) {
     ask_other_textures({.responses = responses,
-                        .chance = 1.0 / static_cast<double>(labels.size()),
+                        .chance = chance,
                         .proportion = phrase("Analysis", "the proportion correct")},
                        outcome);
   } else {

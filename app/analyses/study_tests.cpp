@@ -264,6 +264,8 @@ void StudyTests::add_untested(const std::string& name, const std::string& about,
   tests_.push_back(Test{.name = name, .about = about, .status = reason});
 }
 
+void StudyTests::state_chance(double chance) { tests_.back().chance = chance; }
+
 void StudyTests::leave_out(std::size_t participants) { tests_.back().left_out = participants; }
 
 const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {

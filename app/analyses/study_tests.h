@@ -52,6 +52,7 @@ class StudyTests final {
     };
     std::optional<Effect> effect{};
     std::optional<Effect> estimate{};   ///< the proportion that is tested
+    std::optional<double> chance{};     ///< the chance level of that proportion
     std::optional<double> adjusted{};   ///< within the family,
     bool is_alone_in_family = false;    ///< of which it is the only one, so that p is not corrected
     TestRole role = TestRole::exploratory;
@@ -71,6 +72,8 @@ class StudyTests final {
   void add_untested(const std::string& name, const std::string& about, const std::string& reason);
   /// Of the test that was added last.
   void leave_out(std::size_t participants);
+  /// The same: the proportion that is expected under guessing, against which it is.
+  void state_chance(double chance);
   /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
   /// has added is a row without a p.
   void finish(AnalysisOutcome& outcome);

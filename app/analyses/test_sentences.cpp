@@ -40,30 +40,31 @@ constexpr std::array kClaims{
           "The proportion of choices of the target did not differ significantly between the "
           "textures"},
     Claim{"matching", "items", "",
-          "The number of correctly matched items was significantly above the chance level", "",
-          "The number of correctly matched items was not significantly above the chance level"},
-    Claim{"matching", "whole", "",
-          "The number of trials with all items correct was significantly above the chance level",
-          "",
-          "The number of trials with all items correct was not significantly above the chance "
-          "level"},
+          "The proportion of correctly matched items was significantly above the chance level", "",
+          "The proportion of correctly matched items was not significantly above the chance level"},
+    Claim{
+        "matching", "whole", "",
+        "The proportion of trials with all items correct was significantly above the chance level",
+        "",
+        "The proportion of trials with all items correct was not significantly above the chance "
+        "level"},
     Claim{"matching", "textures", "",
-          "The number of correct matches of %1 was significantly above the chance level", "",
-          "The number of correct matches of %1 was not significantly above the chance level"},
+          "The proportion of correct matches of %1 was significantly above the chance level", "",
+          "The proportion of correct matches of %1 was not significantly above the chance level"},
     Claim{"matching", "sexes", "", "Women matched significantly more items correctly than men",
           "Women matched significantly fewer items correctly than men",
           "The numbers of correctly matched items of women and men were not significantly "
           "different"},
     Claim{"recognition", "right", "binomial",
-          "The number of correct responses was significantly above the chance level", "",
-          "The number of correct responses was not significantly above the chance level"},
+          "The proportion of correct responses was significantly above the chance level", "",
+          "The proportion of correct responses was not significantly above the chance level"},
     Claim{"recognition", "right", "",
           "The mean proportion correct was significantly above the chance level",
           "The mean proportion correct was significantly below the chance level",
           "The mean proportion correct was not significantly different from the chance level"},
     Claim{"recognition", "textures", "",
-          "The number of correct responses to %1 was significantly above the chance level", "",
-          "The number of correct responses to %1 was not significantly above the chance level"},
+          "The proportion of correct responses to %1 was significantly above the chance level", "",
+          "The proportion of correct responses to %1 was not significantly above the chance level"},
     Claim{"recognition", "information", "",
           "The responses were significantly associated with the stimulus", "",
           "The responses were not significantly associated with the stimulus"},
@@ -103,10 +104,16 @@ std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
   });
   if (claim == kClaims.end()) return {};
   const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
-  return with_places_filled(!test.is_significant() ? claim->nothing
-                            : is_negative          ? claim->lower
-                                                   : claim->higher,
-                            test.about);
+  std::string text = with_places_filled(!test.is_significant() ? claim->nothing
+                                        : is_negative          ? claim->lower
+                                                               : claim->higher,
+                                        test.about);
+  constexpr std::string_view kChance = "the chance level";
+  const std::size_t at = text.find(kChance);
+  if (test.chance && at != std::string::npos) {
+    text.insert(at + kChance.size(), " of " + reading_percent(*test.chance));
+  }
+  return text;
 }
 
 std::string size_text(const StudyTests::Test& test) {

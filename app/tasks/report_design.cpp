@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/tasks/report_sections.h"
 #include "protocols/plan.h"
@@ -20,8 +21,8 @@ std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
     case ProtocolKind::selection: {
       if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
-        return "Task: each trial presents surfaces that differ in " + *parameter +
-               " alone, and one of them is to be chosen.";
+        return "Task: each trial presents surfaces that differ in " +
+               words_of_parameter(*parameter) + " alone, and one of them is to be chosen.";
       }
       std::string text = "Task: each trial presents several surfaces, and one is to be chosen";
       const std::vector<std::string> questions = main_questions(protocol);
@@ -53,15 +54,9 @@ std::string task_text(const Protocol& protocol) {
 std::string factors_text(const Protocol& protocol) {
   std::vector<std::string> factors{};
   for (const auto& [name, factor] : protocol.factors) {
-    std::vector<std::string> levels{};
-    for (const Level& level : factor.levels) levels.push_back(text_of(level));
-    std::string text = name + " (" + listed(levels);
-    if (!factor.unit.empty()) text += ' ' + factor.unit;
-    text += ')';
     std::string meaning = factor.meaning;
     if (meaning.ends_with('.')) meaning.pop_back();
-    if (!meaning.empty()) text += ": " + meaning;
-    factors.push_back(text);
+    factors.push_back(factor_text(name, factor) + (meaning.empty() ? "" : ": " + meaning));
   }
   if (factors.empty()) return {};
   std::string text = factors.size() == 1 ? "Factor of the protocol: " : "Factors of the protocol: ";
@@ -124,13 +119,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     if (run == nullptr) continue;
     const Protocol::Block& block = protocol.blocks.at(run->block);
     std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
-    text += order_text(block);
-    if (block.until) {
-      text += until_text(*block.until);
-    } else if (block.repetitions > 1) {
-      text += ", " + std::to_string(block.repetitions) + " repetitions";
-    }
-    if (!run->for_each.empty()) text += ", once for each level of " + run->for_each;
+    text += order_of_run(block, *run);
     if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
     switch (block.feedback) {
       case Protocol::Block::Feedback::none:
@@ -311,34 +300,14 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   return text;
 }
 
-std::string trials_text(const ReportFacts& facts) {
-  std::set<int> main_trials{};
-  std::set<int> planned{};
-  for (const ReportedSession& session : facts.sessions) {
-    main_trials.insert(session.main_trials);
-    planned.insert(session.planned_trials);
-  }
-  const auto range = [](const std::set<int>& counts) {
-    return *counts.begin() == *counts.rbegin()
-               ? std::to_string(*counts.begin())
-               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
-  };
-  if (planned.empty()) return {};
-  std::string text = "A session is planned with " + range(main_trials) + " experimental " +
-                     (main_trials == std::set<int>{1} ? "trial" : "trials");
-  if (planned != main_trials) {
-    text += ", and with " + range(planned) + " in total including " +
-            listed({facts.other_planned.begin(), facts.other_planned.end()});
-  }
-  text += '.';
-  if (!facts.surfaces.empty()) {
-    std::vector<std::string> counts{};
-    for (const std::size_t count : facts.surfaces) counts.push_back(count_in_words(count));
-    text += ' ' + capitalised(listed(counts)) +
-            (facts.surfaces == std::set<std::size_t>{1} ? " surface was" : " surfaces were") +
-            " presented in each answered trial.";
-  }
-  return text;
+/// "Three surfaces were presented in each answered trial."
+std::string surfaces_text(const ReportFacts& facts) {
+  if (facts.surfaces.empty()) return {};
+  std::vector<std::string> counts{};
+  for (const std::size_t count : facts.surfaces) counts.push_back(count_in_words(count));
+  return ' ' + capitalised(listed(counts)) +
+         (facts.surfaces == std::set<std::size_t>{1} ? " surface was" : " surfaces were") +
+         " presented in each answered trial.";
 }
 
 std::string counterbalance_text(const Protocol& protocol, const ReportFacts& facts) {
@@ -372,6 +341,66 @@ std::vector<std::string> main_questions(const Protocol& protocol) {
     if (block.phase == Phase::main && is_new) questions.push_back(question);
   }
   return questions;
+}
+
+std::string factor_text(const std::string& name, const Factor& factor) {
+  std::vector<std::string> levels{};
+  for (const Level& level : factor.levels) {
+    const auto* number = std::get_if<double>(&level);
+    levels.push_back(number != nullptr && !factor.unit.empty()
+                         ? reading_quantity(*number, factor.unit)
+                         : text_of(level));
+  }
+  return (factor.unit.empty() ? name : words_of_parameter(name)) + " (" + listed(levels) + ')';
+}
+
+std::string planned_trials_text(const ReportFacts& facts) {
+  std::set<int> main_trials{};
+  std::set<int> planned{};
+  for (const ReportedSession& session : facts.sessions) {
+    main_trials.insert(session.main_trials);
+    planned.insert(session.planned_trials);
+  }
+  const auto range = [](const std::set<int>& counts) {
+    return *counts.begin() == *counts.rbegin()
+               ? std::to_string(*counts.begin())
+               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
+  };
+  if (planned.empty()) return {};
+  std::string text = "A session was planned with " + range(main_trials) + " experimental " +
+                     (main_trials == std::set<int>{1} ? "trial" : "trials");
+  if (planned != main_trials) {
+    text += ", and with " + range(planned) + " in total including " +
+            listed({facts.other_planned.begin(), facts.other_planned.end()});
+  }
+  return text + '.';
+}
+
+std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run) {
+  std::string text = order_text(block);
+  if (block.until) {
+    text += until_text(*block.until);
+  } else if (block.repetitions > 1) {
+    text += ", " + std::to_string(block.repetitions) + " repetitions";
+  }
+  if (!run.for_each.empty()) text += ", once for each level of " + run.for_each;
+  return text;
+}
+
+std::string after_failure(const Exploration& exploration) {
+  const bool repeats = exploration.maximum_repeats > 0;
+  const std::string outside = "attempts outside these limits were ";
+  switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
+    case Exploration::OnFailure::flag:
+      return outside + "flagged and included";
+    case Exploration::OnFailure::repeat_now:
+      return outside + "repeated at once, " + repeats_text(exploration.maximum_repeats) +
+             ", and the last one was then included";
+    case Exploration::OnFailure::requeue_at_end_of_block:
+      return outside + "repeated at the end of the block, " +
+             repeats_text(exploration.maximum_repeats) + ", and the last one was then included";
+  }
+  return {};
 }
 
 std::string instructed_exploration(const Exploration& exploration) {
@@ -408,7 +437,7 @@ ReportSection design_section(const ReportFacts& facts) {
         row.design + "). This program cannot read its file, which is stored in the study: " +
         (check.diagnostics.empty() ? std::string("no reason is known")
                                    : check.diagnostics.front().message))});
-    section.parts.emplace_back(ReportText{trials_text(facts)});
+    section.parts.emplace_back(ReportText{planned_trials_text(facts) + surfaces_text(facts)});
     return section;
   }
   const Protocol& protocol = *check.protocol;
@@ -418,7 +447,8 @@ ReportSection design_section(const ReportFacts& facts) {
   if (!protocol.description.empty())
     section.parts.emplace_back(
         ReportText{"The protocol’s own description: " + protocol.description});
-  section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + trials_text(facts) +
+  section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + planned_trials_text(facts) +
+                                        surfaces_text(facts) +
                                         counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});

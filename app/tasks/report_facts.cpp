@@ -191,10 +191,12 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
     plan[trial.trial] = std::move(trial);
   }
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
+  const std::size_t counted_before = facts.counted;
   for (const AttemptRow& attempt : attempts) {
     // Of a trial that a damaged study lacks, nothing is known: it is not of the main phase.
     count_attempt(attempt, plan[attempt.trial], facts);
   }
+  if (facts.counted > counted_before) facts.counted_participants.insert(row.participant);
   session.stretches = recorded_stretches(row, events, attempts);
   for (const TimedEvent& event : session_timeline(events, attempts)) {
     if (!is_in_own_words(event.row.kind)) continue;

@@ -91,6 +91,7 @@ struct ReportFacts {
 
   std::size_t attempts = 0;               ///< of the main phase
   std::size_t counted = 0;                ///< of those: answered, valid and not excluded
+  std::set<std::string> counted_participants{};  ///< who have any of them
   std::size_t other_attempts = 0;         ///< of familiarisation and practice, and at anchors
   std::set<std::string> other_kinds{};    ///< what those are of: "practice", "anchors"
   std::set<std::string> other_planned{};  ///< the same of the plans

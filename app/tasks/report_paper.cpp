@@ -7,6 +7,7 @@
 #include <span>
 
 #include "app/analyses/cell_words.h"
+#include "app/analyses/estimate_sentences.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/references.h"
 #include "app/analyses/test_methods.h"
@@ -51,9 +52,17 @@ std::string analysed_text(const ReportFacts& facts) {
                                : "None of " + all + " was included in the analysis.";
   }
   const bool is_all = facts.counted == facts.attempts;
+  const std::string others =
+      is_all ? "" : " (of the others, " + listed(fates_of_attempts(facts)) + ')';
+  const std::size_t analysed = facts.counted_participants.size();
+  const std::string of_participants =
+      analysed == facts.participants.size()
+          ? ""
+          : " They were made by " + count_in_words(analysed) + " of the " +
+                participants_text(facts.group, facts.participants.size()) + '.';
   return (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
-         (facts.counted == 1 ? " was" : " were") + " analysed, with Asperity " + program_version() +
-         '.';
+         (facts.counted == 1 ? " was" : " were") + " analysed" + others + ", with Asperity " +
+         program_version() + '.' + of_participants;
 }
 
 std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
@@ -125,7 +134,13 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The level of significance was .05.");
   }
-  if (is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
+  if (outcome.kind == "magnitude") {
+    sentences.emplace_back(
+        "Estimates were analysed as logarithms. For means, curves and exponents each participant's "
+        "estimates were normalised by the geometric mean of that participant's cells.");
+  }
+  if (estimate_sentence(outcome).has_mean_interval ||
+      is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
     sentences.emplace_back(
         "Confidence intervals (CI) of mean proportions are Student's t over participants on the "
         "logit scale.");
@@ -136,7 +151,7 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
 
 std::string results_paragraph(const AnalysisOutcome& outcome,
                               std::span<const TestSentence> printed) {
-  std::vector<std::string> sentences{};
+  std::vector<std::string> sentences{estimate_sentence(outcome).text};
   // Without a declaration all tests are exploratory, which the methods state.
   bool follows_confirmatory = false;
   for (const TestSentence& each : printed) {

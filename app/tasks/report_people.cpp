@@ -195,11 +195,7 @@ ReportText attempts_text(const ReportFacts& facts) {
                      (facts.attempts == 1 ? " attempt at a trial of the main phase is stored"
                                           : " attempts at trials of the main phase are stored") +
                      counted_text(facts.counted, facts.attempts) + '.';
-  std::vector<std::string> fates{};
-  for (const auto& [fate, reasons] : facts.not_counted) {
-    const std::size_t count = sum_of(reasons);
-    fates.push_back(count_in_words(count) + (count == 1 ? " was " : " were ") + fate_text(fate));
-  }
+  const std::vector<std::string> fates = fates_of_attempts(facts);
   if (!fates.empty()) text += " Not counted: " + listed(fates) + '.';
   const std::size_t flagged = sum_of(facts.flagged);
   if (flagged > 0) {
@@ -211,6 +207,15 @@ ReportText attempts_text(const ReportFacts& facts) {
 }
 
 }  // namespace
+
+std::vector<std::string> fates_of_attempts(const ReportFacts& facts) {
+  std::vector<std::string> fates{};
+  for (const auto& [fate, reasons] : facts.not_counted) {
+    const std::size_t count = sum_of(reasons);
+    fates.push_back(count_in_words(count) + (count == 1 ? " was " : " were ") + fate_text(fate));
+  }
+  return fates;
+}
 
 std::string participants_text(AnswerGroup group, std::size_t count) {
   const std::string number = count_in_words(count);

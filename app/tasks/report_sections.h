@@ -22,6 +22,8 @@ ReportSection conditions_section(const ReportFacts& facts);
 ReportSection participants_section(const ReportFacts& facts);
 /// What was left out and why, what was kept although something was noticed.
 ReportSection exclusions_section(const ReportFacts& facts);
+/// What became of the attempts that do not count: "three were not explored as instructed", one for each outcome.
+std::vector<std::string> fates_of_attempts(const ReportFacts& facts);
 /// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
 /// kept first and deleted later has withdrawn twice.
 ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals);
@@ -65,6 +67,15 @@ std::string unfelt_force_text(const ReportFacts& facts);
 std::string recorded_noise_text(const ReportFacts& facts);
 /// The questions of the main phase, quoted, each once.
 std::vector<std::string> main_questions(const Protocol& protocol);
+/// "speed (slow and fast)", "spacing (500 µm and 1 mm)": a factor by its name without the unit, with its levels.
+std::string factor_text(const std::string& name, const Factor& factor);
+/// "A session was planned with 42 experimental trials, and with 54 in total including anchors and practice."; empty where
+/// no session has a plan.
+std::string planned_trials_text(const ReportFacts& facts);
+/// "in random order within each repetition, 3 repetitions, once for each level of speed"
+std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run);
+/// "attempts outside these limits were flagged and included": what the protocol makes of them.
+std::string after_failure(const Exploration& exploration);
 /// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (aiming at 1 N)"
 std::string instructed_exploration(const Exploration& exploration);
 

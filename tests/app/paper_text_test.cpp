@@ -15,12 +15,14 @@
 #include "app/analyses/test_sentences.h"
 #include "app/tasks/study_report.h"
 #include "protocols/analysis_declaration.h"
+#include "protocols/library_protocols.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
@@ -40,8 +42,9 @@ std::string paragraph(const Report& report, const std::string& heading) {
 
 /// The texts of the section "Results".
 std::string results_of(MadeUpStudy& made) {
+  const Report report = study_report(made.study(), {});
   std::string text{};
-  for (const ReportSection& section : study_report(made.study(), {}).chapters.at(1).sections) {
+  for (const ReportSection& section : report.chapters.at(1).sections) {
     if (section.heading != "Results") continue;
     for (const ReportPart& part : section.parts) {
       if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';
@@ -109,9 +112,9 @@ TEST(PaperText, StatesADifferenceWithItsTestOnce) {
   const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6});
   // All of 8 participants chose the one more often: p = 2/2⁸. The differences sum to 6+4+6+4+2+6+4+6.
   EXPECT_THAT(paragraph(report, "Results"),
-              StartsWith("height_map was chosen significantly more often than sinusoid: sign-flip "
-                         "(randomisation) test, exact, D = 38, N = 8, p = .008, uncorrected; "
-                         "Cohen’s d of paired differences = "));
+              HasSubstr(". height_map was chosen significantly more often than sinusoid: sign-flip "
+                        "(randomisation) test, exact, D = 38, N = 8, p = .008, uncorrected; "
+                        "Cohen’s d of paired differences = "));
 }
 
 TEST(PaperText, CallsNoTestConfirmatoryThatTheProtocolDoesNotDeclare) {
@@ -149,24 +152,27 @@ TEST(PaperText, CitesEachPublicationBehindItsTest) {
 
 TEST(PaperText, StatesTheDirectionOfADifference) {
   EXPECT_THAT(paragraph(report_of_choices({0, 1, 0, 1, 2, 0, 1, 0}), "Results"),
-              StartsWith("height_map was chosen significantly less often than sinusoid: "));
+              HasSubstr(". height_map was chosen significantly less often than sinusoid: "));
 }
 
 TEST(PaperText, ClaimsNothingOfADifferenceThatIsNotSignificant) {
-  EXPECT_THAT(paragraph(report_of_choices({4, 2, 4, 2, 5, 1, 3, 3}), "Results"),
-              StartsWith("The numbers of choices of height_map and sinusoid were not significantly "
-                         "different: "));
+  EXPECT_THAT(
+      paragraph(report_of_choices({4, 2, 4, 2, 5, 1, 3, 3}), "Results"),
+      HasSubstr(". The numbers of choices of height_map and sinusoid were not significantly "
+                "different: "));
 }
 
 TEST(PaperText, StatesWhyAConfirmatoryTestCouldNotBeMade) {
   const std::string results = paragraph(report_of_choices({6}), "Results");
-  EXPECT_THAT(results, StartsWith("The test of pairs"));
+  EXPECT_THAT(results, HasSubstr(". The test of pairs"));
   EXPECT_THAT(results, HasSubstr(" could not be made: "));
 }
 
 TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
   const std::string methods = paragraph(report_of_choices({6, 5, 6, 5}), "Methods");
-  EXPECT_THAT(methods, StartsWith("Four participants (2 female and 2 male) took part."));
+  EXPECT_THAT(
+      methods,
+      StartsWith("Four participants (2 female and 2 male) took part in one session each. "));
   EXPECT_THAT(methods, HasSubstr(" Ethics approval: committee 12/2026."));
   EXPECT_THAT(methods, HasSubstr(" The 24 attempts at trials were analysed, with Asperity "));
   EXPECT_THAT(methods, Not(HasSubstr("Consent")));  // of which nothing is stored
@@ -179,7 +185,7 @@ TEST(PaperText, StatesThatNothingWasAnalysed) {
                                                 {one_of_two("sinusoid"), one_of_two("sinusoid")});
   made.study().add_decision(session, {.verdict = Verdict::exclude, .reason = "fire alarm"});
   const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
-  EXPECT_THAT(methods, HasSubstr("One session was excluded from the analysis."));
+  EXPECT_THAT(methods, HasSubstr("One session was excluded from the analysis (fire alarm)."));
   EXPECT_THAT(methods, HasSubstr("None of the 2 attempts at trials was included in the analysis."));
 }
 
@@ -222,6 +228,77 @@ TEST(ReportOfTests, ExplainsTheSymbolsOfItsTableOnly) {
   EXPECT_THAT(results_of(made), Not(HasSubstr("Hedges")));
   add("a_match_of_sexes", R"({"analysis": {"family": ["items", "sexes"]}})");
   EXPECT_THAT(results_of(made), HasSubstr("ΔM: difference of the means"));
+}
+
+TEST(PaperText, StatesMeanProportionsOfChoicesWithTheChanceLevel) {
+  const std::string results = paragraph(report_of_choices({6, 5, 6, 5, 4, 6}), "Results");
+  EXPECT_THAT(results,
+              MatchesRegex("Mean proportions of choices were 89 % \\(95 % CI \\[.*\\]\\) for "
+                           "height_map and 11 % \\(95 % CI \\[.*\\]\\) for sinusoid, N = 6; "
+                           "the chance level was 50 %\\. .*"));
+}
+
+TEST(PaperText, StatesIncompleteSessionsAndWhoseDataWereAnalysed) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  const std::vector<MadeUpTrial> trials{one_of_two("sinusoid"), one_of_two("height_map")};
+  for (const char* label : {"p1", "p2", "p3"}) made.add_person(label, "F");
+  made.add_session("p1", protocol, trials);
+  made.set_state(SessionState::stopped);
+  made.add_session("p2", protocol, trials);
+  const std::int64_t third = made.add_session("p3", protocol, trials);
+  made.study().add_decision(third, {.verdict = Verdict::exclude, .reason = "fire alarm"});
+  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  EXPECT_THAT(methods, HasSubstr(" took part in one session each. Two sessions were not completed "
+                                 "(stopped). One session "
+                                 "was excluded from the analysis (fire alarm)."));
+  EXPECT_THAT(methods,
+              HasSubstr("Four of the 6 attempts at trials were analysed (of the others, two "
+                        "were excluded), with Asperity "));
+  EXPECT_THAT(methods, HasSubstr(" They were made by two of the three participants."));
+}
+
+TEST(PaperText, StatesTheChanceLevelOfProportions) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("match", "matching");
+  for (int i = 0; i < 6; ++i) {
+    const std::string label = "p" + std::to_string(i);
+    made.add_person(label, "F");
+    made.add_session(label, protocol, {matched(i < 4), matched(true)});
+  }
+  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  EXPECT_THAT(results, HasSubstr("The proportion of correctly matched items was"));
+  EXPECT_THAT(results, HasSubstr(" above the chance level of 50 %: "));
+}
+
+/// Conditions are named by the factors and levels of the stored protocol.
+TEST(PaperText, NamesFactorsLevelsAndTheTask) {
+  MadeUpStudy made;
+  const auto library = library_protocols();
+  const auto tools = std::find_if(library.begin(), library.end(),
+                                  [](const auto& each) { return each.name == "tools_matching"; });
+  ASSERT_NE(tools, library.end());
+  MadeUpTrial trial{};
+  trial.options = {"fine", "medium", "coarse"};
+  for (const std::string& tool : trial.options) {
+    trial.surfaces.push_back(surface_of(tool, "pd_gradient", tool));
+  }
+  trial.right = trial.options;
+  trial.answers = trial.options;
+  made.add_person("p1", "F");
+  made.add_session("p1", made.add_protocol("tools_matching", "matching", std::string(tools->text)),
+                   {trial, trial});
+  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  EXPECT_THAT(methods,
+              HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
+                        "stimuli were presented, one for each level of file, and each was to "
+                        "be assigned to one of as many pictures. The question was “Which "
+                        "picture belongs to which tool?” A session was planned with 2 "
+                        "experimental trials. Trials were presented in "));
+  EXPECT_THAT(methods, HasSubstr(" 12 repetitions"));
+  EXPECT_THAT(methods, HasSubstr("; attempts outside these limits were "));
+  EXPECT_THAT(methods, HasSubstr(" An attempt at a trial was invalid if more than "));
+  EXPECT_THAT(methods, Not(HasSubstr("texture")));
 }
 
 /// Every test that a study can report has words, and every work that is cited an entry.

@@ -101,7 +101,7 @@ TEST(Equivalence, HasNoVerdictWithoutADeclaredMargin) {
 
 // Women and men with all and none correct: SE² = ½/2 + ½/2, and t₂(.95)·SE is more than 2.
 TEST(Equivalence, HasNoMarginBeyondTheLargestDifference) {
-  const AnalysisOutcome outcome = analyze_repetitions({{4, 4}, {4, 4}, {0, 0}, {0, 0}}, "{}");
+  const AnalysisOutcome outcome = analyze_repetitions({{4, 4}, {0, 0}, {4, 4}, {0, 0}}, "{}");
   const std::string answer = answer_of(outcome, kSexesEquivalence);
   EXPECT_GT(value_in(outcome, kSexesEquivalence, "equivalence.margin"), 2.0);
   EXPECT_THAT(answer, HasSubstr("The data would not support equivalence within any margin: the CI "

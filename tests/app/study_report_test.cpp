@@ -246,7 +246,7 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
               HasSubstr("2 attempts at trials of the main phase are stored, both of which count."));
   EXPECT_THAT(words, HasSubstr("One attempt belongs to anchors and is in no result."));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
-              HasSubstr("A session is planned with 2 experimental trials, and with 3 in total "
+              HasSubstr("A session was planned with 2 experimental trials, and with 3 in total "
                         "including anchors."));
 }
 
@@ -762,7 +762,7 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
                                 "chosen: “Which felt more like the picture?”"));
   EXPECT_THAT(
       design,
-      HasSubstr("A session is planned with 3 experimental trials. Two surfaces were presented "
+      HasSubstr("A session was planned with 3 experimental trials. Two surfaces were presented "
                 "in each answered trial."));
   EXPECT_THAT(design, HasSubstr("“Which felt more like the picture?”"));
   EXPECT_THAT(design, HasSubstr("explored for 500 ms to 2 s"));
