@@ -250,6 +250,13 @@ bool take_lock(int descriptor, const std::filesystem::path& path) {
   return true;
 }
 
+bool leads_to(const std::filesystem::path& path, int descriptor) noexcept {
+  struct stat there {};
+  struct stat open {};
+  return ::lstat(path.c_str(), &there) == 0 && ::fstat(descriptor, &open) == 0 &&
+         there.st_dev == open.st_dev && there.st_ino == open.st_ino;
+}
+
 LockHolder holder_in_lock(int descriptor) {
   std::array<char, 512> bytes{};
   const ssize_t length = ::pread(descriptor, bytes.data(), bytes.size(), 0);

@@ -79,6 +79,9 @@ int open_lock_file(const std::filesystem::path& path, int flags);
 /// Locks an open lock file for this process alone, and writes into it who holds it. False when another process holds
 /// it. Errors: ResultsError.
 bool take_lock(int descriptor, const std::filesystem::path& path);
+/// Whether a path still leads to an open file, which may have been removed and made anew. A lock file that is removed
+/// while it is locked is a lock only as long as this is so.
+bool leads_to(const std::filesystem::path& path, int descriptor) noexcept;
 /// As the file of a lock that is held has it.
 LockHolder holder_in_lock(int descriptor);
 

@@ -20,14 +20,6 @@ std::filesystem::path without_slash(const std::filesystem::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-/// Whether a path still leads to an open file, which may have been removed and made anew.
-bool leads_to(const std::filesystem::path& path, int descriptor) {
-  struct stat there {};
-  struct stat open {};
-  return ::lstat(path.c_str(), &there) == 0 && ::fstat(descriptor, &open) == 0 &&
-         there.st_dev == open.st_dev && there.st_ino == open.st_ino;
-}
-
 }  // namespace
 
 PartFolder::PartFolder(const std::filesystem::path& target, mode_t mode)

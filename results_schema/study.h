@@ -256,8 +256,9 @@ struct LockHolder {
 /// Holds `locks/<name>.lock` in the study while it lives. Throws ResultsError naming the host and
 /// process that holds it. A lock whose process is gone is free: the kernel lets go of it.
 ///
-/// The file stays behind, empty; what counts is the lock on it. A child made by fork() without exec
-/// keeps the lock alive. Errors: also a name with other than letters, digits, "-" and "_", a folder
+/// The destructor removes the file, because its name may hold the label of a participant who is not in the study: of a
+/// declined consent nothing remains. After a crash the file remains; what counts is the lock on it. A child made by
+/// fork() without exec keeps the lock of a crashed process alive. Errors: also a name with other than letters, digits, "-" and "_", a folder
 /// that cannot be written, a network file system, where such a lock cannot be trusted.
 class StudyLock final {
  public:
@@ -277,6 +278,8 @@ class StudyLock final {
                                        const std::string& beginning);
 
  private:
+  bool take(const std::filesystem::path& study, const std::string& name);
+
   std::filesystem::path path_{};
   int descriptor_ = -1;
 };

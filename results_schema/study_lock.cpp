@@ -41,23 +41,35 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
                        study);
   }
   make_folders(path_.parent_path());
+  while (!take(study, name)) {
+  }
+}
+
+/// False when another holder removed the file between its opening and its locking.
+bool StudyLock::take(const std::filesystem::path& study, const std::string& name) {
   descriptor_ = open_lock_file(path_, O_RDWR | O_CREAT);
   if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
   try {
     give_to_group(descriptor_, path_);
-    if (take_lock(descriptor_, path_)) return;
-    throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
-                           holder_in_lock(descriptor_).description +
-                           "; wait until it has finished, or stop it there",
-                       path_, EAGAIN);
+    if (!take_lock(descriptor_, path_)) {
+      throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
+                             holder_in_lock(descriptor_).description +
+                             "; wait until it has finished, or stop it there",
+                         path_, EAGAIN);
+    }
   } catch (...) {
     ::close(descriptor_);
     throw;
   }
+  if (leads_to(path_, descriptor_)) return true;
+  ::close(descriptor_);
+  return false;
 }
 
 StudyLock::~StudyLock() {
-  // Emptied while it is still ours: afterwards another's words may stand in it.
+  // Both while it is still ours: afterwards another may hold a file of this name. The file stays, empty, in a folder from
+  // which this user cannot remove it.
+  if (leads_to(path_, descriptor_)) ::unlink(path_.c_str());
   [[maybe_unused]] const int result = ::ftruncate(descriptor_, 0);
   ::close(descriptor_);
 }

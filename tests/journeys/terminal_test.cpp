@@ -101,6 +101,22 @@ TEST(Terminal, StatesBeforehandThatItPlaysNoMaskingNoise) {
   EXPECT_EQ(program.finish().status, 1);
 }
 
+TEST(Terminal, KeepsNothingUnderTheLabelOfAParticipantWhoDeclined) {
+  const SmallStudy small(1);
+  Invocation invocation{};
+  invocation.arguments = terminal_run_arguments(small, small.selection());
+  invocation.on_terminal = true;
+  Program program(invocation);
+  ASSERT_TRUE(program.read_until(
+      [](const std::string& out, const std::string&) { return out.ends_with("Your answer: "); }));
+  program.type("2\n");
+  EXPECT_EQ(program.finish().status, 1);
+  for (const auto& [name, content] : contents_of(small.study())) {
+    EXPECT_EQ(name.find("anna"), std::string::npos) << name;
+    EXPECT_EQ(content.find("anna"), std::string::npos) << name;
+  }
+}
+
 TEST(Terminal, NeverShowsANameOfATextureOrModel) {
   const SmallStudy small(1);
   for (const fs::path& protocol : {small.selection(), small.recognition()}) {

@@ -1,12 +1,16 @@
 // A lock has one holder, names it, and does not outlive it.
 
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,6 +39,41 @@ TEST(StudyLock, HasOneHolder) {
     const StudyLock other(folder.path(), "session-P01");
   }
   const StudyLock again(folder.path(), "device");
+}
+
+TEST(StudyLock, LeavesNoFileWithTheNameBehind) {
+  const TemporaryFolder folder;
+  { const StudyLock lock(folder.path(), "session-P01"); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "locks"));
+  write_file(folder / "locks/session-P02.lock", "", Overwrite::refuse);  // after a crash
+  { const StudyLock lock(folder.path(), "session-P02"); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "locks"));
+}
+
+// A file is opened before it is locked, and meanwhile its holder may remove it.
+TEST(StudyLock, HasOneHolderWhileItsFileComesAndGoes) {
+  const TemporaryFolder folder;
+  std::atomic<int> holders{0};
+  std::atomic<bool> was_shared{false};
+  std::atomic<int> taken{0};
+  const auto compete = [&] {
+    for (int i = 0; i < 3000; ++i) {
+      try {
+        const StudyLock lock(folder.path(), "device");
+        if (++holders > 1) was_shared = true;
+        ++taken;
+        --holders;
+      } catch (const ResultsError& error) {
+        EXPECT_EQ(error.code(), EAGAIN) << error.what();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads{};
+    for (int i = 0; i < 4; ++i) threads.emplace_back(compete);
+  }
+  EXPECT_FALSE(was_shared);
+  EXPECT_GT(taken, 0);
 }
 
 TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {

@@ -64,7 +64,9 @@ class Withdrawal : public testing::Test {
     }
     write_file(path_ / "study.sqlite.version-4", "Wanda7 as an older program left it",
                Overwrite::refuse);
-    { const StudyLock lock(path_, Study::session_lock_name("Wanda7")); }
+    // As a session leaves it that was killed.
+    std::filesystem::create_directory(path_ / "locks");
+    write_file(path_ / "locks" / "session-Wanda7.lock", "", Overwrite::refuse);
   }
 
   /// The files of the folder that hold the words, in their content or name.
