@@ -136,7 +136,10 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
 
 Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
                               std::optional<double> deadline_s, const Wait& wait) {
-  forget_typed();  // while the surfaces were felt: it is no answer to the question that comes now
+  // What was typed while the surfaces were felt does not answer the question; what is typed once it is shown does, also
+  // while its pictures are read.
+  unechoed_.reset();
+  forget_typed();
   const TrialQuestion& question = trial.question;
   const bool assignment = question.form == TrialQuestion::Form::assignment;
   output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
@@ -147,6 +150,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "") << option.label << '\n';
   }
   if (!pictures.empty()) {
+    output_ << std::flush;
     show(pictures);
     output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
             << " from left to right.\n";

@@ -20,8 +20,8 @@ namespace asperity {
 /// options, made anew for each question; any viewer can keep it open beside the terminal. It has
 /// their colours, unless the protocol shows them in shades of grey.
 ///
-/// From the announcement of a surface until something is asked, the terminal does not show what is typed, and it is
-/// discarded.
+/// From the announcement of a surface until the next question or text is shown, the terminal does not show what is typed,
+/// and it is discarded.
 ///
 /// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
 class TerminalRespondent final : public Respondent {

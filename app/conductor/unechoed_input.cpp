@@ -12,8 +12,11 @@ namespace asperity {
 namespace {
 
 constexpr int kNoTerminal = -1;
-constexpr std::array kEndingSignals{SIGINT,  SIGTERM, SIGQUIT, SIGHUP, SIGABRT,
-                                    SIGSEGV, SIGBUS,  SIGFPE,  SIGILL};
+// Every standard signal whose default action ends a program (signal(7)), but for SIGKILL, which cannot be handled.
+constexpr std::array kEndingSignals{SIGABRT,   SIGALRM, SIGBUS,  SIGFPE,  SIGHUP,  SIGILL,
+                                    SIGINT,    SIGIO,   SIGPIPE, SIGPROF, SIGPWR,  SIGQUIT,
+                                    SIGSEGV,   SIGSYS,  SIGTERM, SIGTRAP, SIGUSR1, SIGUSR2,
+                                    SIGVTALRM, SIGXCPU, SIGXFSZ};
 
 // What a signal handler may touch; `echoing` is written before the terminal is named and not after.
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -40,7 +43,9 @@ void restore_echo() noexcept {
   const int terminal = silent_terminal.exchange(kNoTerminal);
   if (terminal == kNoTerminal) return;
   const int error = errno;
-  ::tcsetattr(terminal, TCSAFLUSH, &echoing);
+  // Not TCSAFLUSH, which waits until the terminal has taken all output: a stopped one never takes it.
+  ::tcsetattr(terminal, TCSANOW, &echoing);
+  ::tcflush(terminal, TCIFLUSH);
   errno = error;
 }
 

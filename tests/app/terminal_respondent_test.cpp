@@ -4,9 +4,11 @@
 
 #include <array>
 #include <csignal>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -161,7 +163,8 @@ TEST(TerminalInContact, ShowsNothingOfWhatIsTypedAndDiscardsIt) {
 }
 
 TEST(TerminalInContact, EchoesAgainAfterAnySignalThatEndsTheProgram) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGSEGV}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGSEGV, SIGPIPE, SIGALRM, SIGXCPU,
+                           SIGXFSZ, SIGSYS, SIGUSR1}) {
     const PseudoTerminal terminal{};
     const pid_t child = fork();
     if (child == 0) {
@@ -174,6 +177,78 @@ TEST(TerminalInContact, EchoesAgainAfterAnySignalThatEndsTheProgram) {
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
     EXPECT_TRUE(terminal.echoes()) << signal;
   }
+}
+
+/// The exit status of a child, or nothing where it did not end in half a minute.
+std::optional<int> status_of(pid_t child) {
+  constexpr int kLooks = 1500;
+  for (int i = 0; i < kLooks; ++i) {
+    int status = 0;
+    if (waitpid(child, &status, WNOHANG) == child) return status;
+    usleep(20'000);
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  return {};
+}
+
+// A terminal whose output is stopped (Ctrl-S), while another thread writes to it.
+TEST(TerminalInContact, DoesNotKeepAProgramThatASignalEndsWhileItsOutputIsStopped) {
+  const PseudoTerminal terminal{};
+  const pid_t child = fork();
+  if (child == 0) {
+    const UnechoedInput unechoed(terminal.program);
+    std::thread([&terminal] {
+      const std::string more(1'000'000, '.');
+      while (write(terminal.program, more.data(), more.size()) >= 0) {
+      }
+    }).detach();
+    pollfd full{terminal.program, POLLOUT, 0};
+    while (::poll(&full, 1, 0) > 0) {
+    }
+    raise(SIGTERM);
+    _exit(0);
+  }
+  const std::optional<int> status = status_of(child);
+  ASSERT_TRUE(status) << "the program waits for the terminal";
+  EXPECT_TRUE(WIFSIGNALED(*status) && WTERMSIG(*status) == SIGTERM);
+  EXPECT_TRUE(terminal.echoes());
+}
+
+/// A screen on which the participant types a line as soon as something is shown.
+class TypedWhenShown final : public std::stringbuf {
+ public:
+  TypedWhenShown(const PseudoTerminal& terminal, std::string line)
+      : terminal_(terminal), line_(std::move(line)) {}
+  int sync() override {
+    if (!line_.empty()) terminal_.type(std::exchange(line_, {}));
+    return 0;
+  }
+
+ private:
+  const PseudoTerminal& terminal_;
+  std::string line_{};
+};
+
+TEST(TerminalInContact, TakesTheAnswerThatIsTypedWhileThePicturesAreRead) {
+  const TemporaryFolder folder;
+  const GreyImage grey{2, 2, std::vector<float>(4, 0.5F)};
+  save_color_picture(folder.path() / "a.png", {grey, grey, grey}, Overwrite::refuse);
+  const PseudoTerminal terminal{};
+  std::ostringstream before{};
+  TypedWhenShown screen(terminal, "2\n");
+  std::ostream shown(&screen);
+  TerminalRespondent person(terminal.program, shown, folder.path(), folder.path() / "sheet.png");
+  shown.rdbuf(before.rdbuf());
+  person.announce({}, {});
+  shown.rdbuf(&screen);
+  Trial trial{};
+  trial.question.options = {{.label = "1", .picture = "a.png"}, {.label = "2", .picture = "a.png"}};
+  const auto type_again = [&](double) {
+    ADD_FAILURE() << "the answer was discarded";
+    terminal.type("1\n");
+  };
+  EXPECT_EQ(person.ask(trial, {}, {}, type_again).options, std::vector<std::size_t>{1});
 }
 
 TEST(PictureSheet, HasTheColoursOfThePictures) {
