@@ -123,6 +123,12 @@ void add_run(CLI::App& program, Job& job) {
         say("asperity: warning: " + circumstance.english());
       };
       inputs.ready = [&person](const Protocol& protocol) {
+      inputs.noticed = [&person](const LabelNotice& notice, const Wait& wait) {
+        if (notice.is_planned) return say("asperity: " + notice.text.english());
+        say("asperity: warning: " + notice.text.english() + "; " + notice.command_remedy);
+        if (!person) return;
+        person->read("Ctrl-C ends here; nothing has been stored.", 0.0, wait);
+      };
         if (!person) return;
         tell_what_a_terminal_lacks(protocol);
         if (protocol.shows_pictures_in_grey) person->show_in_grey();

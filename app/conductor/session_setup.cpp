@@ -199,6 +199,10 @@ bool has_ended_by_rule(const Study& study, const Protocol& protocol, const Sessi
   });
 }
 
+bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  return row.state == SessionState::completed || has_ended_by_rule(study, protocol, row);
+}
+
 std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& protocol,
                                          const std::string& participant,
                                          std::optional<std::int64_t> id) {

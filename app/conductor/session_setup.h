@@ -64,6 +64,8 @@ std::vector<EventRow> events_in_order(std::vector<EventRow> events,
 /// criterion of a practice was not met, and the protocol ends the session then. It is not gone on
 /// with.
 bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row);
+/// Completed, or ended by a rule of the protocol: nothing is left to resume.
+bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row);
 
 /// A session of this participant and protocol that is neither completed nor ended by rule: the one
 /// with this id, or without an id the latest. Nothing when there is none.

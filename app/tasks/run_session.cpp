@@ -14,6 +14,7 @@
 #include "app/conductor/virtual_participant.h"
 #include "app/device_kind.h"
 #include "app/tasks/device_choice.h"
+#include "app/tasks/label_notice.h"
 #include "app/tasks/measure_device.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
@@ -177,19 +178,13 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
         phrase("RunSession", "participant %1 has withdrawn from the study; use another label")
             .with(inputs.participant));
   }
-  int completed = 0;
-  for (const SessionRow& row : study.sessions()) {
-    if (row.participant != inputs.participant || row.mode != inputs.mode ||
-        study.protocol(row.protocol_id).source != protocol.source) {
-      continue;
-    }
-    if (row.state != SessionState::completed && !has_ended_by_rule(study, protocol, row)) {
-      throw PhrasedError(phrase("RunSession",
-                                "participant %1 has an unfinished session %2 of this protocol; "
-                                "resume it with --resume")
-                             .with(inputs.participant, std::to_string(row.session)));
-    }
-    ++completed;
+  const auto [completed, unfinished] =
+      sessions_of_participant(study, protocol, inputs.participant, inputs.mode);
+  if (unfinished) {
+    throw PhrasedError(phrase("RunSession",
+                              "participant %1 has an unfinished session %2 of this protocol; "
+                              "resume it with --resume")
+                           .with(inputs.participant, std::to_string(unfinished->session)));
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     throw PhrasedError(phrase("RunSession",
@@ -270,9 +265,13 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                             "surfaces, and is resumed this way; its report states this"));
     }
   }
-  if (inputs.ready) inputs.ready(protocol);
-
   const Wait wait = sleep_until_stopped(stop, links);
+  if (!inputs.resume && inputs.noticed) {
+    if (const auto notice = label_notice(study, protocol, inputs.participant, sitting.mode)) {
+      inputs.noticed(*notice, wait);
+    }
+  }
+  if (inputs.ready) inputs.ready(protocol);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {
     if (!inputs.has_consented) ask_consent(protocol, *respondent, links.monitor, wait);
     sitting.consent_utc = rig->clock().utc();

@@ -14,6 +14,7 @@
 #include "app/conductor/conductor.h"
 #include "app/conductor/rehearsed_device.h"
 #include "app/conductor/session_links.h"
+#include "app/tasks/label_notice.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "renderers/force_model.h"
@@ -57,6 +58,9 @@ struct RunInputs {
   /// Called before `ready` with each circumstance of a resumed session that its report will state: another device than
   /// before, a device without force that asperity 0.1.0 accepted.
   std::function<void(const Phrase& circumstance)> resumed{};
+  /// Called before `ready` with what the study holds of the label of a new session. Nothing is stored before it returns;
+  /// it can wait for a confirmation, and throw RespondentGone.
+  std::function<void(const LabelNotice&, const Wait&)> noticed{};
   /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
   bool has_consented = false;
 };

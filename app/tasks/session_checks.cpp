@@ -17,6 +17,7 @@
 #include "app/device_remarks.h"
 #include "app/shell_word.h"
 #include "app/tasks/device_choice.h"
+#include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
@@ -140,19 +141,8 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
                      .with(std::to_string(going_on->session));
     return check;
   }
-  int completed = 0;
-  std::optional<SessionRow> unfinished{};
-  for (const SessionRow& row : study.sessions()) {
-    if (row.participant != inputs.participant || row.mode != inputs.mode ||
-        study.protocol(row.protocol_id).source != protocol.source) {
-      continue;
-    }
-    if (row.state == SessionState::completed || has_ended_by_rule(study, protocol, row)) {
-      ++completed;
-    } else {
-      unfinished = row;
-    }
-  }
+  const auto [completed, unfinished] =
+      sessions_of_participant(study, protocol, inputs.participant, inputs.mode);
   if (!is_virtual && unfinished) {
     check.text = phrase("SessionChecks", "Session %1 of this protocol is unfinished.")
                      .with(std::to_string(unfinished->session));
@@ -164,6 +154,12 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
         phrase("SessionChecks", "%1 has done %2 of %3 planned sessions.")
             .with(inputs.participant, std::to_string(completed), std::to_string(protocol.sessions));
     check.remedy = phrase("SessionChecks", "Choose another participant.");
+    return check;
+  }
+  if (const auto notice = label_notice(study, protocol, inputs.participant, inputs.mode)) {
+    check.state = notice->is_planned ? State::fine : State::look;
+    check.text = notice->text.as_sentence();
+    check.remedy = notice->remedy;
     return check;
   }
   check.state = State::fine;

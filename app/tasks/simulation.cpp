@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/session_setup.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/phrase.h"
 #include "app/tasks/protocol_files.h"
@@ -109,11 +110,6 @@ std::vector<SessionRow> sessions_with(const Study& study, const std::string& par
     }
   }
   return found;
-}
-
-/// Completed, or ended by a rule of the protocol: nothing is left to resume.
-bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row) {
-  return row.state == SessionState::completed || has_ended_by_rule(study, protocol, row);
 }
 
 /// In the study, and not withdrawn.

@@ -13,9 +13,6 @@
 
 namespace asperity {
 
-namespace {
-
-/// In real time.
 double hours_since_it_ran(const Study& study, const SessionRow& session) {
   const std::string now_utc = SystemClock(0).utc();
   if (session.ended_utc) {
@@ -34,8 +31,6 @@ double hours_since_it_ran(const Study& study, const SessionRow& session) {
   const double ran_hours = seconds_between(began_ns, last_time_ns(study, session)) / 3600.0;
   return kHoursADay * (days_since_1970(now_utc) - days_since_1970(began_utc)) - ran_hours;
 }
-
-}  // namespace
 
 std::optional<LateResume> late_resume(const Study& study, const Protocol& protocol,
                                       const SessionRow& session) {

@@ -14,6 +14,9 @@
 
 namespace asperity {
 
+/// How long ago a session in real time last ran. h. Errors: ResultsError.
+double hours_since_it_ran(const Study& study, const SessionRow& session);
+
 /// How long ago a session last ran that is older than its protocol has sessions resumed.
 struct LateResume {
   double age_hours = 0.0;

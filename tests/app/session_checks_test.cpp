@@ -216,6 +216,62 @@ TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
       << check("participant").text.english();
 }
 
+TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
+  const auto expect_noticed = [this](State state, const std::string& text,
+                                     const std::string& remedy) {
+    const SessionCheck line = check("participant");
+    EXPECT_EQ(line.state, state) << line.text.english();
+    EXPECT_EQ(line.text.english(), text);
+    EXPECT_EQ(line.remedy.english(), remedy);
+  };
+  const auto add_completed = [this](SessionMode mode) {
+    const Protocol protocol = load_protocol(inputs.protocol, models, study);
+    Study store = Study::open(study, Access::read_write);
+    if (!store.participant("P001")) {
+      store.add_participant({.label = "P001", .created_utc = SystemClock(0).utc()});
+    }
+    const SessionConditions conditions{.mode = mode,
+                                       .seed = 1,
+                                       .pacing = "real_time",
+                                       .scheduling = "none",
+                                       .device = {.name = "simulated"},
+                                       .started_utc = "2026-01-01T00:00:00.000Z"};
+    const std::int64_t id =
+        begin_session(store, protocol, "P001", conditions, this_program()).row.id;
+    store.end_session(id, SessionState::completed, SystemClock(0).utc());
+  };
+  std::string twice = small_protocol();
+  twice.replace(twice.find("\"consent\""), 0, R"("participants": {"sessions": 2}, )");
+  write_protocol(twice);
+  EXPECT_EQ(check("participant").state, State::fine);
+
+  add_completed(SessionMode::pilot);
+  expect_noticed(State::look,
+                 "P001 has done session 1 of this protocol (pilot data, version 1.0.0, less than "
+                 "an hour ago); a further one begins.",
+                 "For another participant, use another label.");
+  inputs.participant = "p001";
+  expect_noticed(State::look,
+                 "p001 is a new participant; P001, whose label differs only in letter case, is in "
+                 "the study already (added less than an hour ago).",
+                 "If P001 is meant, use that label.");
+  inputs.participant = "P001";
+  add_completed(SessionMode::run);
+  expect_noticed(State::fine,
+                 "P001 has done 1 of 2 planned sessions of this protocol, the latest less than an "
+                 "hour ago.",
+                 "");
+
+  // A later version of the protocol plans its own sessions, and its participant knows the task.
+  std::string later = twice;
+  later.replace(later.find("1.0.0"), 5, "1.1.0");
+  write_protocol(later);
+  expect_noticed(State::look,
+                 "P001 has done session 2 of this protocol (study data, version 1.0.0, less than "
+                 "an hour ago); a further one begins.",
+                 "For another participant, use another label.");
+}
+
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
   EXPECT_EQ(check("stimuli").state, State::fine);
   std::ofstream(study / "stimuli" / "grain.png", std::ios::app) << ' ';

@@ -3151,6 +3151,69 @@
     </message>
 </context>
 <context>
+    <name>LabelNotice</name>
+    <message>
+        <source>on a simulated clock</source>
+        <translation>mit simulierter Uhr</translation>
+    </message>
+    <message>
+        <source>virtual participant</source>
+        <translation>virtuelle Versuchsperson</translation>
+    </message>
+    <message>
+        <source>added %1</source>
+        <translation>hinzugefügt %1</translation>
+    </message>
+    <message>
+        <source>study data</source>
+        <translation>Studiendaten</translation>
+    </message>
+    <message>
+        <source>pilot data</source>
+        <translation>Pilotdaten</translation>
+    </message>
+    <message>
+        <source>simulated data</source>
+        <translation>simulierte Daten</translation>
+    </message>
+    <message>
+        <source>%1 is a new participant; %2, whose label differs only in letter case, is in the study already (%3)</source>
+        <translation>%1 ist eine neue Versuchsperson; %2 ist schon in der Studie (%3), und das Kürzel unterscheidet sich nur in der Groß- und Kleinschreibung</translation>
+    </message>
+    <message>
+        <source>If %1 is meant, use that label.</source>
+        <translation>Falls %1 gemeint ist, dieses Kürzel verwenden.</translation>
+    </message>
+    <message>
+        <source>%1, version %2, %3</source>
+        <translation>%1, Version %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 has done session %2 of this protocol (%3); a further one begins</source>
+        <translation>%1 hat Sitzung %2 dieses Protokolls absolviert (%3); eine weitere beginnt</translation>
+    </message>
+    <message>
+        <source>For another participant, use another label.</source>
+        <translation>Für eine andere Versuchsperson ein anderes Kürzel verwenden.</translation>
+    </message>
+    <message>
+        <source>session %2 of %1 with this protocol is unfinished (%3); a further one begins</source>
+        <translation>Sitzung %2 von %1 mit diesem Protokoll ist unvollständig (%3); eine weitere beginnt</translation>
+    </message>
+    <message>
+        <source>Resume it, or use another label.</source>
+        <translation>Die Sitzung fortsetzen oder ein anderes Kürzel verwenden.</translation>
+    </message>
+    <message>
+        <source>To resume it, choose the protocol as it was when the session began.</source>
+        <translation>Zum Fortsetzen das Protokoll in der Fassung wählen, mit der die Sitzung begann.</translation>
+    </message>
+    <message>
+        <source>%1 has done %2 of %3 planned sessions of this protocol, the latest %4</source>
+        <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls absolviert, die letzte %4</translation>
+    </message>
+</context>
+<context>
     <name>OfferedReasons</name>
     <message>
         <source>The participant was distracted</source>
