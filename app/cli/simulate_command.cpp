@@ -69,6 +69,15 @@ void add_simulate(CLI::App& program, Job& job) {
       SimulationResult result{};
       {
         Progress progress("simulating");
+      options->inputs.noticed = [&options](const SameSeed& others) {
+        const int added = options->inputs.participants;
+        say("asperity: warning: the study has " +
+            counted(static_cast<std::size_t>(others.there), "participant") + " with the seed " +
+            std::to_string(options->inputs.seed) + " already; " +
+            (added == 1 ? others.first + " is added"
+                        : others.first + " to " + others.last + " are added") +
+            ". To resume a simulation instead, add --resume");
+      };
         result = simulate(
             options->inputs, models, interrupt.token(),
             [&progress](double fraction) { progress.show(fraction); }, say_done);

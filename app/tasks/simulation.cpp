@@ -58,34 +58,47 @@ int number_in_label(const std::string& label) {
   return number;
 }
 
-/// The virtual participants that a study has already, or had.
+/// The virtual participants that a study has, and had.
 struct Batches {
   std::optional<Batch> begun{};  ///< the latest of the same seed and number of participants
-  int largest_number = 0;        ///< of a participant, or of the batch that one belongs to
-  bool any_virtual = false;
-  bool any_deleted = false;
+  int of_seed = 0;               ///< participants of simulations with the same seed
+  int largest_number = 0;    ///< at least that of every virtual participant, deleted ones included
+  int deleted = 0;           ///< virtual participants, of which nothing else is known
+  bool any_virtual = false;  ///< deleted ones included
+  bool any_deleted_before_a_session = false;
 };
 
 Batches batches_in(const Study& study, const SimulationInputs& inputs) {
   Batches there{};
   for (const WithdrawalRow& withdrawal : study.withdrawals()) {
-    there.any_deleted = there.any_deleted ||
-                        (withdrawal.is_virtual && withdrawal.data == WithdrawnData::deleted);
+    if (!withdrawal.is_virtual || withdrawal.data != WithdrawnData::deleted) continue;
+    ++there.deleted;
+    there.any_deleted_before_a_session =
+        there.any_deleted_before_a_session || withdrawal.sessions == 0;
   }
-  there.any_virtual = there.any_deleted;
+  int virtual_people = 0;
   for (const ParticipantRow& person : study.participants()) {
     there.largest_number = std::max(there.largest_number, number_in_label(person.label));
-    there.any_virtual = there.any_virtual || person.is_virtual;
+    if (person.is_virtual) ++virtual_people;
     const std::optional<Batch> batch = batch_of(person);
-    if (batch) {
-      there.largest_number =
-          std::max(there.largest_number, batch->first + batch->participants - 1);
-    }
-    if (batch && batch->seed == inputs.seed && batch->participants == inputs.participants) {
-      there.begun = batch;  // labels come in order
-    }
+    if (!batch) continue;
+    there.largest_number = std::max(there.largest_number, batch->first + batch->participants - 1);
+    if (batch->seed != inputs.seed) continue;
+    ++there.of_seed;
+    if (batch->participants == inputs.participants) there.begun = batch;  // labels come in order
   }
+  // Numbers are given in order from 1, so that none is larger than the number of those who were added. A number that is
+  // given twice would make the participant again who was deleted: with the same seed, the same responses.
+  there.largest_number = std::max(there.largest_number, virtual_people + there.deleted);
+  there.any_virtual = virtual_people + there.deleted > 0;
   return there;
+}
+
+std::string deleted_text(int deleted) {
+  if (deleted == 0) return "";
+  const std::string number = deleted == 1 ? "1 virtual participant was"
+                                          : std::to_string(deleted) + " virtual participants were";
+  return " (" + number + " deleted from the study, of which simulation is not stored)";
 }
 
 /// The batch to add, or the one to resume.
@@ -94,9 +107,10 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
   if (there.begun) return *there.begun;
   if (!there.any_virtual) return {inputs.seed, 1, inputs.participants};
   throw std::runtime_error("there is nothing to resume in " + inputs.study.string() +
-                           ": no simulation of " + std::to_string(inputs.participants) +
-                           " participants with the seed " + std::to_string(inputs.seed) +
-                           " was begun there; leave out --resume to add one");
+                           ": it has no participant of a simulation with --participants " +
+                           std::to_string(inputs.participants) + " and --seed " +
+                           std::to_string(inputs.seed) + deleted_text(there.deleted) +
+                           "; leave out --resume to add one");
 }
 
 /// Sessions of a participant with this very protocol, in order.
@@ -141,6 +155,7 @@ class Simulation final {
  private:
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
+  bool is_half_added(const Study& study, const Batches& there) const;
   bool is_interrupted(const Study& study, const Batch& batch) const;
   std::uint64_t seed_of(int number, int sitting) const;
   void work();
@@ -205,6 +220,25 @@ void Simulation::check_sessions(const Study& study) const {
   }
 }
 
+/// Whether asperity 0.1.0 was interrupted while it added the batch: one by one, in order, and before the first session.
+/// Now they are added in one transaction, and one who is missing was deleted.
+bool Simulation::is_half_added(const Study& study, const Batches& there) const {
+  if (there.any_deleted_before_a_session) return false;
+  const std::vector<SessionRow> sessions = study.sessions();
+  bool is_end = false;  // all participants up to here are there, and this one is not
+  for (int i = 0; i < batch_.participants; ++i) {
+    const std::string label = virtual_person(batch_.first + i, random_, "").label;
+    const bool is_there = study.participant(label).has_value();
+    if (is_end && is_there) return false;
+    is_end = !is_there;
+    if (std::any_of(sessions.begin(), sessions.end(),
+                    [&label](const SessionRow& row) { return row.participant == label; })) {
+      return false;
+    }
+  }
+  return is_end;
+}
+
 /// Whether a batch has begun with these protocols, or with nothing, and has not done all of their sessions. Who has
 /// withdrawn has nothing left to do.
 bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
@@ -244,9 +278,13 @@ void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(there, inputs_);
   check_sessions(study);
-  // Participants are added in one transaction. A missing one was therefore deleted, unless the study has no deletion:
-  // then an older program was interrupted while it added them one by one.
-  if (there.begun == batch_ && there.any_deleted) return;
+  if (there.begun == batch_ && !is_half_added(study, there)) return;
+  if (there.begun != batch_ && there.of_seed > 0 && inputs_.noticed) {
+    inputs_.noticed(
+        {.there = there.of_seed,
+         .first = virtual_person(batch_.first, random_, "").label,
+         .last = virtual_person(batch_.first + batch_.participants - 1, random_, "").label});
+  }
   std::vector<ParticipantRow> missing{};
   for (int i = 0; i < batch_.participants; ++i) {
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;

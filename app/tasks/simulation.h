@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "app/conductor/conductor.h"
@@ -14,6 +15,13 @@
 namespace asperity {
 
 enum class Recordings { all, first, none };
+
+/// Participants with the same seed that a study has when others are added.
+struct SameSeed {
+  int there = 0;
+  std::string first{};  ///< label of those who are added
+  std::string last{};
+};
 
 struct SimulationInputs {
   std::vector<std::filesystem::path> protocols{};
@@ -25,6 +33,8 @@ struct SimulationInputs {
   /// Resume the interrupted simulation of the same seed and number of participants, or begin it
   /// in a study that has no virtual participants yet. Without it such a simulation is refused.
   bool resume = false;
+  /// Called before participants are added to others with the same seed; may be empty.
+  std::function<void(const SameSeed&)> noticed{};
 };
 
 /// Of the sessions that were begun or resumed now.

@@ -1,8 +1,10 @@
 // simulate: the same seed gives the same tables, and as many rows as were planned.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "results_schema/study.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 
@@ -115,15 +117,18 @@ std::vector<std::string> participants_in(const fs::path& study, const fs::path& 
   return tsv(exported(study, tables).at("participants.tsv")).column("participant");
 }
 
+void delete_participant(const fs::path& study, const std::string& label) {
+  ASSERT_EQ(
+      asperity({"withdraw", study, label, "--delete", "--confirm", label, "--by", "a test"}).status,
+      0);
+}
+
 TEST(Simulate, IsCompleteWithoutParticipantsWhoWithdrew) {
   const SmallStudy small(1);
   const auto arguments = simulate_arguments(small, small.study(), 3, 7);
   ASSERT_EQ(asperity(arguments).status, 0);
   ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0001", "--by", "a test"}).status, 0);
-  ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0003", "--delete", "--confirm",
-                      "virtual0003", "--by", "a test"})
-                .status,
-            0);
+  delete_participant(small.study(), "virtual0003");
   const Outcome resumed = asperity(with_resume(arguments));
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_EQ(stored_attempts_in(resumed.err), std::vector<std::string>{});
@@ -142,11 +147,54 @@ TEST(Simulate, DoesNotBeginAgainWhereAllParticipantsWereDeleted) {
   const SmallStudy small(1);
   const auto arguments = simulate_arguments(small, small.study(), 1, 7);
   ASSERT_EQ(asperity(arguments).status, 0);
-  ASSERT_EQ(asperity({"withdraw", small.study(), "virtual0001", "--delete", "--confirm",
-                      "virtual0001", "--by", "a test"})
-                .status,
-            0);
-  EXPECT_EQ(asperity(with_resume(arguments)).status, 1);
+  delete_participant(small.study(), "virtual0001");
+  const Outcome resumed = asperity(with_resume(arguments));
+  EXPECT_EQ(resumed.status, 1);
+  EXPECT_THAT(resumed.err,
+              testing::HasSubstr("has no participant of a simulation with --participants 1 and "
+                                 "--seed 7 (1 virtual participant was deleted from the study"));
+
+  const Outcome added = asperity(arguments);
+  EXPECT_EQ(added.status, 0) << added.err;
+  EXPECT_EQ(participants_in(small.study(), small.place() / "added"),
+            std::vector<std::string>{"virtual0002"})
+      << "the participant who was deleted is made again";
+}
+
+TEST(Simulate, StatesHowManyParticipantsWithTheSeedThereAreWhenItAddsOthers) {
+  const SmallStudy small(1);
+  const Outcome first = asperity(simulate_arguments(small, small.study(), 2, 3));
+  EXPECT_EQ(first.err.find("already"), std::string::npos) << first.err;
+  const Outcome second = asperity(simulate_arguments(small, small.study(), 2, 3));
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_THAT(second.err,
+              testing::HasSubstr("the study has 2 participants with the seed 3 already; "
+                                 "virtual0003 to virtual0004 are added. To resume a simulation "
+                                 "instead, add --resume\n"));
+  const Outcome resumed = asperity(with_resume(simulate_arguments(small, small.study(), 2, 3)));
+  EXPECT_EQ(resumed.err.find("already"), std::string::npos) << resumed.err;
+  const Outcome other = asperity(simulate_arguments(small, small.study(), 1, 4));
+  EXPECT_EQ(other.err.find("already"), std::string::npos) << other.err;
+}
+
+// As asperity 0.1.0 left them when it was killed while it added participants, and one of another simulation was deleted.
+TEST(Simulate, CompletesTheParticipantsThatAnEarlierVersionBeganToAdd) {
+  const SmallStudy small(1);
+  ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 1, 3)).status, 0);
+  delete_participant(small.study(), "virtual0001");
+  {
+    Study study = Study::open(small.study(), Access::read_write);
+    ParticipantRow person{.label = "virtual0002", .is_virtual = true};
+    person.sex = "M";
+    person.created_utc = "1970-01-01T00:00:00Z";
+    person.answers_json =
+        R"({"simulation_seed":"7","simulation_first":2,"simulation_participants":2})";
+    study.add_participant(person);
+  }
+  const Outcome resumed = asperity(with_resume(simulate_arguments(small, small.study(), 2, 7)));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(participants_in(small.study(), small.place() / "resumed"),
+            (std::vector<std::string>{"virtual0002", "virtual0003"}));
 }
 
 }  // namespace
