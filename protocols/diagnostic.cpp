@@ -7,8 +7,11 @@
 namespace asperity {
 
 std::string text_of(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file + ":" + std::to_string(diagnostic.line) + ":" +
-                     std::to_string(diagnostic.column) + ": error: " + diagnostic.message;
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) {
+    text += ':' + std::to_string(diagnostic.line) + ':' + std::to_string(diagnostic.column);
+  }
+  text += ": error: " + diagnostic.message;
   if (!diagnostic.pointer.empty()) text += " (" + diagnostic.pointer + ")";
   return text;
 }

@@ -8,7 +8,8 @@
 
 namespace asperity {
 
-/// One problem. `line` and `column` count from 1; `pointer` is the JSON pointer of the place.
+/// One problem. `line` and `column` count from 1, and are 0 where the file could not be read; `pointer` is the JSON
+/// pointer of the place.
 struct Diagnostic {
   std::string file{};
   int line = 1;
@@ -17,7 +18,7 @@ struct Diagnostic {
   std::string message{};
 };
 
-/// `FILE:LINE:COLUMN: error: message (/json/pointer)`
+/// `FILE:LINE:COLUMN: error: message (/json/pointer)`; `FILE: error: message` of a file that could not be read.
 std::string text_of(const Diagnostic& diagnostic);
 
 /// A protocol that was refused, with every problem found.

@@ -13,6 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/number_option.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/tasks/bake_mesh.h"
@@ -90,7 +91,7 @@ void add_bake(CLI::App& program, Job& job) {
           "--triangles", order.triangles,
           "Upper limit for the simple mesh; 500 to 750 suit rendering with six degrees of freedom")
       ->required()
-      ->check(CLI::Range(4, 1'000'000));
+      ->check(number_within(4, 1'000'000));
   command->add_option("--out", order.out, "The textured mesh")->required();
   command->add_option("--unit-m", order.reading.unit_m, "Length of one unit of MESH, in metres")
       ->capture_default_str();
@@ -106,7 +107,7 @@ void add_bake(CLI::App& program, Job& job) {
       ->transform(word_of(kRoles))
       ->option_text("surface|tool");
   command->add_option("--jobs", order.jobs, "Threads; does not change the result")
-      ->check(CLI::Range(1, 256));
+      ->check(number_within(1, 256));
   command->add_flag("--json", options->json, "Print the figures as JSON");
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {

@@ -34,10 +34,13 @@ namespace {
 nlohmann::ordered_json json_of(const std::vector<Diagnostic>& diagnostics) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Diagnostic& diagnostic : diagnostics) {
-    json.push_back({{"line", diagnostic.line},
-                    {"column", diagnostic.column},
+    json.push_back({{"line", nullptr},
+                    {"column", nullptr},
                     {"pointer", diagnostic.pointer},
                     {"message", diagnostic.message}});
+    if (diagnostic.line == 0) continue;  // the file could not be read
+    json.back()["line"] = diagnostic.line;
+    json.back()["column"] = diagnostic.column;
   }
   return json;
 }

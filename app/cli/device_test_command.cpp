@@ -21,6 +21,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
+#include "app/cli/number_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/device_kind.h"
@@ -159,10 +160,10 @@ void add_device_test(CLI::App& program, Job& job) {
                       "Protocol whose limits and rate apply to the device");
   const CLI::Option* rate =
       command->add_option("--rate-hz", options->order.test.rate_Hz, "Rate of the servo loop")
-          ->check(CLI::Range(100.0, 10000.0))
+          ->check(number_within(100.0, 10000.0))
           ->capture_default_str();
   command->add_option("--force-n", options->order.test.force_N, "Upper limit of every force")
-      ->check(CLI::Range(0.1, 20.0))
+      ->check(number_within(0.1, 20.0))
       ->capture_default_str();
   command->add_option("--limit", options->limits, "NAME=NUMBER: limit for an item");
   add_driver_options(*command, options->drivers);

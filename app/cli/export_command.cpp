@@ -12,6 +12,7 @@
 #include "app/cli/command.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/exports/publication.h"
 #include "app/study_metadata.h"
 #include "app/tasks/export_study.h"
@@ -92,8 +93,9 @@ void add_export(CLI::App& program, Job& job) {
                    "factor), bids, psychds, stimuli (the height fields), physio (the recordings, "
                    "in the BIDS dataset); all; none. Default: all but physio")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}));
+      ->check(
+          word_among({"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}))
+      ->option_text("NAME,…");
   constexpr std::size_t kColumns = 80;
   command->footer("--public:\n" + wrapped_text(publication_text_of_any_study(), kColumns, "  "));
   command->callback([options, &job] {

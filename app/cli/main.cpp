@@ -32,15 +32,15 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
   program.callback([&program, &job, &argc, argv, study] {
     if (!program.get_subcommands().empty()) {
       if (*study) {
-        throw CLI::ValidationError("\"" + (*study)->string() + "\" before the subcommand " +
-                                   program.get_subcommands().front()->get_name() +
-                                   " has no meaning; a subcommand comes first");
+        throw CLI::ValidationError(
+            "\"" + (*study)->string() + "\" before the subcommand " +
+            program.get_subcommands().front()->get_name() +
+            " has no meaning; leave it out, or write it after the subcommand");
       }
       return;
     }
     if (*study && !std::filesystem::is_directory(**study)) {
-      throw CLI::ValidationError("there is no subcommand and no folder \"" + (*study)->string() +
-                                 "\"");
+      throw CLI::ValidationError(asperity::unknown_subcommand(program, (*study)->string()));
     }
     job = [&argc, argv, study] { return asperity::run_windows(argc, argv, *study); };
   });
@@ -83,16 +83,12 @@ int main(int argc, char** argv) {
   add_withdraw(program, job);
   try {
     program.parse(argc, argv);
-  } catch (const CLI::ExtrasError& error) {
-    if (const auto sentence = unknown_option(program)) {
-      say(*sentence);
-    } else {
-      program.exit(error);
-    }
-    return kWrongUsage;
   } catch (const CLI::ParseError& error) {
-    const auto sentence = error.get_exit_code() == 0 ? std::nullopt : unreadable_number(program);
-    if (!sentence) return program.exit(error) == 0 ? 0 : kWrongUsage;
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    say(usage_error(program, error));
+    return kWrongUsage;
+  }
+  if (const auto sentence = unreadable_number(program)) {
     say(*sentence);
     return kWrongUsage;
   }

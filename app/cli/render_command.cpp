@@ -13,6 +13,7 @@
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
 #include "renderers/force_model.h"
@@ -99,10 +100,10 @@ void add_render(CLI::App& program, Job& job) {
       "frame: of a shape its middle, while in a protocol it is the tool's lowest point");
   command
       ->add_option("--coupling", options->coupling,
-                   "For a model with two bodies. none: the path is that of the tool; virtual: that "
-                   "of the device, to which the tool is coupled")
-      ->default_str("none")
-      ->check(CLI::IsMember({"none", "virtual"}));
+                   "For a model with two bodies. none (the default): the path is that of the tool; "
+                   "virtual: that of the device, to which the tool is coupled")
+      ->option_text("none|virtual")
+      ->check(word_among({"none", "virtual"}));
   command
       ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
                    "Stiffness of the surface, N/m")

@@ -15,6 +15,7 @@
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/conductor/session_setup.h"
 #include "app/conductor/terminal_respondent.h"
 #include "app/tasks/protocol_files.h"
@@ -69,10 +70,10 @@ void add_run(CLI::App& program, Job& job) {
                                                  {"pilot", SessionMode::pilot}};
   command
       ->add_option("--mode", options->inputs.mode,
-                   "run: study data, on a device with motors (or by the protocol's "
+                   "run (the default): study data, on a device with motors (or by the protocol's "
                    "device.input_only); pilot: any device, marked as pilot data")
-      ->transform(CLI::CheckedTransformer(modes))
-      ->default_str("run");
+      ->transform(word_of(modes))
+      ->option_text("run|pilot");
   CLI::Option* resume =
       command->add_flag("--resume", options->inputs.resume, "Resume an unfinished session");
   command
@@ -122,13 +123,13 @@ void add_run(CLI::App& program, Job& job) {
       inputs.resumed = [](const Phrase& circumstance) {
         say("asperity: warning: " + circumstance.english());
       };
-      inputs.ready = [&person](const Protocol& protocol) {
       inputs.noticed = [&person](const LabelNotice& notice, const Wait& wait) {
         if (notice.is_planned) return say("asperity: " + notice.text.english());
         say("asperity: warning: " + notice.text.english() + "; " + notice.command_remedy);
         if (!person) return;
         person->read("Ctrl-C ends here; nothing has been stored.", 0.0, wait);
       };
+      inputs.ready = [&person](const Protocol& protocol) {
         if (!person) return;
         tell_what_a_terminal_lacks(protocol);
         if (protocol.shows_pictures_in_grey) person->show_in_grey();

@@ -10,9 +10,11 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/number_option.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/study_condition.h"
 #include "app/tasks/simulation.h"
 
@@ -37,19 +39,20 @@ void add_simulate(CLI::App& program, Job& job) {
   command
       ->add_option("--participants", options->inputs.participants, "Number of participants to add")
       ->required()
-      ->check(CLI::Range(1, 9999));
+      ->check(number_within(1, 9999));
   command->add_option("--seed", options->inputs.seed, "Same seed, same results")->required();
   command
       ->add_option("--jobs", options->inputs.jobs,
                    "Sessions that run in parallel; does not change the results")
-      ->check(CLI::Range(1, 256));
+      ->check(number_within(1, 256));
   const std::map<std::string, Recordings> recordings{
       {"all", Recordings::all}, {"first", Recordings::first}, {"none", Recordings::none}};
   command
-      ->add_option("--recordings", options->inputs.recordings,
-                   "Keep the tick records of all participants, the first one, or none")
-      ->transform(CLI::CheckedTransformer(recordings))
-      ->default_str("first");
+      ->add_option(
+          "--recordings", options->inputs.recordings,
+          "Keep the tick records of all participants, the first one (the default), or none")
+      ->transform(word_of(recordings))
+      ->option_text("all|first|none");
   command->add_flag("--resume", options->inputs.resume,
                     "Resume an interrupted simulation with the same arguments");
   command->add_flag("--json", options->json, "Print the totals as JSON");
@@ -66,9 +69,6 @@ void add_simulate(CLI::App& program, Job& job) {
         refuse_if_broken(before);
         say_condition(before);
       }
-      SimulationResult result{};
-      {
-        Progress progress("simulating");
       options->inputs.noticed = [&options](const SameSeed& others) {
         const int added = options->inputs.participants;
         say("asperity: warning: the study has " +
@@ -78,6 +78,9 @@ void add_simulate(CLI::App& program, Job& job) {
                         : others.first + " to " + others.last + " are added") +
             ". To resume a simulation instead, add --resume");
       };
+      SimulationResult result{};
+      {
+        Progress progress("simulating");
         result = simulate(
             options->inputs, models, interrupt.token(),
             [&progress](double fraction) { progress.show(fraction); }, say_done);

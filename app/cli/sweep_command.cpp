@@ -18,6 +18,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
+#include "app/cli/number_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
@@ -564,7 +565,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option(
           "--jobs", options->jobs,
           "Spacings computed in parallel, all processors by default; does not change the result")
-      ->check(CLI::Range(1, 256));
+      ->check(number_within(1, 256));
   command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
   std::map<std::string, SweepMeasure> measures{};
   for (const SweepMeasure measure :

@@ -55,14 +55,14 @@ void add_texture(CLI::App& program, Job& job) {
   command->add_option("--gamma-high", recipe.gamma_high, "Its gain for short waves")
       ->capture_default_str();
   command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
-  command->add_option("--sign", options->sign, "1: bright is high; -1: dark is high")
-      ->check(CLI::IsMember({1, -1}))
-      ->capture_default_str();
+  command->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")
+      ->check(word_among({"1", "-1"}))
+      ->option_text("1|-1");
   const std::map<std::string, HistogramTransformation> histograms{
       {"none", HistogramTransformation::none}, {"equalize", HistogramTransformation::equalize}};
-  command->add_option("--histogram", recipe.histogram, "none or equalize")
+  command->add_option("--histogram", recipe.histogram, "none (the default) or equalize")
       ->transform(word_of(histograms))
-      ->default_str("none");
+      ->option_text("none|equalize");
   command->add_option("--preview", options->preview, "PNG of the steps, for inspection");
   command->add_flag("--force", options->force, "Replace existing files");
   command->callback([options, &job] {

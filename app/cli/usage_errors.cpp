@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "protocols/wording.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -37,7 +40,7 @@ bool is_whole_number(std::string_view text, bool may_be_negative) {
 /// What the option takes instead of `text`; nothing where it takes this.
 std::optional<std::string> expected_instead(const CLI::Option& option, const std::string& text) {
   const std::string type = option.get_type_name();
-  if (type.find('{') != std::string::npos) return {};  // one of a few, which the option names
+  if (type.find("WORD") != std::string::npos) return {};  // one of a few, which the option names
   if (type.starts_with("UINT") || type.starts_with("INT")) {
     if (is_whole_number(text, type.starts_with("INT"))) return {};
     return "a whole number, such as 10";
@@ -51,24 +54,115 @@ std::optional<std::string> expected_instead(const CLI::Option& option, const std
   return "a number, such as 0.5";
 }
 
+/// Where more is to be read.
+std::string help_of(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return "see asperity " + (chosen.empty() ? "" : chosen.front()->get_name() + ' ') + "--help";
+}
+
+/// The subcommand, or the program where none was given.
+std::string named(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? "asperity" : chosen.front()->get_name();
+}
+
+const CLI::App& chosen_app(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program : *chosen.front();
+}
+
+std::string unknown_option(const CLI::App& program, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const std::string sentence = named(program) + " has no option " + name + "; ";
+  std::vector<std::string> names{};
+  for (const CLI::Option* option : chosen_app(program).get_options()) {
+    for (const std::string& there : option->get_lnames()) {
+      if (name.size() > 2 && there.starts_with(name.substr(2)))
+        return sentence + "there is --" + there;
+      names.push_back("--" + there);
+    }
+  }
+  const auto nearest = nearest_name(name, names);
+  return sentence + (nearest ? "there is " + *nearest : help_of(program));
+}
+
+/// Of the words that nothing takes, the first option, or else the first word.
+std::string unexpected_word(const CLI::App& program) {
+  const std::vector<std::string> words = program.remaining(true);
+  for (const std::string& word : words) {
+    if (word.size() > 1 && word.starts_with('-')) return unknown_option(program, word);
+  }
+#ifdef ASPERITY_WITH_WINDOWS
+  // A word that is no subcommand was taken for the folder of a study.
+  if (program.get_subcommands().empty()) {
+    const std::string first = program.get_option("STUDY")->as<std::string>();
+    if (!std::filesystem::is_directory(first)) return unknown_subcommand(program, first);
+  }
+#else
+  if (program.get_subcommands().empty()) return unknown_subcommand(program, words.front());
+#endif
+  return '"' + words.front() + "\" was not expected; " + help_of(program);
+}
+
+/// What stands in a message of the parser around a word of its own.
+struct Around {
+  std::string before{};
+  std::string after{};
+};
+
+std::optional<Around> around(const std::string& message, std::string_view word) {
+  const std::size_t at = message.find(word);
+  if (at == std::string::npos) return {};
+  return Around{message.substr(0, at), message.substr(at + word.size())};
+}
+
+std::string wrong_count(const CLI::App& program, const std::string& message) {
+  const std::string name = message.substr(0, message.find(':'));
+  const CLI::Option* option = chosen_app(program).get_option_no_throw(name);
+  const std::size_t given = option == nullptr ? 0 : option->results().size();
+  if (given > 1) return name + " is given " + std::to_string(given) + " times; give it once";
+  return name + ": its value is missing; " + help_of(program);
+}
+
+std::string without_name_of_program(const CLI::App& program, const CLI::ParseError& error) {
+  const std::string message = error.what();
+  const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  if (kind == CLI::ExitCodes::ExtrasError) return unexpected_word(program);
+  if (kind == CLI::ExitCodes::ArgumentMismatch) return wrong_count(program, message);
+  if (kind == CLI::ExitCodes::RequiredError) {
+    if (const auto missing = around(message, " is required")) {
+      return named(program) + " needs " +
+             (missing->before == "A subcommand" ? "a subcommand" : missing->before) + "; " +
+             help_of(program);
+    }
+  }
+  if (kind == CLI::ExitCodes::RequiresError) {
+    if (const auto two = around(message, " requires ")) {
+      return two->before + " needs " + two->after + "; add it, or leave out " + two->before;
+    }
+  }
+  if (kind == CLI::ExitCodes::ExcludesError) {
+    if (const auto two = around(message, " excludes ")) {
+      return two->before + " and " + two->after + " exclude each other; leave one out";
+    }
+  }
+  return message;
+}
+
 }  // namespace
 
-std::optional<std::string> unknown_option(const CLI::App& program) {
-  const auto chosen = program.get_subcommands();
-  if (chosen.empty()) return {};
-  const CLI::App& command = *chosen.front();
-  for (const std::string& word : program.remaining(true)) {
-    const std::string name = word.substr(0, word.find('='));
-    if (name.size() < 3 || !name.starts_with("--")) continue;
-    std::string sentence = "asperity: " + command.get_name() + " has no option " + name + "; ";
-    for (const CLI::Option* option : command.get_options()) {
-      for (const std::string& there : option->get_lnames()) {
-        if (there.starts_with(name.substr(2))) return sentence + "there is --" + there;
-      }
-    }
-    return sentence + "see asperity " + command.get_name() + " --help";
-  }
-  return {};
+std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  if (const auto sentence = unreadable_number(program)) return *sentence;
+  return "asperity: " + without_name_of_program(program, error);
+}
+
+std::string unknown_subcommand(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names{};
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const auto nearest = nearest_name(word, names);
+  const std::string folder = nearest ? "" : " and no folder";
+  return "there is no subcommand" + folder + " \"" + word + "\"; " +
+         (nearest ? "there is " + *nearest : "see asperity --help");
 }
 
 std::optional<std::string> unreadable_number(const CLI::App& program) {

@@ -7,16 +7,20 @@
 
 namespace CLI {
 class App;
-}
+class ParseError;
+}  // namespace CLI
 
 namespace asperity {
 
-/// What is wrong with an option that does not exist, with the one that may be meant; nothing if it is
-/// something else that was not expected.
-std::optional<std::string> unknown_option(const CLI::App& program);
+/// The sentence for a command line that could not be parsed: "asperity: --width-m: "10cm" is not a number of metres,
+/// such as 0.1". It names a subcommand or an option that is close to one that does not exist.
+std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
-/// "--width-m: \"10cm\" is not a number of metres, such as 0.1", of the first option whose text is not the number that
-/// it takes; nothing where all are. The unit is the end of the option's name.
+/// The same for a word that is neither a subcommand nor the folder of a study.
+std::string unknown_subcommand(const CLI::App& program, const std::string& word);
+
+/// The same for the first option whose text is not the number that it takes; nothing where all are. Parsing takes a
+/// negative number as a large one where the option has no sign. The unit is the end of the option's name.
 std::optional<std::string> unreadable_number(const CLI::App& program);
 
 }  // namespace asperity

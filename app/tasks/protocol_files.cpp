@@ -422,7 +422,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   } catch (const std::exception& error) {
     ProtocolCheck check{};
     check.file = found;
-    check.diagnostics.push_back({found, 1, 1, "", error.what()});
+    check.diagnostics.push_back({found, 0, 0, "", error.what()});
     return check;
   }
   return check_protocol_text(text, found, models, study, device);

@@ -69,7 +69,13 @@ void expect_change_refused(const std::function<void(OrderedJson&)>& change,
 
 TEST(BadProtocol, IsNotThere) {
   const SmallStudy small(1);
-  expect_protocol_refused(small, small.place() / "nowhere.json", {"nowhere.json"});
+  const std::string nowhere = small.place() / "nowhere.json";
+  expect_protocol_refused(small, nowhere, {"nowhere.json"});
+  const Outcome outcome = asperity({"check", nowhere, "--json"});
+  EXPECT_THAT(outcome.err, testing::StartsWith(nowhere + ": error: the file "));
+  const OrderedJson problem =
+      OrderedJson::parse(outcome.out).at("protocols").at(0).at("diagnostics").at(0);
+  EXPECT_TRUE(problem.at("line").is_null() && problem.at("column").is_null()) << problem;
 }
 
 TEST(BadProtocol, IsNotJson) {
@@ -572,6 +578,63 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
                "asperity: --friction is -0.1; a coefficient of friction is 0 or above\n");
   expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
                "--for: there is no \"hand\"; write surface or tool\n");
+}
+
+TEST(WrongUsage, IsStatedInOneStyle) {
+  struct Case {
+    std::vector<std::string> arguments{};
+    std::string sentence{};
+  };
+  const std::vector<std::string> simulation{"simulate", "p", "--study", "s", "--seed", "1"};
+  const auto simulate = [&simulation](std::vector<std::string> more) {
+    more.insert(more.begin(), simulation.begin(), simulation.end());
+    return more;
+  };
+  const auto run = [](std::vector<std::string> more) {
+    const std::vector<std::string> begin{"run", "p", "--study", "s", "--participant", "P01"};
+    more.insert(more.begin(), begin.begin(), begin.end());
+    return more;
+  };
+  const std::vector<Case> cases{
+#ifdef ASPERITY_WITH_WINDOWS
+      {{"fly"}, "there is no subcommand and no folder \"fly\"; see asperity --help"},
+#endif
+      {{"analyse", "study"}, "there is no subcommand \"analyse\"; there is analyze"},
+      {{"verfy"}, "there is no subcommand \"verfy\"; there is verify"},
+      {{"--jsn"}, "asperity has no option --jsn; see asperity --help"},
+      {{"models", "--jsno"}, "models has no option --jsno; there is --json"},
+      {{"models", "extra"}, "\"extra\" was not expected; see asperity models --help"},
+      {{"new"}, "new needs DIR; see asperity new --help"},
+      {{"run", "p", "--study", "s"}, "run needs --participant; see asperity run --help"},
+      {{"run", "p", "--study"}, "--study: its value is missing; see asperity run --help"},
+      {simulate({"--participants", "1", "--study", "t"}), "--study is given 2 times; give it once"},
+      {run({"--mode", "foo"}), "--mode: there is no \"foo\"; write pilot or run"},
+      {run({"--realtime"}), "--realtime needs --virtual; add it, or leave out --realtime"},
+      {run({"--virtual", "--realtime", "--as-fast-as-possible"}),
+       "--as-fast-as-possible and --realtime exclude each other; leave one out"},
+      {run({"--virtual", "--seed", "-1"}), "--seed: \"-1\" is not a whole number, such as 10"},
+      {simulate({"--participants", "0"}),
+       "--participants: \"0\" is not a whole number from 1 to 9999"},
+      {simulate({"--participants", "1", "--recordings", "some"}),
+       "--recordings: there is no \"some\"; write all, first or none"},
+      {{"device-test", "simulated", "--rate-hz", "1"},
+       "--rate-hz: \"1\" is not a number from 100 to 10000"},
+      {{"device-test", "simulated", "--force-n", "30"},
+       "--force-n: \"30\" is not a number from 0.1 to 20"},
+      {{"texture", "p.png", "--width-m", "0.1", "--out", "o.png", "--sign", "3"},
+       "--sign: there is no \"3\"; write 1 or -1"},
+      {{"render", "--model", "sinusoid", "--path", "p", "--out", "o", "--coupling", "stiff"},
+       "--coupling: there is no \"stiff\"; write none or virtual"},
+      {{"export", "s", "--out", "o", "--formats", "wide,xls"},
+       "--formats: there is no \"xls\"; write wide, sav, bids, psychds, physio, stimuli, fit, all "
+       "or none"},
+      {{"analyze"}, "analyze needs STUDY, --table or --case; see asperity analyze --help"}};
+  for (const Case& wrong : cases) {
+    const Outcome outcome = asperity(wrong.arguments);
+    EXPECT_EQ(outcome.status, 2) << wrong.sentence;
+    EXPECT_EQ(outcome.err, "asperity: " + wrong.sentence + '\n');
+    EXPECT_EQ(outcome.out, "");
+  }
 }
 
 TEST(BadName, OfAPictureIsRefusedBeforeTheWork) {

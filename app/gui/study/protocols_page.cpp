@@ -354,8 +354,9 @@ void ProtocolsPage::show_selected() {
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {
     const Diagnostic& problem = overview->check.diagnostics[i];
-    rows.push_back(
-        {QString::number(i), {number_cell(problem.line), text_cell(text(problem.message))}});
+    rows.push_back({QString::number(i),
+                    {problem.line > 0 ? number_cell(problem.line) : empty_number_cell(),
+                     text_cell(text(problem.message))}});
   }
   problems_->fill(rows);
   if (!valid) {
