@@ -12,8 +12,8 @@ namespace asperity {
 ///
 /// Two things can be stuck behind it. A tick is this program's own code, and what it works on is freed as soon as
 /// the gate is closed: it is waited for, as long as it takes, as for a thread of our own. The maker's code around
-/// it may hang for ever, and then comes back to a closed gate: whoever owns one whose thread did not come to an end
-/// leaves it behind, on the heap, for ever.
+/// it may hang for ever, and then comes back to a closed gate: a gate whose thread did not end is left behind, on the
+/// heap, for ever.
 ///
 /// Threads: `pass` belongs to the maker's thread; `open` and `close` to the driver's owner.
 ///

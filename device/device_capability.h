@@ -25,8 +25,8 @@ struct DeviceCapability {
   glm::dvec3 workspace_minimum_m{-0.1};
   glm::dvec3 workspace_maximum_m{0.1};
   double peak_force_N = 0.0;           ///< positive for a device with motors
-  double continuous_force_N = 0.0;     ///< 0 where nobody tells
-  double position_resolution_m = 0.0;  ///< 0 where nobody tells
+  double continuous_force_N = 0.0;     ///< 0 where it is not known
+  double position_resolution_m = 0.0;  ///< 0 where it is not known
   double maximum_rate_Hz = 1000.0;
   int buttons = 0;  ///< that a participant can press; bits of ProbeState::buttons
   Pacing pacing = Pacing::ours;
@@ -36,7 +36,7 @@ struct DeviceCapability {
   /// Sentences about what shapes what is felt and read: filters of the maker's software, how velocity is
   /// estimated, which of these numbers are not the maker's own.
   std::string remarks{};
-  /// Of a simulated device that stands for a real one (simulated_models.h): what nobody tells of the real one. Measured
+  /// Of a simulated device that stands for a real one (simulated_models.h): what is not known of the real one. Measured
   /// here it would be ideal, or the virtual hand's. Empty of all others.
   std::vector<DeviceTrait> not_known{};
 };

@@ -30,7 +30,7 @@ class LookStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a lab tells the drivers. Each takes what concerns it and ignores the rest.
+/// The laboratory's settings of the drivers. Each driver takes what concerns it and ignores the rest.
 struct DriverOptions {
   /// File with the firmware of a device that forgets it when it is switched off (falcon).
   std::filesystem::path firmware{};
@@ -38,17 +38,17 @@ struct DriverOptions {
   std::filesystem::path library{};
   /// Where the maker's local service listens, "HOST:PORT", where not at its usual place.
   std::string service{};
-  /// Told, while a device is opened, what a person has to do for it ("pull the grip out…").
+  /// Called, while a device is opened, with what the user has to do for it ("pull the grip out…").
   std::function<void(const std::string& sentence)> tell{};
-  /// Asked before a device that is opened moves by itself, with a sentence on what it will do: true when somebody
-  /// who can see it has been told and agrees. Null: nobody can be asked, and a device that has to move first is
-  /// refused.
+  /// Called before a device that is opened moves by itself, with a sentence on what it will do: true when a user who
+  /// can see the device has read the sentence and agrees. Null: no user can be asked, and a device that has to move
+  /// first is refused.
   std::function<bool(const std::string& sentence)> may_move{};
   /// Asks an opening to end, with OpeningStopped, or a look, with LookStopped: at once where a driver waits for a
   /// person, for firmware or for a service, and where a device moves by itself, whose force is off then; otherwise
   /// when the maker's function that is under way returns.
   std::stop_token stop{};
-  /// Filled in by DriverRegistry: its lock, which a driver lets go of while it waits for a person (LetOthersLook).
+  /// Filled in by DriverRegistry: its lock, which a driver releases while it waits for the user (LetOthersLook).
   std::unique_lock<std::mutex>* alone = nullptr;
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
@@ -64,9 +64,9 @@ struct DriverOptions {
 /// One device that a driver sees.
 struct AttachedDevice {
   std::string model{};
-  std::string serial{};  ///< empty where the device tells none
-  std::string place{};   ///< where it is attached, "usb 1-2.3"; tells two alike apart
-  std::string remark{};  ///< a sentence about a usable one that people should know, or empty
+  std::string serial{};  ///< empty where the device reports none
+  std::string place{};   ///< where it is attached, "usb 1-2.3"; distinguishes two of a kind
+  std::string remark{};  ///< a sentence about a usable one for the user, or empty
   /// Empty for a device that can be opened now; otherwise a sentence: what stands in the way, and what
   /// would make it usable (a permission, firmware, another program that holds it).
   std::string hindrance{};
@@ -89,7 +89,7 @@ struct Driver {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, the name in `--device` and in DeviceCapability
   std::string name{};     ///< as people call its devices, "Novint Falcon"; empty: as the id
   std::string summary{};  ///< one sentence
-  /// False for one whose devices only tell where the hand is: nobody need be asked before they are measured.
+  /// False for one whose devices only measure where the hand is: they are measured without the user's consent.
   bool has_motors = true;
   /// How it estimates velocity from positions; nothing where its devices give a velocity of their own.
   std::optional<VelocityWindow> velocity{};
@@ -101,7 +101,7 @@ struct Driver {
       open{};
 };
 
-/// The drivers that a program knows.
+/// The drivers of a program.
 ///
 /// Threads: any. `survey` and `open` wait for each other, whichever registry they are called on: what a driver
 /// looks into (a maker's library, a bus) is one for the process (UnitInUse::looking). While a driver waits for a

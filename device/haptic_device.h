@@ -19,7 +19,7 @@ namespace asperity {
 struct TickCall {
   void (*function)(void* argument) noexcept = nullptr;
   void* argument = nullptr;
-  double rate_Hz = 1000.0;  ///< wanted; a device that cannot do it calls as often as it can
+  double rate_Hz = 1000.0;  ///< requested; a device that cannot reach it calls as often as it can
 };
 
 /// A force-feedback device, real or simulated.
@@ -28,7 +28,7 @@ struct TickCall {
 /// implements `do_read`, `do_send` and nothing about safety. The motors are at zero after
 /// construction, after `zero_force` and after destruction (each driver's destructor sends zero).
 ///
-/// A pose that is frozen (pose_watch.h) is not believed, whatever the driver says: the device then does not
+/// A pose that is frozen (pose_watch.h) is not accepted, whatever the driver reports: the device then does not
 /// answer until it changes. Only a hand that is computed may rest to the last bit
 /// (DeviceCapability::may_rest_exactly).
 ///
@@ -43,8 +43,8 @@ class HapticDevice {
   HapticDevice(const HapticDevice&) = delete;
   HapticDevice& operator=(const HapticDevice&) = delete;
 
-  /// A device that has told nothing new for so long does not answer: drivers say so, and of one that
-  /// keeps time itself its servo loop does.
+  /// A device that has reported nothing new for so long does not answer: its driver reports this, and for one that
+  /// keeps time itself its servo loop.
   static constexpr std::int64_t kLongestSilence_ns = 50'000'000;
 
   const DeviceCapability& capability() const noexcept { return capability_; }
@@ -72,7 +72,7 @@ class HapticDevice {
   virtual void start_calls(const TickCall& call);
   /// When it returns no call is under way and none will come: a tick is waited for, a thread that is
   /// stuck in the maker's code shut out for ever (call_gate.h), within two seconds where the maker's own
-  /// functions return (docs/devices.md). The motors are at zero, or nobody can reach them. May be called at any time and twice.
+  /// functions return (docs/devices.md). The motors are at zero, or cannot be reached. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
   /// For who watches over these calls: none has begun for longer than the device may be silent. From any thread.
   void note_silence() noexcept { silence_.store(Silence::silent, std::memory_order_relaxed); }
@@ -93,7 +93,7 @@ class HapticDevice {
   void read_again() noexcept { is_read_again_ = true; }
   /// For `do_send`: the motors could give no more than this. `push` returns it as limited in force.
   void gave_only(const Wrench& given) noexcept { given_ = given; }
-  /// For `do_send`: the motors gave less, and nobody knows how much. `push` marks the wrench as limited
+  /// For `do_send`: the motors gave less, by an unknown amount. `push` marks the wrench as limited
   /// in force and returns it as it was sent.
   void gave_less() noexcept { gave_less_ = true; }
   /// For `trouble` of one that keeps time itself: it fell silent, and has not called for long since.
@@ -107,7 +107,7 @@ class HapticDevice {
   /// False when the device does not take it.
   virtual bool do_send(const Wrench& limited) noexcept = 0;
 
-  /// Until a silence is over for those who are told of it, who ask a few times a second.
+  /// Until a silence is reported as over, to callers that ask a few times a second.
   static constexpr std::int64_t kToForgetSilence_ns = 500'000'000;
   enum class Silence { none, silent, just_over };
 

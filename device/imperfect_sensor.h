@@ -35,7 +35,7 @@ struct SensorSettings {
 /// so that noise and steps together have a deviation of √(noise² + step²/12) where noise is not
 /// small against the step. Between two readings the hand moved evenly. Before `latency_s` have
 /// passed it is where it was first. Buttons are not late; nor is the time, which is that of the
-/// reading, because no device knows better.
+/// reading, because no device measures it better.
 ///
 /// What the caller may rely on: with the defaults every reading is the hand, bit for bit.
 ///

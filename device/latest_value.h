@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// Carries values from one writing thread to one reading thread; older values that nobody took are
-/// lost. Three copies: one belongs to the writer, one to the reader, and one lies between them.
+/// Carries values from one writing thread to one reading thread; older values that were not
+/// taken are lost. Three copies: one belongs to the writer, one to the reader, and one lies between them.
 ///
 /// Real-time: `put` and `take` are wait-free and do not allocate, where copying a `Value` is.
 template <typename Value>

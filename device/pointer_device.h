@@ -33,7 +33,7 @@ struct PointerSettings {
 ///
 /// The window feeds it through a mailbox: a sample counts from the reading on that finds it; samples
 /// that come closer than readings are lost but for the last. No sample is no fault: a mouse at rest is
-/// silent. Whoever feeds it has to lift it when the pointer leaves. Samples outside the workspace are
+/// silent. The window has to lift it when the pointer leaves. Samples outside the workspace are
 /// taken at its edge; what is not finite is no sample.
 ///
 /// Frame: x to the right, y away, z up; z = 0 is the surface. Forces are limited and go nowhere.

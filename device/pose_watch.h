@@ -1,4 +1,4 @@
-// Whether a pose that stays the same is to be believed.
+// Whether a pose that stays the same is accepted.
 
 #pragma once
 
@@ -18,7 +18,7 @@ namespace asperity {
 ///   · after 1 s of more than 2 N: motors that push and move nothing, not by one step of an encoder, or
 ///   · when the velocity that was read with them adds up to 2 cm (Σ|v|·Δt).
 ///
-/// until one of them changes. Only what the device told anew counts: the last reading, held while none comes, is the
+/// until one of them changes. Only what the device reported anew counts: the last reading, held while none comes, is the
 /// same to the last bit and keeps its velocity too. A hand at rest is not frozen: it is pushed by less, or trembles by
 /// more than a step (38 µm on a Falcon) within a second. Velocities that drivers make of positions stop with them,
 /// after millimetres at the speed of a hand.

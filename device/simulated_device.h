@@ -41,11 +41,11 @@ struct SimulatedDeviceSettings {
   int substeps = 4;            ///< integration steps per read
   double peak_force_N = 10.0;  ///< of its motors
   /// What the motors really give at most, where that is less than their peak (warm, a weak supply);
-  /// 0: their peak. A stronger force keeps its direction and is told as limited.
+  /// 0: their peak. A stronger force keeps its direction and is reported as limited.
   double saturation_force_N = 0.0;
   double friction_N = 0.0;  ///< of the device's joints, as a force on the probe
   SensorSettings sensor{};
-  /// Tells model, workspace, continuous force, rate and remarks of a device that this one stands for
+  /// Gives model, workspace, continuous force, rate and remarks of a device that this one stands for
   /// (simulated_models.h). Its name stays "simulated", and what it senses and gives its own.
   std::optional<DeviceCapability> stands_for{};
   /// How a scripted stall lets time pass, in real time: sleeps. Left empty when stepped. Must not
@@ -77,7 +77,7 @@ struct SimulatedDeviceSettings {
 /// What is read is what the `sensor` makes of it (imperfect_sensor.h). The defaults have neither
 /// friction nor saturation nor an imperfect sensor: recordings made without them replay bit for bit.
 ///
-/// Works at any rate up to 10 kHz, in real time or stepped: it knows only the times it is read at.
+/// Works at any rate up to 10 kHz, in real time or stepped: it depends only on the times at which it is read.
 ///
 /// Frame: the hand's. Torques are taken and have no effect.
 ///

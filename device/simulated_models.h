@@ -19,8 +19,8 @@ inline constexpr std::string_view kInPlaceOf = "in place of ";
 std::vector<std::string> simulated_models();
 
 /// `settings` with workspace, force, rate, resolution, latency and velocity estimate of a real device:
-/// the figures of its driver, none of which was measured here. What nobody tells of it, which the
-/// capability lists (DeviceCapability::not_known), stays as it is in `settings`, by default ideal.
+/// the figures of its driver, none of which was measured here. What is not known of it, which
+/// the capability lists (DeviceCapability::not_known), stays as it is in `settings`, by default ideal.
 /// The probe has three degrees of freedom whatever the model has.
 ///
 /// Errors: std::runtime_error naming the models, for one that is not there.
@@ -28,7 +28,7 @@ SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings
 
 /// "delta.3" of "in place of delta.3"; empty of a model that stands for no other. A part of what it is given.
 std::string_view model_stood_for(std::string_view in_place_of) noexcept;
-/// What nobody tells of the device that a simulated one of this model stands for, "in place of delta.3"; nothing of a
+/// What is not known of the device that a simulated one of this model stands for, "in place of delta.3"; nothing of a
 /// model that is none of these.
 std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);
 

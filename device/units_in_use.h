@@ -31,18 +31,18 @@ class UnitInUse final {
 
   /// Held by DriverRegistry while a driver looks for devices or opens one, and by a driver that opens its lost
   /// device again. Between the two looks of another thread a device that it has opened only to ask its name would
-  /// be closed under whoever began to use it.
+  /// be closed while another user of the library begins to use it.
   static std::mutex& looking();
 };
 
 /// While it lives, other threads may look for devices and open them: a driver waits for a person, who may take
 /// minutes. What the driver has open is in use for the others by then: listed here, or claimed on its bus.
 ///
-/// Its end waits until nobody else looks, or until `stop` is asked for: then the lock is left to the others, and who
-/// opened has nothing left to do but to let go.
+/// Its end waits until no other thread looks, or until `stop` is requested: then the lock is left to the others, and
+/// the opening thread can only give up.
 class LetOthersLook final {
  public:
-  /// `alone` is DriverOptions::alone: null where nobody holds it.
+  /// `alone` is DriverOptions::alone: null where it is not held.
   explicit LetOthersLook(std::unique_lock<std::mutex>* alone, std::stop_token stop = {});
   ~LetOthersLook();
   LetOthersLook(const LetOthersLook&) = delete;

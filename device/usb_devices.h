@@ -29,13 +29,13 @@ class UsbSession final {
   libusb_context* context_ = nullptr;
 };
 
-/// A kind of device, as every device tells it without being opened.
+/// A kind of device, which every device reports without being opened.
 struct UsbProduct {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
 };
 
-/// The attached devices whose kind `fits`, none of them opened; they are let go of at the end.
+/// The attached devices whose kind `fits`, none of them opened; they are released at the end.
 class UsbDevices final {
  public:
   UsbDevices(const UsbSession& usb, const std::function<bool(const UsbProduct&)>& fits);
@@ -53,12 +53,12 @@ class UsbDevices final {
 UsbProduct usb_product(libusb_device* device);
 /// "usb 1-2.3": bus and ports, as the kernel names them.
 std::string usb_place(libusb_device* device);
-/// What an open device tells as its serial number, or nothing. Takes 0.4 s at the worst.
+/// The serial number that an open device reports, or nothing. Takes 0.4 s at the worst.
 std::string usb_serial(libusb_device_handle* handle);
 /// Why `product` at `place` cannot be opened, in a sentence; `error` is libusb's.
 std::string usb_hindrance(int error, const std::string& product, const std::string& place);
 
-/// A unit that was opened and is gone, for whoever wants it back.
+/// A unit that was opened and is gone, and is to be found again.
 struct LostUnit {
   std::string place{};
   std::string serial{};
@@ -66,7 +66,7 @@ struct LostUnit {
 };
 
 /// The unit that is back and can be opened: the one of the same serial number; without one, what is plugged in where
-/// it was. Another place only where nobody can have a second one in hand: where one alone was attached when it was
+/// it was. Another place only where there cannot be a second one: where one alone was attached when it was
 /// opened, and is now. Null when there is none.
 const AttachedDevice* found_again(const LostUnit& unit,
                                   const std::vector<AttachedDevice>& attached);

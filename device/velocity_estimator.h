@@ -14,7 +14,7 @@ namespace asperity {
 struct VelocityWindow {
   int samples = 8;  ///< 2 to VelocityEstimator::kMostSamples
 
-  /// At readings T apart: the estimate tells the velocity of this long ago, (n − 1)T/2.
+  /// At readings T apart: the estimate is the velocity of this long ago, (n − 1)T/2.
   double lag_s(double period_s) const noexcept;
   /// Standard deviation of the estimate where positions carry independent errors of standard
   /// deviation σ: σ/T · √(12/(n(n² − 1))). A sensor of resolution r counts as σ = r/√12.

@@ -22,7 +22,7 @@ class VendorLibrary final {
   /// is what people call it, e.g. "Force Dimension's SDK".
   ///
   /// Errors: std::runtime_error. A name that is not there is passed over; a file that is there and
-  /// cannot be loaded is told at once.
+  /// cannot be loaded is an error.
   VendorLibrary(std::string product, const std::vector<std::filesystem::path>& names);
 
   /// The file that was loaded.

@@ -31,7 +31,7 @@ struct HandHabits {
   double approach_speed_m_per_s = 0.05;
 };
 
-/// What the hand wants at one instant.
+/// What the hand is to do at one instant.
 struct HandIntent {
   glm::dvec3 position_m{0.0};
   glm::dvec3 velocity_m_per_s{0.0};
@@ -39,7 +39,7 @@ struct HandIntent {
   bool lifted = true;    ///< the hand holds a height; otherwise it presses
 };
 
-/// A hand's motion stands still in a gap between two readings beyond this: nobody strokes on while
+/// A hand's motion stands still in a gap between two readings beyond this: it does not stroke on while
 /// the program is stopped.
 inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 
@@ -49,16 +49,15 @@ inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 /// A stroke starts and ends at rest and keeps its speed in between (`gathering`), as a rule for 70 % of
 /// its time; its acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
 /// the last stroke's while the hand gathers speed. Coming down, the hand moves to the start of the
-/// next stroke, touches at rest and then presses, within 0.15 s; told to lift, it lets go within
-/// 0.15 s and rises. Told to stroke while it rises, it rises to the end first.
+/// next stroke, touches at rest and then presses, within 0.15 s; when it is to lift, it releases the
+/// surface within 0.15 s and rises. When it is to stroke while it rises, it rises to the end first.
 ///
 /// What the caller may rely on: along the stroke the hand is never farther from the centre than
 /// half the stroke's length and 2.5 drifts, across it never farther than 2.5 drifts (with
 /// the defaults 40 mm and 10 mm). The motion is a function of the seed, the habits and the times of
 /// the calls; how often `intent` is called in between does not move the strokes.
 ///
-/// It also holds down the buttons of the handle that it is told to. Nothing of its motion depends on
-/// them.
+/// It also holds down the requested buttons of the handle, on which nothing of its motion depends.
 ///
 /// Threads: `stroke`, `lift`, `press`, `release` and `set_habits` from any thread; `intent` and
 /// `take_buttons` from the one that reads the device.

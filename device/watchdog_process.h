@@ -35,7 +35,7 @@ inline constexpr const char* kWatchdogIsGone =
 class WatchdogProcess final {
  public:
   enum class Cause {
-    ended,    ///< nobody waits for `act` any more
+    ended,    ///< the process that started it is gone
     stopped,  ///< it is called again and again
     left,     ///< the destructor waits for it
   };
@@ -44,9 +44,9 @@ class WatchdogProcess final {
   /// `about` is handed to `act` as it is now. `keep_open` is a file of this process that `act` needs, −1 for none.
   WatchdogProcess(Act act, const void* about, int keep_open);
   ~WatchdogProcess();
-  /// False when the other process has ended, by whatever hand: nobody acts any more. A system call, without waiting.
+  /// False when the other process has ended, for whatever reason: `act` is not called any more. A system call, without waiting.
   bool is_there() const noexcept;
-  /// Has the destructor ask for `act(left, …)`: for who could not set the motors to zero itself. What `act` needs has
+  /// Has the destructor ask for `act(left, …)`, where this process could not set the motors to zero itself. What `act` needs has
   /// to be free before it is destroyed.
   void leave_to_act() noexcept { is_left_to_act_ = true; }
 
@@ -54,7 +54,7 @@ class WatchdogProcess final {
   WatchdogProcess& operator=(const WatchdogProcess&) = delete;
 
  private:
-  int leash_ = -1;  // nobody else has this end: it closes when this process ends
+  int leash_ = -1;  // no other process has this end: it closes when this process ends
   pid_t process_ = -1;
   bool is_left_to_act_ = false;
 };
