@@ -17,7 +17,7 @@ namespace asperity {
 inline constexpr std::array kVerdicts{Verdict::set_aside, Verdict::flag, Verdict::exclude,
                                       Verdict::include};
 
-/// Attempts in the order of their ids, so that what hangs on them can be told to them by bisection.
+/// Attempts in the order of their ids, so that the rows that belong to them are assigned by bisection.
 class Attempts {
  public:
   void add(AttemptRow row) { rows_.push_back(std::move(row)); }

@@ -68,7 +68,7 @@ bool rename_to_free_name(const std::filesystem::path& from, const std::filesyste
 
 /// What F_OFD_SETLK takes and F_OFD_GETLK asks, of the type F_RDLCK or F_WRLCK. Such a lock is of the open
 /// file rather than of the process: two threads exclude each other too, and closing another descriptor of
-/// the same file does not let go of it.
+/// the same file does not release it.
 struct flock lock_of_whole_file(short type) noexcept;
 
 /// Opens a lock file of a study, `locks/NAME`, with the flags of open(2). Returns -1 and leaves errno where it

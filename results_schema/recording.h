@@ -34,7 +34,7 @@ struct RecordingHeader {
 /// Nothing that a hand did is thrown away by us: the destructor of an unfinished writer leaves the
 /// `.part` file with all that was appended, which `verify` lists, and where a file of this name is
 /// already there (a program died between the recording and its row) the next free name is taken,
-/// "…-2" and so on; the row says which.
+/// "…-2" and so on; the row has it.
 ///
 /// Errors: std::invalid_argument for a header that is wrong; ResultsError (no space, no
 /// permission). After one, `finish` refuses.

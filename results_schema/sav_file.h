@@ -34,7 +34,7 @@ std::vector<std::string> sav_names(const std::vector<std::string>& names);
 
 /// An SPSS system file, in UTF-8, its rows compressed, by ReadStat. Missing numbers are
 /// system-missing, a missing text is empty. The date in its header is always the first of January
-/// 1970, so that the same rows give the same bytes, and none is told.
+/// 1970, so that the same rows give the same bytes, and the date of the export is not disclosed.
 ///
 /// A label longer than SPSS takes (255 bytes, 120 of a value) ends in "…", labels of values that
 /// would then be alike in a number too; a text longer than 32 000 bytes is cut. Texts and labels of

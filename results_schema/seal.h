@@ -1,4 +1,4 @@
-// The checksum of a study's whole database file, while nobody writes to it. Seen by this folder only.
+// The checksum of a study's whole database file, while no program writes to it. Used in this folder only.
 
 #pragma once
 
@@ -23,9 +23,9 @@ enum class Seal {
   not_read,  ///< it was asked to stop
 };
 
-/// For whoever waits while a large file is read.
+/// For a caller that waits while a large file is read.
 struct SealWatch {
-  std::function<void(double)> progress{};  ///< told 0 to 1
+  std::function<void(double)> progress{};  ///< called with 0 to 1
   std::stop_token stop{};
 };
 
@@ -37,20 +37,20 @@ Seal seal_of(const std::filesystem::path& study, const SealWatch& watch = {});
 /// `in_use`. Reads no more than the checksum.
 bool has_seal(const std::filesystem::path& study);
 
-/// Whether somebody holds the lock by which writers know of each other. False also where such a lock
-/// cannot be asked after.
+/// Whether the lock by which writers find each other is held. False also where such a lock cannot be
+/// examined.
 bool is_being_written(const std::filesystem::path& study) noexcept;
 
-/// Seals a database that nobody else knows of yet. Errors: ResultsError.
+/// Seals a database that no other program has opened yet. Errors: ResultsError.
 void seal_new(const std::filesystem::path& study);
 
 /// One writer's part in the seal: opening for writing breaks it, the last one to close makes a new
 /// one. A seal that did not hold stays as it is for ever, so that no writer vouches for damage that
 /// was there before it.
 ///
-/// Writers know of each other by a lock on `locks/writers.lock`. A writer that can have none (a network
+/// Writers find each other by a lock on `locks/writers.lock`. A writer that can have none (a network
 /// file system, no permission) leaves no seal, and takes away one that was made while it wrote. No
-/// seal, and none that cannot be read or taken away, keeps anybody from writing.
+/// seal, and none that cannot be read or removed, prevents writing.
 class SealBreaker final {
  public:
   /// `database` is the writer's, before anything is written through it.

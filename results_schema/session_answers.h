@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// The few columns of a session's attempts that an analysis counts. A study may have a million
-/// attempts, so that each word stands once, in `words`, and is told by its place there.
+/// attempts, so that each word stands once, in `words`, and is identified by its place there.
 struct SessionAnswers {
   struct Trial {
     int trial = 0;

@@ -17,7 +17,7 @@ struct sqlite3_stmt;
 
 namespace asperity {
 
-/// One connection. Every failure is a ResultsError that names the study and says what it means.
+/// One connection. Every failure is a ResultsError that names the study and explains the failure.
 class Database final {
  public:
   /// `read_only` needs a readable log and index (-wal, -shm) and writes to neither; `immutable`
@@ -72,7 +72,7 @@ class Statement final {
     column_ = 0;
     (read_next(values), ...);
   }
-  /// Every column of a row, where only running tells how many there are.
+  /// Every column of a row, whose number is known only when it runs.
   template <typename Value>
   void read_all(std::vector<Value>& values) {
     column_ = 0;

@@ -63,12 +63,12 @@ struct StudyWords {
 /// - When a writing function returns, its rows survive a power loss (WAL, synchronous=FULL).
 /// - Attempts and what hangs on them are append-only, enforced by the schema on every connection.
 /// - A transaction is all or nothing; after any error the study holds what was committed before. (One
-///   that was written and could not be synced, or whose program was killed before it was told, may be
-///   there as well: whoever goes on reads first what is there.)
+///   that was written and could not be synced, or whose program was killed before it was reported, may be
+///   there as well: a program that resumes reads first what is there.)
 /// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that it
-///   may lie on a medium that cannot be written. While somebody else writes, the reader follows.
+///   may lie on a medium that cannot be written. While another program writes, the reader follows.
 /// - A study of an older program reads as it would when brought up to date, from a copy in memory.
-///   Whoever opens it for writing brings it up to date, and keeps what it was beside it as
+///   Opening it for writing brings it up to date, and keeps what it was next to it as
 ///   `study.sqlite.version-1`; the older program can no longer open it then.
 /// - Whatever is returned in order is ordered by natural keys, never by the order of writing.
 ///
@@ -90,7 +90,7 @@ class Study final {
   /// SQLite refuse the writers. To be called before the first study is opened.
   static void read_beside_writers() noexcept;
   static bool exists(const std::filesystem::path& folder);
-  /// Whether whoever runs this program may write to it, where it lies. It can still be read.
+  /// Whether the user of this program may write to it, where it lies. It can still be read.
   static bool can_be_written(const std::filesystem::path& folder) noexcept;
 
   Study(Study&&) noexcept;
@@ -100,7 +100,7 @@ class Study final {
   const std::filesystem::path& folder() const noexcept;
   Access access() const noexcept;
   std::string name() const;
-  /// That of the file: below kSchemaVersion in one that nobody has brought up to date.
+  /// That of the file: below kSchemaVersion in one that has not been brought up to date.
   int schema_version() const noexcept;
 
   StudyMetadata metadata() const;
@@ -127,7 +127,7 @@ class Study final {
   /// which holds them as well, and the free pages of the database. One who withdrew before can still be deleted.
   /// Returns what was stored, with its counts.
   ///
-  /// When a deletion fails half way, all that is left is still found under the label, and a second call goes on.
+  /// When a deletion fails half way, all that is left is still found under the label, and a second call completes it.
   /// Errors: ResultsError for a label that is not there, a session of theirs that is running, an empty `decided_by`, a
   /// file that cannot be removed, another program that reads for so long that the database's log cannot be emptied.
   WithdrawalRow withdraw(const std::string& label, const WithdrawalRow& withdrawal);
@@ -144,7 +144,7 @@ class Study final {
   std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
   /// The same with the counterbalance row taken inside the transaction: the least used of `rows`
   /// (first of equals) among the open and completed sessions of this protocol's name and this mode.
-  /// `plan_of` is told the row. Two laboratories that start at once cannot both be given it.
+  /// `plan_of` is called with the row. Two laboratories that start at once cannot both be given it.
   std::int64_t add_session(
       const SessionRow& session, int rows,
       const std::function<std::vector<PlannedTrialRow>(int counterbalance_row)>& plan_of);
@@ -164,12 +164,12 @@ class Study final {
   void end_segment(std::int64_t session_id, int segment, std::int64_t time_ns,
                    const std::string& reason);
   void end_session(std::int64_t session_id, SessionState state, const std::string& ended_utc);
-  /// A stopped or crashed session goes on.
+  /// A stopped or crashed session is resumed.
   void reopen_session(std::int64_t session_id);
-  /// Sessions that are open but whose lock nobody holds become `crashed`, their running segments
+  /// Sessions that are open but whose lock is not held become `crashed`, their running segments
   /// end with the reason "crashed". Returns their ids. Rests on `session_lock_name`.
   std::vector<std::int64_t> mark_crashed_sessions();
-  /// The StudyLock that whoever runs a session of this participant holds, from before `add_session`
+  /// The StudyLock that a program which runs a session of this participant holds, from before `add_session`
   /// or `reopen_session` until after `end_session`.
   static std::string session_lock_name(const std::string& participant);
 
@@ -187,8 +187,8 @@ class Study final {
   /// The session of an attempt.
   std::int64_t session_of(std::int64_t attempt_id) const;
 
-  /// What somebody decides about data that stay as they are. What is read of attempts and sessions
-  /// afterwards says so: see AttemptRow::valid and `excluded`. Errors: ResultsError for an attempt
+  /// A decision of the experimenter about data that stay unchanged. What is read of attempts and sessions
+  /// afterwards states it: see AttemptRow::valid and `excluded`. Errors: ResultsError for an attempt
   /// that is not there, an empty reason, an attempt to set aside of a session that is not open.
   void add_decision(std::int64_t session_id, const DecisionRow& decision);
   std::vector<DecisionRow> decisions(std::int64_t session_id) const;  ///< in the order of deciding
@@ -204,7 +204,7 @@ class Study final {
   void add_event(std::int64_t session_id, const EventRow& event);
   std::vector<EventRow> events(std::int64_t session_id) const;
 
-  /// Solutions of matching problems, by a key that says everything they depend on. The first one
+  /// Solutions of matching problems, by a key of everything they depend on. The first one
   /// stays.
   void remember_solution(const std::string& key, const std::string& solution_json);
   std::optional<std::string> solution(const std::string& key) const;
@@ -216,9 +216,9 @@ class Study final {
   /// A consistent copy of a study that may be in use, into a folder that does not exist yet.
   void copy_to(const std::filesystem::path& folder) const;
 
-  /// Whether numbers read from the file can be trusted, for whoever is about to read many. Much cheaper
+  /// Whether numbers read from the file can be trusted, for a caller that is about to read many. Much cheaper
   /// than `verify`: one pass over the file for its checksum, some half a second per gigabyte, and
-  /// SQLite's quick check only where no checksum vouches for it and nobody is writing.
+  /// SQLite's quick check only where no checksum covers it and no program is writing.
   ///
   /// `begin_condition` has that done in the background; `condition` waits for it, and begins it if need
   /// be. Found once, for as long as this object lives. Errors: as `open`.
@@ -226,7 +226,7 @@ class Study final {
   StudyCondition condition() const;
 
   /// Everything that does not hold: constraints, hashes of files and recordings, rows that
-  /// contradict each other; part by part, in the order given. `progress` is told 0 to 1 by the caller's
+  /// contradict each other; part by part, in the order given. `progress` is called with 0 to 1 by the caller's
   /// thread, about as bytes are read; when asked to stop, what was found by then, within the moment that
   /// SQLite takes for one of its trees.
   std::vector<std::string> verify(const std::function<void(double)>& progress,
@@ -254,7 +254,7 @@ struct LockHolder {
 };
 
 /// Holds `locks/<name>.lock` in the study while it lives. Throws ResultsError naming the host and
-/// process that holds it. A lock whose process is gone is free: the kernel lets go of it.
+/// process that holds it. A lock whose process is gone is free: the kernel releases it.
 ///
 /// The destructor removes the file, because its name may hold the label of a participant who is not in the study: of a
 /// declined consent nothing remains. After a crash the file remains; what counts is the lock on it. A child made by
@@ -267,11 +267,11 @@ class StudyLock final {
   StudyLock(const StudyLock&) = delete;
   StudyLock& operator=(const StudyLock&) = delete;
 
-  /// Who holds it now, if anybody. Takes and writes nothing.
+  /// The process that holds it now, if any. Takes and writes nothing.
   static std::optional<LockHolder> holder(const std::filesystem::path& study,
                                           const std::string& name);
 
-  /// The names of those that begin so and that somebody holds now, in order. What lies in the folder of locks and is
+  /// The names of those that begin so and are held now, in order. What lies in the folder of locks and is
   /// none, by its name or because it is no file, is passed over.
   /// Errors: ResultsError for a folder that cannot be read, and for a file that could be a lock and cannot be opened.
   static std::vector<std::string> held(const std::filesystem::path& study,

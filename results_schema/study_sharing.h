@@ -10,8 +10,8 @@
 
 namespace asperity {
 
-/// The mode of the folder of a new study or of a copy: for its owner only, because it holds what participants said and
-/// did. A folder that was there before keeps its own.
+/// The mode of the folder of a new study or of a copy: for its owner only, because it holds responses and movements of
+/// participants. A folder that was there before keeps its own.
 inline constexpr mode_t kOwnersFolder = 0700;
 
 /// Makes a folder and those above it that are missing. In one that its group shares they are shared as well.

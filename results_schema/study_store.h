@@ -17,7 +17,7 @@
 namespace asperity {
 
 struct Study::Store {
-  /// What changes when somebody writes to the database.
+  /// What changes when a program writes to the database.
   struct Stamp {
     std::int64_t modified_ns = 0;
     std::int64_t bytes = 0;
@@ -37,8 +37,8 @@ struct Study::Store {
 
   /// Runs `function(database)` on one consistent state of the study.
   ///
-  /// A study that nobody has open is read as an immutable file, without locks, because locks would
-  /// leave files behind. Should somebody begin to write meanwhile, what was read is thrown away and
+  /// A study that no other program has open is read as an immutable file, without locks, because locks would
+  /// leave files behind. Should a program begin to write meanwhile, what was read is discarded and
   /// read again with locks.
   template <typename Function>
   auto read(Function function) {
@@ -64,8 +64,8 @@ struct Study::Store {
   std::optional<Stamp> immutable_since{};
   int schema_version = 0;  ///< of the file
   bool inside_read = false;
-  std::shared_future<StudyCondition> condition{};  ///< invalid until somebody wants to know
-  std::stop_source end_of_condition{};  ///< whoever is done with the study waits for none
+  std::shared_future<StudyCondition> condition{};  ///< invalid until it is requested
+  std::stop_source end_of_condition{};             ///< the destructor does not wait for it
 
  private:
   /// Nested reads see the state of the outermost.

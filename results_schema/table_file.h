@@ -33,8 +33,8 @@ struct WrittenTable {
 /// exactly `n/a`. Taking one apostrophe away from every text cell that begins with one therefore gives the texts back as
 /// they were.
 ///
-/// Errors: ResultsError (it exists, no space, no permission). Nothing is synced: whoever writes a
-/// folder of these syncs it once.
+/// Errors: ResultsError (it exists, no space, no permission). Nothing is synced: a caller that writes
+/// a folder of these syncs it once.
 class TableFile final {
  public:
   enum class Format { tsv, csv, bare_tsv_gz };

@@ -33,8 +33,8 @@ struct LabelColumn {
 /// text where a number belongs, a quote that does not close; "FILE:LINE: …" for what is not UTF-8.
 class TidyTable final {
  public:
-  /// `name` is what messages call the file. Cells are views into `text`, which is kept: nobody holds a table
-  /// of hundreds of megabytes twice who moves it here.
+  /// `name` is what messages call the file. Cells are views into `text`, which is kept: moved
+  /// here, a table of hundreds of megabytes is held once.
   TidyTable(std::string text, std::string name);
   /// Made, not read: named columns with a code for each row, in the place of text. Rows are counted
   /// as lines from 2, as if they stood in a file. Throws std::invalid_argument for columns of
