@@ -17,7 +17,7 @@ namespace asperity {
 /// A choice has one option, the last one chosen. In an assignment each option belongs to one
 /// surface at most: given to another, it moves. There is always a surface whose turn it is; after
 /// an option was given it is the next one that has none, and when all have one, the next in order,
-/// so that an assignment can be changed for as long as nobody confirms it.
+/// so that an assignment can be changed until it is confirmed.
 ///
 /// Without sight one option after the other is pointed at. In a choice that chooses it; in an
 /// assignment it is given by `take_pointed`. Where surfaces may be felt again, that wish comes after

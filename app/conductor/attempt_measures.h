@@ -1,4 +1,4 @@
-// What the records of an attempt say: servo quality, times, compliance.
+// What is computed from the records of an attempt: servo quality, times, compliance.
 
 #pragma once
 

@@ -54,8 +54,8 @@ struct SessionEnd {
 ///
 /// For each trial a TrialAttempt is made and stored in one transaction → `done`. Nothing is reported
 /// that is not on disk. An attempt that does not count stays in the store and the trial is asked
-/// again, now or at the end of its block, as the protocol says. An attempt that is repeated because
-/// the experimenter wants it is set aside first, so that the new one can be the valid one.
+/// again, now or at the end of its block, as the protocol specifies. An attempt that the experimenter
+/// has repeated is invalidated first, so that the new one can be the valid one.
 ///
 /// A fault of the device, an emergency stop included, stores the attempt and stops the session,
 /// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
@@ -108,7 +108,7 @@ class Conductor final {
   void show_progress();
 
   // What holds it up (conductor_holds.cpp).
-  /// True when a trial was asked again meanwhile: where the session is has then to be said anew.
+  /// True when a trial was asked again meanwhile: the position in the session has then to be reported anew.
   bool between_steps(Next next);
   void hold(Next next);
   void pause_without_noise();

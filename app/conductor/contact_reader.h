@@ -1,4 +1,4 @@
-// What each tick of a contact says of the hand: what attempts are judged by and windows show.
+// The measures of the hand in each tick of a contact, by which attempts are judged and which windows show.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// Which force of a tick says how hard the hand presses: the one sent, which the hand balances; of a device
+/// Which force of a tick measures how hard the hand presses: the one sent, which the hand balances; of a device
 /// without motors, which is sent none, the one that the renderer computed.
 enum class JudgedForce { sent, rendered };
 JudgedForce judged_force_of(const DeviceCapability& device) noexcept;
@@ -31,12 +31,12 @@ struct HandSample {
   double along_m = 0.0;  ///< the probe's place along the direction of the strokes
 };
 
-/// Reads records one after another. Whoever reads the same records has the same samples to the bit,
+/// Reads records one after another. The same records give the same samples to the bit,
 /// so that what is shown of a hand and what is computed of its recording later agree: give it records
 /// as they are recorded (`as_recorded`).
 ///
-/// A surface that fades in or out is not wholly there: what is sent of its force tells nothing of the
-/// hand. A tool that skips over a texture touches again within `kSkip_s` and has not lifted: the
+/// A surface that fades in or out is not completely there: what is sent of its force does not measure
+/// the hand. A tool that skips over a texture touches again within `kSkip_s` and has not lifted: the
 /// contact goes on, with no force meanwhile.
 class ContactReader final {
  public:
@@ -72,7 +72,7 @@ struct HandBands {
 };
 
 /// Follows the hand through an attempt: counts how it meets its bands, with the samples that the attempt
-/// will be judged by, and says what it is to be told.
+/// will be judged by, and determines the tone that guides the hand.
 ///
 /// Threads: the conductor's.
 class HandWatch final {
@@ -93,7 +93,7 @@ class HandWatch final {
   const std::optional<Now>& now() const noexcept { return now_; }
   /// Of the force before the speed. A tone begins where a band is left, and ends `kBackInside` of the
   /// band's width (of the bound, where the other end is open) within it, so that a hand at the edge is
-  /// told one thing at a time.
+  /// guided by one tone at a time.
   GuideTone tone() const noexcept;
   static constexpr double kBackInside = 0.1;
 

@@ -1,4 +1,4 @@
-// What a device complains of, as it is shown and as it is told.
+// The reported problems of a device, as they are shown and as they are reported and stored.
 
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace asperity {
 
-/// Hears what a device says is wrong with it (HapticDevice::complaint), and says what of that is news.
+/// Takes the problems that a device reports (HapticDevice::complaint), and determines which of them are new.
 ///
-/// Shown is every change. Told, to people and to the store, is when it begins, when it is over, and every ten
+/// Every change is shown. Reported to the user and stored is when it begins, when it is over, and every ten
 /// seconds at most when its words change: a count in them would fill the store.
 ///
 /// Times are those of one clock, and do not go back.

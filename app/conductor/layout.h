@@ -1,4 +1,4 @@
-// Where a session lies in the workspace: as the protocol says, or mirrored for a left hand.
+// Where a session lies in the workspace: as the protocol specifies, or mirrored for a left hand.
 
 #pragma once
 

@@ -44,7 +44,7 @@ struct MaskingSoundSettings {
 /// same seed and the same calls between the same samples the samples are the same.
 ///
 /// Cues sound in both ears alike at an RMS of 1.5·g, 3.5 dB above all of the noise and far more
-/// above its part in the ear's band around a tone. They are told apart by number, pitch and
+/// above its part in the ear's band around a tone. They differ in number, pitch and
 /// movement:
 ///
 ///   surface n   n tones, 440 Hz        option n   n tones, 1047 Hz       question   a fourth up
@@ -60,8 +60,8 @@ struct MaskingSoundSettings {
 /// wide [Glasberg 1990]) a tone is 18 dB or more above the noise, white or pink.
 ///
 /// A recorded word is brought to the same RMS, or less, so that its peak stays below 0.7 of full
-/// scale. Cues wait for each other; only a new option cuts the one that sounds off, because whoever
-/// steps through the options wants to hear where they are.
+/// scale. Cues wait for each other; only a new option cuts the one that sounds off, because a
+/// participant who steps through the options has to hear which one is current.
 ///
 /// Headroom: a sum x above 0.8 is bent to 0.8 + 0.2·tanh((x − 0.8)/0.2), so nothing clips. Up to a
 /// gain of 0.13 a cue in four-sigma noise stays below it; at 0.25, the highest, noise alone meets it

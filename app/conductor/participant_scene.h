@@ -13,8 +13,8 @@
 
 namespace asperity {
 
-/// A sentence of the program's own (not the protocol's), by what it means: tones and windows tell them
-/// apart.
+/// A sentence of the program's own (not the protocol's), by what it means: tones and windows distinguish
+/// them.
 struct Saying {
   enum class What {
     nothing,
@@ -32,7 +32,7 @@ struct Saying {
     feel_again,        ///< a confirmation now asks for surface `code` again
     no_going_back,     ///< refused: surfaces cannot be felt again in this trial
     was_right,         ///< feedback
-    was_wrong,         ///< feedback; the right answer was `code`, where it is told
+    was_wrong,         ///< feedback; the right answer was `code`, where it is shown
     answer_needed,     ///< refused: this question cannot be left out
     number_needed,     ///< refused: a number, not below `minimum`, not above `maximum`
     option_needed,     ///< refused: one of the options
@@ -103,13 +103,13 @@ struct ParticipantScene {
   /// Of the program's own sentences in it, as `Protocol::language`; the protocol's are as they are.
   std::string language = "en";
   /// When it was shown, on the session's clock: what was pressed before does not answer it. 0 where
-  /// whoever shows it does not say.
+  /// this is not known.
   std::int64_t shown_ns = 0;
   std::string text{};  ///< the instruction, prompt or feedback
   std::string
       cue{};  ///< a short refusal or reminder ("Please feel surface C first."); usually empty
-  Saying text_saying{};          ///< what `text` says, where it is not the protocol's
-  Saying cue_saying{};           ///< what `cue` says
+  Saying text_saying{};          ///< the meaning of `text`, where it is not the protocol's
+  Saying cue_saying{};           ///< the meaning of `cue`
   std::uint64_t cue_number = 0;  ///< counts the cues, so that the same one can be shown again
   int block = 0;                 ///< "block 3 of 6"; 0: no progress is shown
   int blocks = 0;
@@ -145,7 +145,7 @@ struct ParticipantInput {
     /// Option `number` given to surface `surface` (both from 1), by click or drag; surface 0: taken
     /// back.
     assign,
-    /// Surface `number` (from 1) wanted under the hand; in an assignment without feeling again, the
+    /// Surface `number` (from 1) requested under the hand; in an assignment without feeling again, the
     /// surface that the next option is given to.
     surface,
     next,     ///< "enough of this surface"; on the question: the next surface to feel again
@@ -154,7 +154,7 @@ struct ParticipantInput {
     text,     ///< the answer to a form, or a number, as text; empty where optional and left out
     /// A button of the device, `number` from 1, pressed for `held_s`.
     device_button,
-    /// The key or button `text`, pressed at `time_ns`, was let go `held_s` later: stored, answers
+    /// The key or button `text`, pressed at `time_ns`, was released `held_s` later: stored, answers
     /// nothing.
     released,
   };
@@ -167,7 +167,7 @@ struct ParticipantInput {
   std::string source = "keyboard";  ///< "keyboard", "mouse", "device_button", "experimenter"
 };
 
-/// The scenes of a session; the conductor shows them, whoever answers.
+/// The scenes of a session; the conductor shows them to every kind of respondent.
 ParticipantScene scene_to_read(const std::string& text);
 /// Before the first trial after an interruption, to start from.
 ParticipantScene scene_of_resuming();
@@ -184,7 +184,7 @@ ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& f
 ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);
-/// `right_answer`: the labels of the right options where a wrong answer is told them; or empty.
+/// `right_answer`: the labels of the right options where an incorrect response is followed by them; or empty.
 ParticipantScene scene_of_feedback(bool was_right, const std::string& right_answer);
 
 }  // namespace asperity

@@ -20,12 +20,12 @@ namespace asperity {
 /// the question is there (while a surface is felt, while the hand lifts) is refused with a cue; each
 /// picture is given once, and an assignment may be changed until it is confirmed (AnswerSheet).
 ///
-/// Nobody answers what they cannot have perceived. What was pressed before a scene was shown, or less
+/// No response is accepted to what cannot have been perceived. What was pressed before a scene was shown, or less
 /// than `kTooSoon_s` after, is stored and does nothing else: a key pressed twice and a button that
 /// bounces never answer the scene that the first press brought. Even an expected light that calls
 /// for one key takes 0.21 s on average [Woods 2015]; what has to be read or chosen takes longer. The
 /// same holds after a confirmation by device button that changed what the next one would mean. A
-/// button down again within `kBounce_s` has not been let go. What was pressed after the deadline
+/// button down again within `kBounce_s` has not been released. What was pressed after the deadline
 /// does nothing either, however soon it is heard; what was pressed before it counts when it is heard
 /// up to 0.05 s after it, by which time a busy window has handed it on.
 ///
@@ -57,7 +57,7 @@ class PersonAtWindow final : public Respondent {
   PersonAtWindow(SessionMonitor& monitor, Sound* sound);
   ~PersonAtWindow() override;
 
-  /// What they hear from now on; must outlive this.
+  /// The sound that is played from now on; must outlive this.
   void set_sound(Sound* sound);
 
   /// From any thread. Inputs are heard in the order of posting; what the present scene has no use

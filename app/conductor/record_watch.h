@@ -32,7 +32,7 @@ class RecordWatch final {
   const HandWatch& hand() const noexcept { return hand_; }
 
   std::vector<ButtonChange> take_button_changes();
-  /// All but the lost records, which nobody sees go by.
+  /// All but the lost records, which never pass here.
   LoopHealth health() const;
 
  private:

@@ -29,7 +29,7 @@ struct LiveContact {
 /// Every record is first made what its recording will give again (`as_recorded`).
 ///
 /// Errors: a recording that cannot be written (a full disk) does not disturb the loop: the attempt
-/// goes on in memory, and `finish` throws what the disk said.
+/// continues in memory, and `finish` throws the error of the disk.
 ///
 /// Threads: belongs to the conductor's thread.
 class Recorder final {
@@ -62,7 +62,7 @@ class Recorder final {
 
  private:
   RecordWatch* watch_ = nullptr;
-  std::int64_t ahead_ns_ = 0;  ///< as last told
+  std::int64_t ahead_ns_ = 0;  ///< as last reported
   bool open_ = false;
   double rate_Hz_ = 1000.0;
   std::uint64_t lost_before_ = 0;

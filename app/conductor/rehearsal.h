@@ -61,7 +61,7 @@ struct RehearsalCourse {
 ///                        the hand aims at, of a mass of moving_mass_kg with damping_N_s_per_m across the surface. Not of
 ///                        two bodies
 ///   friction_damping     see friction_rehearsal.h; of two bodies only without a coupling
-///   workspace            the patch inside what a person reached, or else what the driver tells
+///   workspace            the patch inside what was reached by hand, or else what the driver reports
 ///
 /// The texture force is that of `texture_force_rms_N` at the force and the speed that a hand aims at which
 /// explores as asked; of a stimulus whose force is made equal to another's it is the other's. A
@@ -69,7 +69,7 @@ struct RehearsalCourse {
 /// device: λ over the motion scale; noise in time and a texture at amplitude 0 have none. F is the force of the
 /// stimulus's own model and parameters; one that is made as strong as another counts with the amplitude that its
 /// sample suggests. A stimulus without texture force is compared with neither friction nor force resolution. Where
-/// something was not measured, nothing is said of it.
+/// something was not measured, it is not compared.
 ///
 /// Two bodies are compared as the relief that both make under the tool's tip along the stroke, H (composed_relief.h),
 /// with δ = H − z: so a wave of the tool against one of the surface counts as they meet, and a texture that the tool
@@ -81,18 +81,18 @@ struct RehearsalCourse {
 /// Errors: none of a stimulus: what cannot be rendered is a warning. std::bad_alloc.
 ///
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
-/// `course`, for whoever waits: it may take seconds. What was not compared when the stop came is not told.
+/// `course` is for a caller that waits: it may take seconds. What was not compared when the stop came is left out.
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder,
                                                  const RehearsalCourse& course = {});
 
 /// With which of what is `not_known` of a device (DeviceCapability::not_known) stimuli would be compared, and are not.
-/// The workspace is none of it: what the driver tells is compared, as a session takes the force away beyond that
+/// The workspace is none of it: what the driver reports is compared, as a session takes the force away beyond that
 /// whatever the device could reach. Nor is the peak force, which a session's opening compares with the protocol's.
 std::vector<DeviceTrait> not_compared(const std::vector<DeviceTrait>& not_known);
 
-/// What was found of a protocol and its files before a session, for whoever asks again while nothing of them has
+/// What was found of a protocol and its files before a session, for a caller that asks again while nothing of them has
 /// changed: the checklist first, then the session.
 ///
 /// Threads: any; one that asks while another looks waits for it.

@@ -16,10 +16,10 @@
 
 namespace asperity {
 
-/// The device that a session is to run on, as whoever asks for it knows it.
+/// The device that a session is to run on, as the caller knows it.
 struct WantedDevice {
   WhichDevice which{};
-  /// As --device names it, "simulated:delta.3", "falcon:042"; empty: as `which` tells it.
+  /// As --device names it, "simulated:delta.3", "falcon:042"; empty: as `which` identifies it.
   std::string asked{};
   std::string options{};   ///< of its driver, as a command takes them: " --library FILE"
   bool has_motors = true;  ///< one without gives no force that could fall short of a protocol
@@ -38,7 +38,7 @@ struct RehearsedDevice {
 };
 
 /// The latest profile that the study has of the device, and whether the protocol takes it so: there has to be one
-/// where the protocol says how old it may be or refuses warnings, and where it says how old, it has to be that
+/// where the protocol limits its age or refuses warnings, and where it limits its age, it has to be that
 /// young at `now_utc` and no item may fail. Items with a number are held to the protocol's own limits, and where it has
 /// none to the usual ones at its rate, if they failed: a verdict is one on limits, which may have been another
 /// protocol's. What failed without a number fails.
@@ -53,7 +53,7 @@ using Rehearse = std::function<std::vector<RehearsalWarning>(const DeviceProfile
 void compare(RehearsedDevice& device, const Protocol& protocol, const Rehearse& rehearse);
 
 /// Both, as a session asks it. Errors: PhrasedError with the refusal, before a comparison that takes its time where the
-/// profile says enough; as `latest_profile`.
+/// profile suffices; as `latest_profile`.
 RehearsedDevice rehearsed_device(const Protocol& protocol, const WantedDevice& device,
                                  const std::filesystem::path& study, const std::string& now_utc,
                                  const Rehearse& rehearse);

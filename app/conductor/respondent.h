@@ -18,17 +18,17 @@
 
 namespace asperity {
 
-/// Lets time go by while somebody thinks: seconds to wait. The servo ticks on meanwhile.
+/// Lets time go by while the participant thinks: seconds to wait. The servo ticks on meanwhile.
 using Wait = std::function<void(double)>;
 
 /// What came back from the question of a trial.
 struct Reply {
   /// Chosen options by index, one per item of the question (see TrialQuestion); empty when the time
-  /// was over or the person wants to feel a surface again.
+  /// was over or the participant chose to feel a surface again.
   std::vector<std::size_t> options{};
   std::optional<int> feel_again{};  ///< position of the surface to be felt again
   /// When the answer was given or the wish to feel again was made, on the session's clock: the time
-  /// stamp of the key or button itself. Absent where nobody knows better than the time at which `ask`
+  /// stamp of the key or button itself. Absent where nothing better is known than the time at which `ask`
   /// returns.
   std::optional<std::int64_t> answered_ns{};
   /// The number that was given, where one is asked for (TrialQuestion::Form::number); above 0.
@@ -70,7 +70,7 @@ class Respondent {
   /// Answers to a question about the person or the session, as text; empty where optional and left
   /// out.
   virtual std::string answer(const Question& question, const Wait& wait) = 0;
-  /// When the last `answer` was given, as in Reply. Absent where nobody knows better than the time at
+  /// When the last `answer` was given, as in Reply. Absent where nothing better is known than the time at
   /// which it returned.
   virtual std::optional<std::int64_t> answered_ns() const { return {}; }
   /// Where the last answer came from: "keyboard", "virtual", "virtual_guess".
@@ -89,12 +89,12 @@ class Respondent {
   virtual void refuse_answers() {}
   /// There are eyes to be covered: a person at a window. Others are never asked to put on a mask.
   virtual bool wears_mask() const { return false; }
-  /// What the protocol wants of the experimenter is none of this person's business: it is asked at
+  /// What the protocol requests of the experimenter is not shown to the participant: it is asked at
   /// the experimenter's own window.
   virtual bool leaves_prompts_to_experimenter() const { return false; }
   /// The eye mask is to be put on or taken off; returns when that was confirmed.
   virtual void put_mask(bool on, const Wait& wait);
-  /// The force is held at zero after a fault, for the reason told. Who has a window beside it does nothing.
+  /// The force is held at zero after a fault, for this reason. Does nothing where the experimenter has a window.
   virtual void hear_of_fault(const std::string& what) { static_cast<void>(what); }
   /// What is asked for then: nothing yet, that the fault is lifted and the session goes on, or its end.
   enum class AfterFault { nothing, go_on, end };

@@ -38,7 +38,7 @@ RigSettings rig_settings_for(const Protocol& protocol, const std::vector<Scripte
 /// What the conductor needs of the physical side.
 ///
 /// `pass` is how time goes by in a session: ticks happen, the recorder takes their records, the
-/// loop hears the conductor's heartbeat. Everything the conductor waits for, it waits for in
+/// loop receives the conductor's heartbeat. Everything the conductor waits for, it waits for in
 /// `pass`.
 ///
 /// Threads: all of it belongs to the conductor's thread, but for `emergency_stop`.
@@ -110,7 +110,7 @@ class SteppedRig final : public Rig {
 /// Opens the device of a rig. The simulated one is held by the hand; to others it means nothing.
 using DeviceOpening = std::function<std::unique_ptr<HapticDevice>(VirtualHand& hand)>;
 
-/// The device of a rig in real time: its name as RunInputs::device, and what its driver is told.
+/// The device of a rig in real time: its name as RunInputs::device, and the settings of its driver.
 struct NamedDevice {
   std::string name = "simulated";
   DriverOptions options{};
@@ -150,7 +150,7 @@ class RealTimeRig final : public Rig {
 };
 
 /// A rig in real time, as fast as the system lets its thread be: on the simulated device of the settings where
-/// that is what the name says, otherwise on what one of the drivers opens. It can play recordings ("replay:FILE").
+/// the name is that of one, otherwise on what one of the drivers opens. It can play recordings ("replay:FILE").
 /// Errors: as DriverRegistry::open.
 std::unique_ptr<RealTimeRig> open_rig(const NamedDevice& device, const DriverRegistry& drivers,
                                       const RigSettings& settings, const Random& hand,

@@ -48,8 +48,8 @@ Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial
 /// Events within an attempt are kept until `take_attempt_events` and belong into its row; those
 /// outside are stored at once.
 ///
-/// What the device complains of is shown as it is, and told and stored (`device_trouble`, `device_well`)
-/// as DeviceComplaints has it.
+/// A problem that the device reports is shown unchanged, and reported and stored (`device_trouble`, `device_well`)
+/// as DeviceComplaints specifies.
 ///
 /// Threads: the conductor's.
 class SessionCourse final {
@@ -90,7 +90,7 @@ class SessionCourse final {
 
   /// Enters a phase: an event, and the monitor's.
   void enter(SessionPhase phase);
-  /// Only tells the monitor, where the event was stored before.
+  /// Only informs the monitor, where the event was stored before.
   void publish(SessionPhase phase);
   SessionPhase phase() const noexcept { return phase_; }
   void show(ParticipantScene scene);
@@ -98,18 +98,18 @@ class SessionCourse final {
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);
-  /// Does nothing where the protocol wants no noise or nothing can sound.
+  /// Does nothing where the protocol requests no noise or nothing can sound.
   void set_masking(bool on);
-  /// Tones tell the hand that feels a surface when force or speed leave what is asked.
+  /// Tones warn the participant who feels a surface when force or speed leave the instructed range.
   void set_guiding_tones(bool on);
   bool is_masking() const noexcept { return masking_; }
-  /// The protocol wants noise, there is a card to play it, and it does not. Without a card nothing
-  /// was heard before either: the checklist and the window say so, and there is nothing to mend.
+  /// The protocol requests noise, there is a card to play it, and it does not. Without a card nothing
+  /// was heard before either: the checklist and the window state this, and there is nothing to repair.
   bool has_lost_noise() const;
-  /// The noise has sounded since the session was begun or gone on with.
+  /// The noise has sounded since the session was begun or resumed.
   bool has_masked() const noexcept { return has_masked_; }
   /// Has the experimenter do something before a trial (place a sample) and waits until that was
-  /// confirmed; the participant sees nothing of it. Where nobody sits beside, the respondent reads.
+  /// confirmed; the participant sees nothing of it. Where no experimenter is there, the respondent reads.
   void ask_experimenter(const std::string& prompt, const Wait& waiting);
   /// Has the eye mask put on or taken off by a person who wears one, if it is not so already.
   void put_mask(bool on, const Wait& waiting);

@@ -11,14 +11,14 @@ class SessionMonitor;
 class SessionRequests;
 class Sound;
 
-/// All may be null: nobody watches, nobody asks for anything, nothing sounds. All outlive the
+/// All may be null: no window follows the session, none requests anything, nothing sounds. All outlive the
 /// session.
 struct SessionLinks {
   SessionRequests* requests = nullptr;
   SessionMonitor* monitor = nullptr;
   Sound* sound = nullptr;
   /// An experimenter is there: after a fault, or when the masking noise stops, the session waits for
-  /// what they decide; otherwise it ends and can be gone on with.
+  /// what they decide; otherwise it ends and can be resumed.
   bool experimenter_is_there = false;
   /// Receives, as lines, what is wrong with the device, that it is well again, and why a trial is repeated; for who has
   /// no monitor.

@@ -83,11 +83,11 @@ struct SessionFacts {
 
 /// What is to be heard of the masking noise.
 enum class MaskingState {
-  none,      ///< the protocol wants none, nothing plays in this session, or it has ended
+  none,      ///< the protocol requests none, nothing plays in this session, or it has ended
   off,       ///< it can sound, and there is nothing to mask now
   on,        ///< sounding
   silent,    ///< the sound card does not play
-  no_card,   ///< there is no sound card, and nobody hears it
+  no_card,   ///< there is no sound card, and it cannot be heard
   elsewhere  ///< likewise, but a person has measured the noise that something else plays
 };
 
@@ -144,7 +144,7 @@ struct SessionSnapshot {
   Fault fault = Fault::none;
   MaskingState masking = MaskingState::none;
   std::optional<SessionTrouble> trouble{};
-  /// What the device says of itself (HapticDevice::complaint), and since when; empty while all is well.
+  /// The problem that the device reports (HapticDevice::complaint), and since when; empty while all is well.
   std::string device_complaint{};
   std::int64_t device_complains_since_ns = 0;
   std::shared_ptr<const ParticipantScene> scene = std::make_shared<const ParticipantScene>();
@@ -160,7 +160,7 @@ struct LiveBin {
   float speed_minimum_m_per_s = 0.0F;
   float speed_maximum_m_per_s = 0.0F;
   /// At its end, as the attempt is judged by (HandWatch): a surface that is wholly there is felt; how
-  /// hard the hand presses, 0 where none is felt; and what is to be told of the speed of its strokes.
+  /// hard the hand presses, 0 where none is felt; and what is shown of the speed of its strokes.
   bool is_felt = false;
   double pressing_N = 0.0;
   std::optional<double> stroking_m_per_s{};
@@ -208,7 +208,7 @@ class SessionMonitor final {
   std::uint64_t bins_added_ = 0;
 };
 
-/// The codes that stand for stimuli while nobody is to know them: one per distinct presentation of
+/// The codes that stand for stimuli while these are concealed: one per distinct presentation of
 /// the plan, "S1" … in an order drawn from the session's seed.
 class BlindCodes final {
  public:

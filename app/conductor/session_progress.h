@@ -1,4 +1,4 @@
-// How far a session is and how long it will take, for whoever watches it.
+// How far a session is and how long it will take, for the experimenter.
 
 #pragma once
 

@@ -51,7 +51,7 @@ class SessionRequests final {
   void remark(const std::string& kind, const Phrase& text);
   /// Zero force in the next servo tick, latched.
   void emergency_stop() noexcept;
-  /// Of a simulated device, whose handle nobody can hold: its button goes down or up within a few
+  /// Of a simulated device, whose handle cannot be held: its button goes down or up within a few
   /// hundredths of a second. Buttons count from 1. Errors: std::invalid_argument where there is no
   /// such button.
   void press_button(int button);
@@ -60,7 +60,7 @@ class SessionRequests final {
   /// that comes later takes it back.
   void clear_fault();
 
-  /// What the protocol wanted the experimenter to do before a trial is done.
+  /// The experimenter has done what the protocol requests before a trial.
   void confirm();
 
   struct Remark {
@@ -73,7 +73,7 @@ class SessionRequests final {
     int button = 0;
     Move move = Move::press;
   };
-  /// What is asked for now, for whoever shows it.
+  /// The requests that are pending, for windows that show them.
   struct Pending {
     std::optional<StopAfter> stop{};
     bool pause = false;
@@ -95,7 +95,7 @@ class SessionRequests final {
   bool take_clear_fault();
   bool take_confirmation();
   /// Takes `clear_fault` and lifts the rig's fault (Rig::clear_fault), in one: an emergency stop comes before or after
-  /// and is never lifted by what was asked for before it. False when nobody asked.
+  /// and is never lifted by what was asked for before it. False when it was not requested.
   bool lift_fault(Fault seen);
   std::vector<Remark> take_remarks();
   /// In the order of asking.

@@ -43,7 +43,7 @@ struct OpenSession {
 std::string device_text(const DeviceCapability& device);
 std::string capability_json(const DeviceCapability& device);
 
-/// The participant is to be shown or to hear how force and speed meet their bands.
+/// The participant is to see or to hear how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
 
 /// The files that a protocol names, with their hashes.
@@ -60,9 +60,8 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
 std::vector<EventRow> events_in_order(std::vector<EventRow> events,
                                       const std::vector<AttemptRow>& attempts);
 
-/// The session has ended as the protocol says although not every trial of it was asked: the
-/// criterion of a practice was not met, and the protocol ends the session then. It is not gone on
-/// with.
+/// The session has ended as the protocol specifies although not every trial of it was asked: the
+/// criterion of a practice was not met, and the protocol ends the session then. It is not resumed.
 bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row);
 /// Completed, or ended by a rule of the protocol: nothing is left to resume.
 bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row);
@@ -73,7 +72,7 @@ std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& pro
                                          const std::string& participant,
                                          std::optional<std::int64_t> id);
 
-/// The same where there has to be one. Errors: std::runtime_error saying that there is none.
+/// The same where there has to be one. Errors: std::runtime_error where there is none.
 SessionRow find_unfinished(const Study& study, const Protocol& protocol,
                            const std::string& participant, std::optional<std::int64_t> id);
 

@@ -63,7 +63,7 @@ class Sound {
   /// Samples have been consumed within the last half second. A session that needs its noise pauses
   /// when this becomes false.
   virtual bool is_running() const = 0;
-  /// There is a sound card. Without one, samples are consumed all the same, and nobody hears them.
+  /// There is a sound card. Without one, samples are consumed all the same, and cannot be heard.
   virtual bool is_heard() const = 0;
   /// A person has measured at the ear, and answers for, what is to be heard: without a sound card that comes
   /// from elsewhere.

@@ -41,8 +41,8 @@ struct LoadedBody {
 /// everything that they are made from), takes parameters from samples where a model does
 /// so, and solves requests for equal texture force.
 ///
-/// Equal force is that of the reference model as it would be rendered with this texture and nothing
-/// else said: parameters from the sample, defaults for the rest. A solution depends on both models
+/// Equal force is that of the reference model as it would be rendered with this texture where nothing
+/// else is declared: parameters from the sample, defaults for the rest. A solution depends on both models
 /// and their versions, the parameters, the material, the patch, the content of the height field,
 /// the target and the prescribed path; it is kept under all of these in the study, so that every
 /// session renders the same stimulus. A model that draws random numbers is solved with one seed and

@@ -41,7 +41,7 @@ class TerminalRespondent final : public Respondent {
   void tell(const std::string& text, const Wait& wait) override;
   std::string answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return "keyboard"; }
-  /// A terminal has nobody beside it: whoever sits there says when the fault is mended, by Return.
+  /// At a terminal there is no experimenter's window: Return states that the fault is corrected.
   void hear_of_fault(const std::string& what) override;
   AfterFault after_fault() override;
   void begin_attempt(int, int) override {}

@@ -39,7 +39,7 @@ struct AttemptOrder {
 /// deadline comes before a second one, the first is the answer.
 ///
 /// Feeling ends when the surface was felt as long as asked, or the participant has had enough of it:
-/// either way the cue `next` sounds and the scene says so until the hand has lifted.
+/// either way the cue `next` sounds and the scene shows it until the hand has lifted.
 ///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.

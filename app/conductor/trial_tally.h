@@ -35,7 +35,7 @@ class TrialTally final {
 
   /// The latest attempt that did its trial; null when there is none.
   const AttemptRow* last_done() const;
-  /// The attempt does not do its trial any more, and its reason to be invalid says so.
+  /// The attempt does not do its trial any more, as its reason to be invalid states.
   void set_aside(int trial, int attempt, const StoredWords& reason);
   /// Known from an earlier stretch of the session, and stored so.
   void remember_set_aside(int trial, int attempt) { set_aside_.insert({trial, attempt}); }
@@ -48,7 +48,7 @@ class TrialTally final {
   /// The trial's block needs no more trials.
   bool is_over(const Trial& trial) const { return criterion_of(trial) != BlockState::go_on; }
   int attempts_at(int trial) const;
-  /// The trial that comes when nobody asks for anything else; 0 when none is left. The walk over the
+  /// The trial that comes when nothing else is requested; 0 when none is left. The walk over the
   /// plan is at `step`, in `block` (0: between blocks). `tried` was tried just now (0: none): it is
   /// asked again at once (`again`), or not before the others of its block.
   enum class Again { at_once, after_others };

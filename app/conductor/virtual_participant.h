@@ -23,10 +23,10 @@ using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 /// on another stroke with another seed, through the plain law of `height_map` at its defaults:
 /// never through a renderer of the session. Where the declaration gives a `gaussian_wavelength_m`,
 /// the long waves are taken from the true heights first, as a photograph's heights lack them; the
-/// expectation knows that band, and nothing else of how a texture was made.
+/// expectation contains that band, and nothing else of how a texture was made.
 ///
-/// A texture that is felt on bodies only has no heights that would say what it feels like without
-/// them: there the first stimulus that shows it is felt once, likewise by another hand with another
+/// A texture that is felt on bodies only has no heights that would determine what it feels like
+/// without them: there the first stimulus that shows it is felt once, likewise by another hand with another
 /// seed, its bodies whole, through its own model at that model's defaults.
 ///
 /// For `prior` they are those stated in the protocol.
@@ -41,10 +41,10 @@ Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
 /// "virtual_guess" after a guess and "virtual" after any other answer; lapses belong to judging.
 ///
 /// A number for a surface is VirtualObserver::estimate of the features of what was felt, with a habit
-/// of saying numbers that belongs to the person; asked once more, they say the same. It needs no
+/// of choosing numbers that belongs to the participant; asked once more, it chooses the same. It needs no
 /// expectation, and is a guess only of who is deaf.
 ///
-/// Virtual results exercise the machinery and say nothing about which model people prefer.
+/// Virtual results exercise the machinery and are no evidence of which model participants prefer.
 class VirtualParticipant final : public Respondent {
  public:
   VirtualParticipant(const Protocol& protocol, Expectations expectations, ParticipantRow person,
