@@ -227,7 +227,7 @@ std::optional<Davidson> davidson(const Comparisons& counts) {
 
 Consistency consistency(std::span<const std::size_t> wins) {
   const auto k = static_cast<double>(wins.size());
-  if (wins.size() < 3) throw std::invalid_argument("wins must be of 3 items at least");
+  if (wins.size() < 3) throw std::invalid_argument("wins must be of at least 3 items");
   double squares = 0.0;
   for (const std::size_t own : wins) squares += static_cast<double>(own * own);
   Consistency result{.circular_triads = k * (k - 1.0) * (2.0 * k - 1.0) / 12.0 - 0.5 * squares};

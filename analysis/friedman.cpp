@@ -34,7 +34,7 @@ std::vector<double> midranks(std::span<const double> numbers) {
 
 FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   if (judgements.cols() < 2)
-    throw std::invalid_argument("judgements must be of two items at least");
+    throw std::invalid_argument("judgements must be of at least two items");
   if (!judgements.allFinite()) throw std::invalid_argument("judgements must be finite");
   const auto n = static_cast<double>(judgements.rows());
   const auto k = static_cast<double>(judgements.cols());

@@ -113,7 +113,7 @@ std::optional<Reliability> reliability_of(const Eigen::MatrixXd& ratings, double
   if (ratings.rows() < 2 || ratings.cols() < 2) {
     throw std::invalid_argument("ratings: " + std::to_string(ratings.rows()) + " targets of " +
                                 std::to_string(ratings.cols()) +
-                                " raters; a reliability needs two of each at least");
+                                " raters; a reliability needs at least two of each");
   }
   if (!ratings.allFinite()) throw std::invalid_argument("ratings: one is not finite");
   static_cast<void>(normal_limit(confidence));  // refuses what is no confidence

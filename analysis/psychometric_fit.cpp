@@ -191,7 +191,8 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
 std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBlock> blocks,
                                                 const PsychometricQuestion& question) {
   if (judge(blocks, question.model).status != PsychometricStatus::ok) {
-    throw std::invalid_argument("blocks: these data have no likeliest function; ask judge first");
+    throw std::invalid_argument(
+        "blocks: these data have no maximum-likelihood function; call judge first");
   }
   const double z = normal_limit(question.confidence);  // refuses improbable confidence
   const PsychometricLikelihood data(blocks, question.model);

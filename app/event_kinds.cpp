@@ -8,16 +8,16 @@ namespace asperity {
 const std::vector<EventKind>& event_kinds() {
   static const std::vector<EventKind> kKinds{
       {.name = "session_began",
-       .meaning = "the session began. Data: what runs this stretch; `utc` when it began (from "
-                  "version 0.2.0 on); `device` as in `session`, and `judged_force`, the normal "
-                  "force that the hand is judged by: `sent`, or "
-                  "`rendered` of a device without motors (Asperity 0.1.0 stored neither)",
+       .meaning = "the session began. Data: the program that runs this segment of the session; "
+                  "`utc`, when it began (from version 0.2.0 on); `device` as in `session`, and "
+                  "`judged_force`, the normal force by which the exploration is assessed: `sent`, "
+                  "or `rendered` of a device without motors (Asperity 0.1.0 stored neither)",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
                        "pacing", "scheduling", "device", "judged_force", "segment"}},
       {.name = "session_resumed",
-       .meaning = "the session was resumed after an interruption. Data: as of `session_began`",
+       .meaning = "the session was resumed after an interruption. Data: as in `session_began`",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
@@ -31,13 +31,14 @@ const std::vector<EventKind>& event_kinds() {
        .public_data = {"age_hours", "maximum_age_hours"},
        .text_is_words = true},
       {.name = "device_changed",
-       .meaning = "the session is resumed on another device than it last ran on: text as "
-                  "`session.device`, data as `session.device_json`; before `session_resumed`",
+       .meaning =
+           "the session is resumed on a device other than the one on which it last ran: text as "
+           "`session.device`, data as `session.device_json`; before `session_resumed`",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "device_profile",
-       .meaning = "the measured profile that the device of this stretch was compared with. Text: "
-                  "which one. Data: the profile",
+       .meaning = "the measured profile with which the device of this segment was compared. Text: "
+                  "which profile. Data: the profile",
        .hed = "Experiment-control, Device"},
       {.name = "rehearsal",
        .meaning = "a warning of the comparison of the plan with the measured device. Data: the "
@@ -110,13 +111,13 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "device_trouble",
-       .meaning = "a problem that the device reported. Text: in words for the experimenter; stored "
-                  "when it begins, when its words change (every ten seconds at most) and, as "
-                  "`device_well`, when it is over",
+       .meaning = "a problem that the device reported. Text: the message to the experimenter; "
+                  "stored when the problem begins, when the message changes (at most every ten "
+                  "seconds) and, as `device_well`, when the problem ends",
        .hed = "Experiment-control, Warning, Device",
        .ended_by = {"device_well", "device_trouble"}},
       {.name = "device_well",
-       .meaning = "the device reports no problem any more",
+       .meaning = "the device no longer reports a problem",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "trial_repeated",
@@ -131,22 +132,22 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true,
        .text_is_words = true},
       {.name = "masking_noise",
-       .meaning =
-           "the masking noise of the stretch that begins. Data: `kind`, `gain`, declared and "
-           "measured level, `verified_by`, who measured it, and the sound output. Kind `none`, not "
-           "`heard`: nothing could sound, as at a terminal (Asperity 0.1.0 stored no such event)",
+       .meaning = "the masking noise of the segment that begins. Data: `kind`, `gain`, declared "
+                  "and measured level, `verified_by`, who measured it, and the sound output. Kind "
+                  "`none`, not `heard`: no sound could be played, as at a terminal (Asperity 0.1.0 "
+                  "stored no such event)",
        .hed = "Sensory-event, Auditory-presentation, Signal-noise",
        .text_is_public = true,
        .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",
                        "rate_Hz", "buffer_s"}},
       {.name = "masking_noise_lost",
-       .meaning = "the noise had sounded, and stopped in a trial or could not sound when the next "
-                  "one was to begin; the session was paused",
+       .meaning = "the noise stopped during a trial, or could not be played when the next one was "
+                  "to begin; the session was paused",
        .hed = "Experiment-control, Mishap, Signal-noise",
        .text_is_public = true},
       {.name = "masking_noise_missing",
-       .meaning = "the noise could not start: the sound card did not play; the session was paused "
-                  "before this trials first trial, or the first after it was resumed",
+       .meaning = "the noise could not start, because the sound card did not play; the session was "
+                  "paused before its first trial, or before the first trial after it was resumed",
        .hed = "Experiment-control, Mishap, Signal-noise",
        .text_is_public = true},
       {.name = "mask_on",
@@ -159,8 +160,8 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control",
        .text_is_public = true},
       {.name = "experimenter_ready",
-       .meaning = "what the protocol requires of the experimenter before the trial was done and "
-                  "confirmed. Text: what it was",
+       .meaning = "the experimenter confirmed the action that the protocol requires before the "
+                  "trial. Text: the action",
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},
       {.name = "input",
@@ -181,7 +182,7 @@ const std::vector<EventKind>& event_kinds() {
        .public_data = {"source", "held_s"}},
       {.name = "refused",
        .meaning =
-           "an input was refused. Text: in English, the words that were shown. Data: the input",
+           "an input was refused. Text: the message that was shown, in English. Data: the input",
        .hed = "Sensory-event, Visual-presentation, Feedback, Experiment-participant",
        .text_is_public = true,
        .public_data = {"input"}},
@@ -209,8 +210,8 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Experimenter",
        .text_is_words = true},
       {.name = "focus_changed",
-       .meaning = "where keys go from now on: `participant`, `experimenter`, `experimenter, text "
-                  "field` or `another program`",
+       .meaning = "destination of key presses from now on: `participant`, `experimenter`, "
+                  "`experimenter, text field` or `another program`",
        .hed = "Experiment-control, Input-device",
        .text_is_public = true},
       {.name = "picture_unreadable",

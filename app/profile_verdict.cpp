@@ -38,7 +38,8 @@ Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {
     kept = phrase("DeviceTest", "No limit applied to the device.");
   }
   if (open.empty()) return kept;
-  const Phrase unseen = phrase("DeviceTest", "Limited, but not measured: %1.").with(open);
+  const Phrase unseen =
+      phrase("DeviceTest", "Not measured, although a limit applies: %1.").with(open);
   return kept.empty() ? unseen : Phrase("%1 %2").with(kept, unseen);
 }
 

@@ -31,7 +31,7 @@ std::optional<Phrase> remark_on(const Study& study) {
       return phrase(
           "Analysis",
           "The file study.sqlite has changed since Asperity last closed it: data read from it may "
-          "be incorrect. Run \"asperity verify\" for the errors and their possible causes.");
+          "be incorrect. Run \"asperity verify\" to list the errors and their possible causes.");
   }
   return {};
 }

@@ -4,14 +4,15 @@ namespace asperity {
 
 std::optional<Phrase> missing_metadata(const StudyMetadata& metadata) {
   if (metadata.authors.empty() && !metadata.license) {
-    return phrase("StudyMetadata",
-                  "The study states neither authors nor a license, which data archives require.");
+    return phrase(
+        "StudyMetadata",
+        "The study has neither authors nor a license entered; data archives require both.");
   }
   if (metadata.authors.empty()) {
-    return phrase("StudyMetadata", "The study states no authors, which data archives require.");
+    return phrase("StudyMetadata", "The study has no authors entered; data archives require them.");
   }
   if (!metadata.license) {
-    return phrase("StudyMetadata", "The study states no license, which data archives require.");
+    return phrase("StudyMetadata", "The study has no license entered; data archives require one.");
   }
   return std::nullopt;
 }

@@ -87,7 +87,8 @@ bool PointerDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
 Driver pointer_driver() {
   return {.id = "mouse",
           .name = "Mouse or tablet",
-          .summary = "Mouse or tablet in a window: moves and presses; it exerts no force.",
+          .summary =
+              "Mouse or tablet in a window: moves and presses the probe; it exerts no force.",
           .has_motors = false,
           .find =
               [](const DriverOptions& options) {

@@ -31,7 +31,8 @@ std::string remarks_on(const Model& model) {
     missing += (missing.empty() ? "" : ", ") + std::string(name_of(trait));
   }
   std::replace(missing.begin(), missing.end(), '_', ' ');
-  return model.sources + " Unknown to this program of the real device: " + missing +
+  return model.sources +
+         " Properties of the real device that are unknown to this program: " + missing +
          ". The simulated device has none of these, or those of its virtual hand.";
 }
 
@@ -45,8 +46,8 @@ Model falcon() {
           .known = {DeviceTrait::workspace, DeviceTrait::peak_force, DeviceTrait::rate,
                     DeviceTrait::latency, DeviceTrait::position_step},
           .sources =
-              "Workspace, force and resolution are those that its driver declares, the latency "
-              "of 1 ms is one frame."};
+              "Workspace, force and resolution are those that its driver declares; the latency of "
+              "1 ms is one frame."};
 }
 
 // The SDK's own figure for the fastest exchange stands for its latency. Of a model without figures, force and workspace
@@ -62,7 +63,7 @@ Model force_dimension(const DeviceCapability& capability, PublishedFigures figur
     model.known.insert(model.known.end(), {DeviceTrait::workspace, DeviceTrait::peak_force});
   }
   model.sources =
-      "Workspace and force are those that its driver declares, the latency of 0.25 ms is one "
+      "Workspace and force are those that its driver declares; the latency of 0.25 ms is one "
       "exchange at its highest rate.";
   return model;
 }

@@ -143,10 +143,9 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
     }
     tried += (tried.empty() ? "" : ", ") + name.string();
   }
-  throw std::runtime_error(
-      product_ + " is not installed: there is no " + tried +
-      " where the system looks for libraries. Install it from its maker, or name its library "
-      "with --library FILE.");
+  throw std::runtime_error(product_ + " is not installed: there is no " + tried +
+                           " where the system looks for libraries. Install it from its "
+                           "manufacturer, or name its library with --library FILE.");
 }
 
 void* VendorLibrary::address_or_null(const char* name) const noexcept {
@@ -157,8 +156,8 @@ void* VendorLibrary::address_of(const char* name) const {
   void* address = address_or_null(name);
   if (address == nullptr) {
     throw std::runtime_error(product_ + " in " + file_.string() + " has no function " + name +
-                             ": it is another version than the one that this program needs. "
-                             "Install that version, or name its library with --library FILE.");
+                             ": it is another version, not the one that this program needs. "
+                             "Install the latter, or name its library with --library FILE.");
   }
   return address;
 }

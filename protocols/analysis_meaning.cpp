@@ -46,7 +46,8 @@ void Meaning::check_analysis() {
   }
   const AnalysisDeclaration& declared = protocol_.analysis;
   if (declared.target && protocol_.kind != ProtocolKind::selection) {
-    report("/analysis/target", "only a selection has a target that is chosen among others");
+    report("/analysis/target",
+           "only a selection has a target that is chosen among others; remove this key");
   } else if (declared.target) {
     const std::set<std::string> items = items_of_main_blocks();
     if (!items.contains(*declared.target)) {
@@ -58,8 +59,9 @@ void Meaning::check_analysis() {
   }
   if (declared.equivalence_margin && protocol_.kind != ProtocolKind::matching &&
       protocol_.kind != ProtocolKind::recognition) {
-    report("/analysis/equivalence_margin",
-           "only a matching and a recognition have proportions correct to compare");
+    report(
+        "/analysis/equivalence_margin",
+        "only a matching and a recognition have proportions correct to compare; remove this key");
   }
   std::vector<std::string> tests{};
   for (const TestName& test : test_names()) {
@@ -73,7 +75,7 @@ void Meaning::check_analysis() {
       report(pointer, "a " + std::string(text_of(protocol_.kind)) + " has no test " +
                           in_quotes(name) + "; it has " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
-      report(pointer, "the test " + in_quotes(name) + " is named twice");
+      report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
     } else if (!declared.target && protocol_.kind == ProtocolKind::selection &&
                (name == "target_pairs" || name == "textures")) {
       report(pointer,

@@ -55,7 +55,8 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
     const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
     if (run != nullptr && run->block == block.name && setters.contains(run->for_each)) {
       report(pointer_to("/flow", i) + "/for_each",
-             "the factor " + in_quotes(run->for_each) + " is already set inside the block");
+             "the factor " + in_quotes(run->for_each) +
+                 " is already set inside the block; set it in one place only");
     }
   }
   for (const auto& [name, place] : texts_of(block.exploration, pointer + "/exploration")) {
@@ -69,8 +70,9 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
         factors_set_by(block, run).contains(factor)) {
       continue;
     }
-    report(pointer + "/exploration",
-           "nothing sets the factor " + in_quotes(factor) + " in the trials of this block");
+    report(pointer + "/exploration", "nothing sets the factor " + in_quotes(factor) +
+                                         " in the trials of this block: cross, list or draw it, or "
+                                         "run the block for_each of its levels");
   }
   check_anchor(block, pointer);
   check_presented(block, pointer);
@@ -82,7 +84,8 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   if (block.anchor.empty()) return;
   const std::string place = pointer + "/anchor";
   if (protocol_.kind != ProtocolKind::magnitude) {
-    report_key(place, "only a magnitude has an anchor that others are judged by");
+    report_key(place,
+               "only a magnitude has an anchor with which others are compared; remove this key");
     return;
   }
   if (!block.drawn.empty()) {
@@ -103,8 +106,8 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
     }
   }
   for (const std::string& name : needed) {
-    report(place,
-           "the anchor does not set " + in_quotes(name) + ", which the trials of this block set");
+    report(place, "the anchor does not set " + in_quotes(name) +
+                      ", which the trials of this block set; add it to the anchor");
   }
 }
 
@@ -114,7 +117,8 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
     if (presented.role != expected) {
-      report(place + "/role", "in this kind of protocol every surface is " + in_quotes(expected));
+      report(place + "/role",
+             "in this kind of protocol the role of every surface is " + in_quotes(expected));
     }
     for (const auto& [factor, level] : presented.with) {
       check_level(factor, level, pointer_to(place + "/with", factor));
@@ -157,8 +161,9 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
                       std::string(text_of(protocol_.kind)) + " is correct or incorrect");
   }
   if (criterion.correct > criterion.of_last) {
-    report(place + "/correct", "a participant cannot get " + std::to_string(criterion.correct) +
-                                   " correct of " + std::to_string(criterion.of_last));
+    report(place + "/correct", "the criterion cannot be met: it requires " +
+                                   std::to_string(criterion.correct) + " correct of " +
+                                   std::to_string(criterion.of_last));
   }
   if (criterion.correct > criterion.maximum_trials) {
     report(place + "/maximum_trials",
@@ -180,7 +185,9 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
          std::all_of(block.listed.begin(), block.listed.end(),
                      [&name = factor](const FactorLevels& row) { return row.contains(name); }));
     if (!is_row_factor) {
-      report_key(at, "only factors that the block crosses or lists can be kept apart");
+      report_key(at,
+                 "only factors that the block crosses or lists can be kept apart; cross or list "
+                 "this one, or remove this key");
       return;
     }
   }
@@ -206,7 +213,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
       trials % block.presented.size() != 0) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
-               " trials, one per surface, but the block has " + std::to_string(trials));
+               " trials, the number of surfaces, but the block has " + std::to_string(trials));
   }
   if (block.maximum_in_a_row.empty()) return;
   const OrderProblem problem = order_problem(block, rows_of(protocol_, block));
@@ -215,13 +222,13 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     if (!meets(problem, order)) {
       report(pointer + "/maximum_in_a_row",
-             "the fixed order of this block violates it; use \"shuffle\" or write the rows in "
-             "another order");
+             "the fixed order of this block violates maximum_in_a_row; use \"shuffle\" or write "
+             "the rows in another order");
     }
   } else if (!some_order(problem)) {
     report(pointer + "/maximum_in_a_row",
            "no order of the block's " + std::to_string(problem.trials) +
-               " trials satisfies it; allow more in a row or add other levels between");
+               " trials satisfies maximum_in_a_row; allow more in a row, or add other levels");
   }
 }
 

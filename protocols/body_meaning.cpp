@@ -72,13 +72,13 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
     const bool is_needed =
         std::find(keys->needed.begin(), keys->needed.end(), key) != keys->needed.end();
     if (!is_needed) {
-      refuse_key(key, "a " + said + " is not described by this; it has " +
+      refuse_key(key, "a " + said + " does not have this key; it has " +
                           one_of({keys->needed.begin(), keys->needed.end()}));
     } else if (!object.contains(std::string(key))) {
       report(pointer, "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres");
     }
   }
-  if (!keys->has_axis) refuse_key("axis", "a " + said + " is not turned");
+  if (!keys->has_axis) refuse_key("axis", "a " + said + " has no axis; remove this key");
 }
 
 void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
@@ -103,11 +103,12 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
     }
   };
   if (needs != models.end() && protocol_.patch.motion_scale != 1.0) {
-    report("/surface/motion_scale", "the model " + in_quotes((*needs)->id) +
-                                        " moves a tool as the hand moves: its scale is 1");
+    report("/surface/motion_scale",
+           "the model " + in_quotes((*needs)->id) +
+               " moves a tool exactly as the hand moves: set motion_scale to 1");
   }
-  check(stimulus.surface, "surface", "what is touched");
-  check(stimulus.tool, "tool", "what the hand holds");
+  check(stimulus.surface, "surface", "the object that is touched");
+  check(stimulus.tool, "tool", "the object that the hand holds");
 }
 
 bool Meaning::brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer) {

@@ -75,13 +75,13 @@ class Doubts final {
       return value && *value > most;
     };
     const std::string no_hand =
-        " m/s is faster than hands stroke; a speed is in metres per second, 40 mm/s are 0.04";
+        " m/s is faster than a hand strokes; a speed is in metres per second: 40 mm/s is 0.04";
     const Band& speed = asked.speed_m_per_s;
     if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand)) {
       look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand);
     }
     const double most_N = kRoomForTexture * protocol_.force_limit_N;
-    const std::string no_room = " N leave little below the device's limit of " +
+    const std::string no_room = " N leaves little room below the device's limit of " +
                                 digits(protocol_.force_limit_N) +
                                 " N: a texture's crests exceed it and are clipped; set " +
                                 digits(most_N) + " N or less, or raise /device/force_limit_N";
@@ -135,7 +135,7 @@ class Doubts final {
         by_tones ? std::set<std::string_view>{"bar", "bars"}
                  : std::set<std::string_view>{"tone", "tones", "beep", "beeps"};
     const std::string why = by_tones ? "\", but the hand is guided by tones, and no bar is shown"
-                                     : "\", but the hand is guided by sight, and no tone sounds";
+                                     : "\", but the hand is guided by sight, and no tone is played";
     const auto look = [&](const std::string& text, const std::string& pointer) {
       std::string word{};
       for (const char c : text + ' ') {
@@ -171,8 +171,8 @@ class Doubts final {
     if (block == protocol_.blocks.end()) return;
     doubt(pointer_to("/blocks", block->first) + "/presented",
           "the alternatives differ in " + in_quotes(*parameter) +
-              " alone: a selection analyses how often each level is chosen, not whether levels "
-              "can be discriminated; for a threshold, export the answers and fit "
+              " alone: the analysis of a selection tests how often each level is chosen, not "
+              "whether levels can be discriminated; for a threshold, export the answers and fit "
               "them with analyze --table FILE --as psyfit");
   }
 

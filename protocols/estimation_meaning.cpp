@@ -75,8 +75,9 @@ void Meaning::check_estimation() {
                         std::find(block.drawn.begin(), block.drawn.end(), estimation.condition) !=
                             block.drawn.end();
     if (varies) {
-      report(pointer, "the condition is held within a block: run this block for_each level of " +
-                          in_quotes(estimation.condition) + " instead of mixing them");
+      report(pointer,
+             "the condition must be constant within a block: run this block for_each level of " +
+                 in_quotes(estimation.condition) + " instead of mixing them");
       continue;
     }
     for (const Run* const run : runs_of(block)) {

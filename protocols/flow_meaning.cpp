@@ -47,12 +47,13 @@ void Meaning::check_flow() {
     if (!run_blocks.contains(name)) {
       report_key(pointer_to("/blocks", name), "the block " + in_quotes(name) +
                                                   " is never run; add {\"run\": \"" + name +
-                                                  "\"} to the flow or take the block out");
+                                                  "\"} to the flow, or remove the block");
     }
   }
   if (protocol_.counterbalance != Protocol::Counterbalance::none && iterated.empty()) {
     report("/counterbalance",
-           "there is nothing to counterbalance: no step of the flow has a \"for_each\"");
+           "there is nothing to counterbalance: no step of the flow has a \"for_each\"; add one, "
+           "or remove this key");
   }
   constexpr std::size_t kMaximumLevels = 32;
   for (const std::string& name : iterated) {

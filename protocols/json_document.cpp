@@ -99,7 +99,7 @@ class JsonDocument::Handler {
   bool string(std::string& given) {
     if (given.size() > kMaximumString) {
       return refuse(start(), "this text is longer than " + std::to_string(kMaximumString) +
-                                 " bytes; a protocol has shorter ones");
+                                 " bytes; shorten it");
     }
     return value(given);
   }
@@ -215,7 +215,7 @@ class JsonDocument::Handler {
       Open& parent = stack_.back();
       if (parent.node->size() >= kMaximumEntries) {
         refuse(from, "more than " + std::to_string(kMaximumEntries) +
-                         " entries in one place; a protocol has fewer");
+                         " entries in one place; reduce their number");
         return nullptr;
       }
       if (parent.node->is_array()) {
@@ -246,7 +246,7 @@ class JsonDocument::Handler {
   bool open(nlohmann::json container) {
     if (stack_.size() >= kMaximumDepth) {
       return refuse(start(), "nested deeper than " + std::to_string(kMaximumDepth) +
-                                 " levels; a protocol is flatter");
+                                 " levels; reduce the nesting");
     }
     std::string pointer{};
     nlohmann::json* node = place(std::move(container), pointer);
@@ -277,7 +277,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
   const auto refuse = [this](std::string message) {
     throw ProtocolError({diagnostic(0, "", std::move(message))});
   };
-  if (text.size() > kMaximumBytes) refuse("larger than 4 MiB; a protocol is a small text file");
+  if (text.size() > kMaximumBytes)
+    refuse("larger than 4 MiB, the maximum size of a protocol; name another file");
   if (text.starts_with("\xEF\xBB\xBF")) {
     refuse("begins with a byte order mark; save the file as UTF-8 without one");
   }

@@ -23,14 +23,15 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       report(at, "the texture " + in_quotes(name) + " has no \"picture\" to show");
     }
     if (std::find(question.pictures.begin(), here, name) != here) {
-      report(at, "the picture of " + in_quotes(name) + " is listed twice");
+      report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");
     }
   }
   if (question.pictures.empty()) {
     for (const char* const key : {"reshuffle_pictures", "pictures_after_feeling"}) {
       if (question.reshuffle_pictures || question.pictures_after_feeling) {
         if (document_.root().at("blocks").at(block.name).at("question").contains(key)) {
-          report_key(place + "/" + key, "this question shows no pictures to choose from");
+          report_key(place + "/" + key,
+                     "this question shows no pictures to choose from; remove this key");
         }
       }
     }
@@ -72,7 +73,8 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       }
       if (question.allow_cannot_tell) {
         report(place + "/allow_cannot_tell",
-               "in a matching every surface gets a picture; there is no \"cannot tell\"");
+               "in a matching every surface gets a picture, and there is no \"cannot tell\"; set "
+               "this to false");
       }
       if (!question.correct_factor.empty()) {
         report(place + "/correct_factor",
@@ -101,7 +103,8 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
         if (!factors_set_by(block, run).contains(question.correct_factor)) {
           report(place + "/correct_factor", "nothing sets the factor " +
                                                 in_quotes(question.correct_factor) +
-                                                " in the trials of this block");
+                                                " in the trials of this block: cross, list or draw "
+                                                "it, or run the block for_each of its levels");
         }
       }
       break;
@@ -110,11 +113,13 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
         report(pointer + "/presented", "a magnitude presents exactly one surface per trial");
       }
       if (!question.pictures.empty()) {
-        report(place + "/pictures", "a magnitude is answered by a number, not by a picture");
+        report(place + "/pictures",
+               "a magnitude is answered by a number, not by a picture; remove this key");
       }
       if (question.allow_cannot_tell) {
         report(place + "/allow_cannot_tell",
-               "in a magnitude every surface gets a number; there is no \"cannot tell\"");
+               "in a magnitude every surface gets a number, and there is no \"cannot tell\"; set "
+               "this to false");
       }
       if (!question.correct_factor.empty()) {
         report(place + "/correct_factor", "no response of a magnitude is correct or incorrect");

@@ -10,7 +10,8 @@ void Meaning::check_senses() {
   const Protocol::Noise& noise = protocol_.masking_noise;
   const std::string at_noise = "/environment/masking_noise";
   const bool is_none = noise.kind == Protocol::Noise::Kind::none;
-  if (is_none && noise.level_dBA) report_key(at_noise + "/level_dBA", "no noise has no level");
+  if (is_none && noise.level_dBA)
+    report_key(at_noise + "/level_dBA", "the noise \"none\" has no level; remove this key");
   if (!is_none && !noise.level_dBA) {
     report(at_noise, "masking noise has to state its \"level_dBA\"");
   }

@@ -18,7 +18,8 @@ void Meaning::check_head() {
            "\"realism_standard\" with \"photograph\", \"physical_sample\" or \"memory\"");
   }
   if (!is_selection && protocol_.realism_standard) {
-    report_key("/realism_standard", "only a selection is measured against a standard of realism");
+    report_key("/realism_standard",
+               "only in a selection is realism measured against a standard; remove this key");
   }
   const bool is_magnitude = protocol_.kind == ProtocolKind::magnitude;
   if (is_magnitude && !protocol_.estimation) {
@@ -27,7 +28,7 @@ void Meaning::check_head() {
            "with the factor that is the \"spacing\"");
   }
   if (!is_magnitude && protocol_.estimation) {
-    report_key("/estimation", "only a magnitude has estimates to be analysed");
+    report_key("/estimation", "only a magnitude has estimates to be analysed; remove this key");
   }
   const auto& patch = protocol_.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
@@ -86,7 +87,7 @@ void Meaning::check_textures() {
     const auto [other, is_new] = codes.emplace(texture.code, name);
     if (!is_new) {
       report(pointer + "/code", "the code " + in_quotes(texture.code) + " is also that of " +
-                                    in_quotes(other->second) + "; codes tell textures apart");
+                                    in_quotes(other->second) + "; give each texture its own code");
     }
   }
 }
@@ -134,11 +135,12 @@ void Meaning::check_factors() {
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       const Level& level = factor.levels[i];
       if (level.index() != factor.levels.front().index()) {
-        report(pointer_to(pointer, i), "the levels of a factor are all numbers or all names");
+        report(pointer_to(pointer, i), "the levels of a factor must be all numbers or all names");
       } else if (std::find(factor.levels.begin(),
                            factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
                            level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
-        report(pointer_to(pointer, i), in_quotes(text_of(level)) + " is listed twice");
+        report(pointer_to(pointer, i),
+               in_quotes(text_of(level)) + " is listed twice; list it once");
       } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
         report(pointer_to(pointer, i), "a level cannot be empty");
       }
@@ -203,8 +205,8 @@ void Meaning::check_guidance(const Exploration& exploration, const std::string& 
     const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
     if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
       report(place,
-             "a target needs a speed and a length to move by: give speed_m_per_s and "
-             "stroke_length_m a target above 0");
+             "a moving target needs a speed and a length: give speed_m_per_s and stroke_length_m a "
+             "target above 0");
     }
   }
 }
@@ -221,7 +223,8 @@ void Meaning::check_explorations() {
       if (!force_N || *force_N <= protocol_.force_limit_N) return;
       report(pointer + "/normal_force_N/" + key,
              "the band reaches " + digits(*force_N) + " N, but the device stops at its limit of " +
-                 digits(protocol_.force_limit_N) + " N (/device/force_limit_N)");
+                 digits(protocol_.force_limit_N) +
+                 " N (/device/force_limit_N); lower the force or raise the limit");
     };
     too_strong(exploration.normal_force_N.minimum, "minimum");
     too_strong(exploration.normal_force_N.target, "target");
@@ -251,8 +254,8 @@ void Meaning::check_explorations() {
     if (exploration.required_fraction_in_band > 0.0 && !bounded(exploration.normal_force_N) &&
         !bounded(exploration.speed_m_per_s)) {
       report(pointer + "/required_fraction_in_band",
-             "there is no band to be in: give normal_force_N or speed_m_per_s a minimum or a "
-             "maximum");
+             "there is no band to which the fraction could refer: give normal_force_N or "
+             "speed_m_per_s a minimum or a maximum");
     }
     const bool repeats = exploration.on_failure != Exploration::OnFailure::flag;
     if (repeats && exploration.maximum_repeats < 1) {
@@ -279,14 +282,16 @@ void Meaning::check_questions() {
       case Question::Form::number:
       case Question::Form::text:
         if (object.contains("options")) {
-          report_key(pointer + "/options", "only a question of the form \"choice\" has options");
+          report_key(pointer + "/options",
+                     "only a question of the form \"choice\" has options; remove this key");
         }
         break;
     }
     if (question.form != Question::Form::number) {
       for (const char* const key : {"minimum", "maximum"}) {
         if (object.contains(key)) {
-          report_key(pointer + "/" + key, "only a question of the form \"number\" has limits");
+          report_key(pointer + "/" + key,
+                     "only a question of the form \"number\" has limits; remove this key");
         }
       }
     } else if (question.minimum && question.maximum && *question.minimum > *question.maximum) {
@@ -296,13 +301,15 @@ void Meaning::check_questions() {
     for (std::size_t i = 0; i < question.options.size(); ++i) {
       const auto here = question.options.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::find(question.options.begin(), here, *here) != here) {
-        report(pointer_to(pointer + "/options", i), in_quotes(*here) + " is listed twice");
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*here) + " is listed twice; list it once");
       }
       const auto& texts = question.option_texts;
       if (texts.empty()) continue;
       const auto text = texts.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::find(texts.begin(), text, *text) != text) {
-        report(pointer_to(pointer + "/options", i), in_quotes(*text) + " is shown twice");
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*text) + " is shown for two options; give each its own text");
       }
       const auto value = std::find(question.options.begin(), question.options.end(), *text);
       if (value != question.options.end() && *value != *here) {

@@ -132,7 +132,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   const std::string place = pointer + "/equal_force";
   if (equal.band_low_Hz >= equal.band_high_Hz) {
     report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
-                      digits(equal.band_high_Hz) + " Hz is empty");
+                      digits(equal.band_high_Hz) +
+                      " Hz is empty; its lower limit must be less than its upper limit");
   }
   if (equal.band_high_Hz > 0.5 * protocol_.rate_Hz) {
     report(place, "the band ends at " + digits(equal.band_high_Hz) +
@@ -140,7 +141,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   }
   if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
     report(place + "/rms_N", digits(*equal.rms_N) + " N are above the force limit of " +
-                                 digits(protocol_.force_limit_N) + " N (/device/force_limit_N)");
+                                 digits(protocol_.force_limit_N) +
+                                 " N (/device/force_limit_N); lower the force or raise the limit");
   }
   if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
     report(place + "/to_model", unknown("force model", equal.to_model, models_));
@@ -162,7 +164,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
     } else if (!model->second->amplitude_parameter) {
       if (id == equal.to_model) continue;
       report(at, "the model " + in_quotes(id) +
-                     " has no amplitude by which its texture force could be made equal");
+                     " has no amplitude by which its texture force could be made equal; remove "
+                     "\"equal_force\" or use another model");
     } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
       report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
                  id == equal.to_model

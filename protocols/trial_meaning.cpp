@@ -16,7 +16,8 @@ void Meaning::check_expectation(const Trial& trial,
   if (protocol_.observer.expectation == Expectation::none) return;
   if (protocol_.kind == ProtocolKind::magnitude) {
     report("/observer/expectation",
-           "a number is made from what is felt: an observer of magnitudes expects \"none\"");
+           "an observer derives a magnitude from what it feels and has no expectation: set this to "
+           "\"none\"");
     return;
   }
   std::set<std::string> expected{};

@@ -112,7 +112,7 @@ ForceModel height_map_model() {
        .maximum = 100.0,
        .choices = {},
        .default_value = 1.0,
-       .meaning = "Factor on the heights of the field"},
+       .meaning = "Factor applied to the heights of the field"},
       {.name = "depth_limit_m",
        .kind = ParameterKind::number,
        .unit = "m",
@@ -136,7 +136,7 @@ ForceModel height_map_model() {
        .choices = {"none", "subtract_min"},
        .default_value = std::string("none"),
        .meaning = "Literal law only. none: equation 1, which pulls over valleys; subtract_min: "
-                  "heights counted from the lowest sample"},
+                  "heights measured from the lowest sample"},
       {.name = "k1_N_per_m",
        .kind = ParameterKind::number,
        .unit = "N/m",

@@ -188,7 +188,7 @@ void ServoThread::start_being_called(ServoLoop& loop, HapticDevice& device, Sche
   const std::string& name = device.capability().name;
   if (scheduling == Scheduling::fifo) {
     throw std::runtime_error(
-        "SCHED_FIFO cannot be demanded with the device " + name +
+        "SCHED_FIFO cannot be required with the device " + name +
         ": its own thread runs the loop; allow the servo loop to run without it");
   }
   locked_memory_ = memory_locked();

@@ -103,7 +103,7 @@ ForceModel stochastic_model() {
        .maximum = 10000.0,
        .choices = {},
        .default_value = 1000.0,
-       .meaning = "Rate at which the noise takes a new value, whatever the servo rate"},
+       .meaning = "Rate at which the noise takes a new value, independent of the servo rate"},
       {.name = "velocity_threshold_m_per_s",
        .kind = ParameterKind::number,
        .unit = "m/s",

@@ -48,9 +48,9 @@ class StagedFile final {
     if (std::filesystem::is_directory(path_)) fail_on_file(path_, "written", EISDIR);
     const std::filesystem::path folder = folder_of(path_);
     if (!std::filesystem::is_directory(folder)) {
-      throw ResultsError(
-          "the file " + path_.string() + " cannot be made: there is no folder " + folder.string(),
-          path_, ENOENT);
+      throw ResultsError("the file " + path_.string() + " cannot be created: there is no folder " +
+                             folder.string(),
+                         path_, ENOENT);
     }
     temporary_ = temporary_name(path_);
     try {
@@ -195,11 +195,10 @@ std::string read_file(const std::filesystem::path& path, const FileKind& kind) {
     }
     return content;
   } catch (const std::bad_alloc&) {
-    throw ResultsError("the file " + path.string() + " cannot be read: its " +
-                           std::to_string(file.bytes()) +
-                           " bytes are more than the memory that is free; close other programs, or "
-                           "take a smaller file",
-                       path, ENOMEM);
+    throw ResultsError(
+        "the file " + path.string() + " cannot be read: its " + std::to_string(file.bytes()) +
+            " bytes exceed the free memory; close other programs, or use a smaller file",
+        path, ENOMEM);
   }
 }
 

@@ -63,7 +63,7 @@ bool PartFolder::claim() {
       if (is_local) throw;
     }
     if (!is_locked && is_local) {
-      throw ResultsError("the folder " + target_.string() + " is being made by " +
+      throw ResultsError("the folder " + target_.string() + " is being written by " +
                              holder_in_lock(lock_).description +
                              "; wait until it has finished, or stop it there",
                          part_, EAGAIN);

@@ -49,7 +49,7 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
   if (journal.step()) journal.read(mode);
   journal.run();
   if (mode != "wal") {
-    throw ResultsError("a study cannot be made in " + folder.string() +
+    throw ResultsError("a study cannot be created in " + folder.string() +
                            ": its file system does not support a write-ahead log; use a local disk",
                        folder);
   }
@@ -142,7 +142,7 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
   if (!std::filesystem::is_regular_file(database_in(folder), error)) {
     throw ResultsError("the folder " + folder.string() +
                            " is not a study: it has no study.sqlite. Name the folder of a study, "
-                           "or make a new one",
+                           "or create a new one",
                        folder, ENOENT);
   }
   connect();
@@ -244,8 +244,8 @@ void Study::Store::check_identity() {
   const int version = number_of(*database, "PRAGMA user_version");
   if (version > kSchemaVersion) {
     throw ResultsError("the study " + folder.string() +
-                           " was made by a newer Asperity: its schema is version " +
-                           std::to_string(version) + ", this program knows versions up to " +
+                           " was made by a newer version of Asperity: its schema is version " +
+                           std::to_string(version) + ", and this program reads versions up to " +
                            std::to_string(kSchemaVersion) + ". Use the newer program",
                        folder);
   }
@@ -305,12 +305,12 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
     return open(folder, Access::read_write);
   }
   if (!std::filesystem::is_directory(folder)) {
-    throw ResultsError("a study cannot be made in " + folder.string() +
+    throw ResultsError("a study cannot be created in " + folder.string() +
                            ": it is a file; name a new or an empty folder",
                        folder, ENOTDIR);
   }
   if (!std::filesystem::is_empty(folder)) {
-    throw ResultsError("a study cannot be made in " + folder.string() +
+    throw ResultsError("a study cannot be created in " + folder.string() +
                            ": it is not empty; name a new or an empty folder",
                        folder, EEXIST);
   }

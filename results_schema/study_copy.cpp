@@ -139,12 +139,14 @@ void Study::copy_to(const std::filesystem::path& folder) const {
       std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   if (std::filesystem::exists(std::filesystem::symlink_status(to))) {
     throw ResultsError("a study cannot be copied to " + folder.string() +
-                           ", which exists already; name a folder that does not",
+                           ", which exists already; name a new folder",
                        folder, EEXIST);
   }
   if (std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end()) {
-    throw ResultsError("a study cannot be copied into itself, to " + folder.string(), folder,
-                       EINVAL);
+    throw ResultsError(
+        "a study cannot be copied into itself; name a folder outside the study, not " +
+            folder.string(),
+        folder, EINVAL);
   }
   if (seal_of(from) == Seal::broken) {
     throw ResultsError("the study " + from.string() +

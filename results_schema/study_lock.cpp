@@ -37,7 +37,7 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
   const std::string network = network_file_system_at(study);
   if (!network.empty()) {
     throw ResultsError("the study " + study.string() + " lies on a network file system, " +
-                           network + ", where locks cannot be trusted; use a local disk",
+                           network + ", where locks are not reliable; use a local disk",
                        study);
   }
   make_folders(path_.parent_path());

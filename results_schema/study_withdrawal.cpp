@@ -209,9 +209,9 @@ void empty_log(Database& database) {
     if (busy == 0) return;
   }
   refuse_withdrawal(database.folder(),
-                    "no longer holds the participant's rows, but another program reads it, and its "
-                    "log, study.sqlite-wal, holds them until that program closes the study. Close "
-                    "it there, then open the study once",
+                    "no longer holds the participant's rows, but another program is reading it, "
+                    "and its log, study.sqlite-wal, holds them until that program closes the "
+                    "study. Close it there, then open the study once",
                     SQLITE_BUSY);
 }
 

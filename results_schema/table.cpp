@@ -101,7 +101,7 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     if (cells.size() != table.columns.size()) {
       throw ResultsError(place + std::to_string(std::min(cells.size(), table.columns.size()) + 1) +
                              ": the row has " + std::to_string(cells.size()) +
-                             " cells, the header names " + std::to_string(table.columns.size()) +
+                             " cells, the header has " + std::to_string(table.columns.size()) +
                              " columns",
                          file_name);
     }

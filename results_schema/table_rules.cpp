@@ -152,7 +152,7 @@ std::vector<std::string> broken_checks(Database& database) {
       if (rows[i] == 0.0) continue;
       broken.push_back(std::to_string(static_cast<std::int64_t>(rows[i])) +
                        (rows[i] == 1.0 ? " row of " : " rows of ") + name +
-                       " contrary to the rule CHECK (" + checks[i] + ')');
+                       " violating the rule CHECK (" + checks[i] + ')');
     }
   }
   return broken;
@@ -165,7 +165,7 @@ std::vector<std::string> changed_objects(Database& database, Database& made) {
   for (const auto& [name, sql] : should) {
     const auto found = has.find(name);
     if (found == has.end()) {
-      changed.push_back("the " + name + " of every study is missing");
+      changed.push_back("the " + name + ", which every study has, is missing");
     } else if (found->second != sql) {
       changed.push_back("the " + name +
                         " differs from the one that Asperity makes: " + found->second);

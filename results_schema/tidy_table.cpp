@@ -193,9 +193,8 @@ TidyTable::TidyTable(std::string whole, std::string name)
     if (found != columns_.size()) {
       throw ResultsError(name_ + ':' + std::to_string(line) + ':' +
                              std::to_string(std::min(found, columns_.size()) + 1) +
-                             ": the row has " + std::to_string(found) +
-                             " cells, the header names " + std::to_string(columns_.size()) +
-                             " columns" +
+                             ": the row has " + std::to_string(found) + " cells, the header has " +
+                             std::to_string(columns_.size()) + " columns" +
                              (separator == ',' && found > columns_.size()
                                   ? "; is there a comma in a number or in a text without quotes?"
                                   : ""),

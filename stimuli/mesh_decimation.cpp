@@ -381,7 +381,7 @@ class Simplification final {
       const auto corner = [&](std::size_t i) { return half_edges.vertex_handle(triangle[i]); };
       if (!half_edges.add_face(corner(0), corner(1), corner(2)).is_valid()) {
         throw std::invalid_argument(name +
-                                    " has a surface that no half-edges can follow, at vertex " +
+                                    " has a surface that half-edges cannot represent, at vertex " +
                                     std::to_string(half_edges.property(pasts, corner(0)).origin) +
                                     "; repair did not detect it. Correct the mesh there.");
       }

@@ -91,7 +91,7 @@ ReadMesh decode_content(std::string_view content, const MeshReading& reading,
   if (text && word == "solid") return decode_stl_ascii(content, reading, name);
   if (word.size() <= 6 && word.ends_with("OFF")) return decode_off(content, reading, name);
   if (text && looks_like_obj(start)) return decode_obj(content, reading, name);
-  std::string sentence = name + " is none of OBJ, PLY, STL and OFF.";
+  std::string sentence = name + " is in none of the formats OBJ, PLY, STL and OFF.";
   if (!text && content.size() >= binary_stl_bytes(0)) {
     const std::size_t triangles = binary_stl_triangles(content);
     sentence += " If it is a binary STL, it is damaged: its header states " +

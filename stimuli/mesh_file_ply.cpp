@@ -264,7 +264,7 @@ class Body final {
   [[noreturn]] void cut_off(std::size_t item) const {
     throw std::invalid_argument(name_ + " is truncated: it ends after " + std::to_string(item) +
                                 " of the " + std::to_string(element_->count) + " items of \"" +
-                                element_->name + "\" that its header announces.");
+                                element_->name + "\" that its header states.");
   }
 
   Numbers& numbers_;

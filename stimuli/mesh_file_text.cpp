@@ -28,7 +28,7 @@ std::size_t next_count(MeshText& text, std::string_view word, const char* what) 
   const std::int64_t count = text.integer_in(word);
   // An item takes two bytes at least, a digit and the end of its line.
   if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
-    text.refuse("the file announces " + std::string(word) + ' ' + what +
+    text.refuse("the file states " + std::string(word) + ' ' + what +
                 ", for which it is too short.");
   }
   return static_cast<std::size_t>(count);

@@ -170,10 +170,10 @@ class Repair final {
     }
     found_.diagonal_m = box.diagonal_m();
     if (found_.diagonal_m < kShortestDiagonal_m || found_.diagonal_m > kLongestDiagonal_m) {
-      refuse(
-          "is " + number_text(found_.diagonal_m) +
-          " m from corner to corner of its bounding box; something to be felt has between 0.0001 m "
-          "and 10 m. Mesh files do not state their unit: enter the length of one unit in metres.");
+      refuse("is " + number_text(found_.diagonal_m) +
+             " m from corner to corner of its bounding box; an object to be explored measures "
+             "between 0.0001 m and 10 m. Mesh files do not state their unit: enter the length of "
+             "one unit in metres.");
     }
     refuse_flat();
   }
@@ -260,7 +260,7 @@ class Repair final {
             count += wanted == 1 ? 1 : 0;
             sheet.push_back(other);
           } else if (turned[other] != wanted) {
-            refuse("has a surface of one side only, like a Möbius strip, near triangle " +
+            refuse("has a surface with one side only, like a Möbius strip, near triangle " +
                    std::to_string(other + 1ULL) + "; it has no inside.");
           }
         }
@@ -602,15 +602,16 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   say("Vertices joined with another one in the same place", found.vertices_welded);
   say("Faces left out because two corners lay in one place", found.degenerate_faces);
   say("Faces left out because another one has the same corners", found.duplicate_faces);
-  say("Faces turned because they ran against their neighbours", found.faces_turned);
-  say("Edges of more than two faces, taken apart", found.non_manifold_edges);
+  say("Faces reversed because their orientation differed from that of their neighbours",
+      found.faces_turned);
+  say("Edges of more than two faces, separated", found.non_manifold_edges);
   say("Vertices added where surfaces met only in a point or at such an edge", found.vertices_split);
   say("Edges divided because others had the same two ends", found.edges_divided);
   say("Holes closed, up to " + millimetres(found.widest_hole_m) + " wide", found.holes_filled);
   say("Parts left out as debris, each far smaller than the whole", found.debris_parts);
   say("Parts left out because they are flat and enclose nothing", found.flat_parts);
   say("Faces left out with these parts", found.dropped_faces);
-  say("Parts turned because they were inside out", found.inside_out_parts);
+  say("Parts inverted because they were inside out", found.inside_out_parts);
   say("Cavities, which nothing reaches from outside", found.cavities);
   if (found.parts > 1) say("Separate parts", found.parts);
   return sentences;

@@ -87,7 +87,7 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
   if (pixels.empty()) refuse_damaged(name, "its pixels cannot be decoded.");
   if (static_cast<std::size_t>(pixels.rows) != facts.rows ||
       static_cast<std::size_t>(pixels.cols) != facts.columns) {
-    refuse_damaged(name, "its pixels are not as many as its header says.");
+    refuse_damaged(name, "its number of pixels differs from that in its header.");
   }
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
     throw std::invalid_argument(name + " holds neither 8-bit nor 16-bit whole numbers.");

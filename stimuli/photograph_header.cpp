@@ -31,11 +31,11 @@ class HeaderReader final {
     const std::string size =
         std::to_string(facts.columns) + " by " + std::to_string(facts.rows) + " pixels";
     if (facts.rows == 0 || facts.columns == 0) {
-      refuse("has no pixels: its header says " + size + ".");
+      refuse("cannot be read: its header states " + size + ".");
     }
     if (facts.rows > kLargestPictureSide || facts.columns > kLargestPictureSide) {
       refuse("is " + size + "; at most " + std::to_string(kLargestPictureSide) +
-             " a side are read. Scale it down or cut a piece out.");
+             " per side are possible. Scale it down or crop it.");
     }
   }
 
@@ -114,7 +114,7 @@ PictureFacts inspect_png(const HeaderReader& file) {
       facts.channels = 4;
       break;
     default:
-      file.refuse("is damaged: it has a colour type that PNG does not know.");
+      file.refuse("is damaged: its colour type does not exist in PNG.");
   }
   if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // what it is decoded to
 
@@ -123,7 +123,7 @@ PictureFacts inspect_png(const HeaderReader& file) {
   for (std::size_t at = kSignature;;) {
     const std::size_t length = file.big_endian(at, 4);
     if (crc32(file.part(at + 4, length + 4)) != file.big_endian(at + 8 + length, 4)) {
-      file.refuse("is damaged: a check sum in it is wrong. Copy or export it again.");
+      file.refuse("is damaged: a checksum in it does not match. Copy or export it again.");
     }
     if (file.has(at + 4, "IEND")) return facts;
     at += 12 + length;
@@ -150,7 +150,7 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
     if (marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7)) continue;
     if (marker == 0xD9) break;
     const std::size_t length = file.big_endian(at, 2);
-    if (length < 2) file.refuse("is damaged: a piece of this JPEG has no length.");
+    if (length < 2) file.refuse("is damaged: a segment of this JPEG has no length.");
     if (is_frame_header(marker)) {
       facts.bits_per_channel = static_cast<int>(file.byte(at + 2));
       facts.rows = file.big_endian(at + 3, 2);
@@ -251,7 +251,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
 PictureFacts inspect_bmp(const HeaderReader& file) {
   const std::size_t data = file.little_endian(10, 4);
   if (file.little_endian(14, 4) < 40) {
-    file.refuse("is a BMP of the kind of before 1990, which is not read; save it as PNG.");
+    file.refuse("is a BMP in the format used before 1990, which is not read; save it as PNG.");
   }
   const auto rows = static_cast<std::int32_t>(file.little_endian(22, 4));
   const auto columns = static_cast<std::int32_t>(file.little_endian(18, 4));
@@ -290,7 +290,7 @@ PictureFacts inspect_webp(const HeaderReader& file) {
     facts.rows = file.little_endian(27, 3) + 1;
     facts.channels = (flags & 0x10U) != 0 ? 4 : 3;
   } else {
-    file.refuse("is damaged: a WebP has a VP8 picture inside, and this one has not.");
+    file.refuse("is damaged: a WebP contains a VP8 picture, and this one does not.");
   }
   file.refuse_wrong_size(facts);
   file.part(8, file.little_endian(4, 4));
@@ -307,7 +307,8 @@ PictureFacts inspect_any(const HeaderReader& file) {
   if (file.has(0, "MM") && file.size() > 3 && file.byte(2) == 0) return inspect_tiff(file);
   if (file.has(0, "BM")) return inspect_bmp(file);
   if (file.has(0, "RIFF") && file.has(8, "WEBP")) return inspect_webp(file);
-  file.refuse("is not a picture that is read here; PNG, JPEG, TIFF, BMP or WebP is needed.");
+  file.refuse(
+      "is not a picture in a format that is read; save it as PNG, JPEG, TIFF, BMP or WebP.");
 }
 
 }  // namespace

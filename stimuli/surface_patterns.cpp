@@ -112,7 +112,7 @@ std::vector<SurfaceMaker> pattern_makers() {
       {{"sinusoid",
         "h = A sin(2π(x cos θ + y sin θ)/L)",
         {length_parameter("amplitude_m", 0.0, 0.005, 2e-4,
-                          "A: half of the way from trough to crest"),
+                          "A: half the height from trough to crest"),
          length_parameter("spacing_m", 1e-4, 0.05, 0.002, "L: distance from crest to crest"),
          plain_parameter("angle_rad", -3.1415926535897931, 3.1415926535897931, 0.0,
                          "θ: direction across the crests, from +x towards +y")}},
@@ -139,7 +139,8 @@ std::vector<SurfaceMaker> pattern_makers() {
         {length_parameter("rms_m", 0.0, 0.005, 1e-4, "root mean square of the heights"),
          plain_parameter("exponent", 0.0, 6.0, 3.0, "of the power law"),
          length_parameter("shortest_wavelength_m", 1e-4, 0.1, 4e-4, "end of the spectrum"),
-         length_parameter("longest_wavelength_m", 1e-4, 1.0, 0.01, "beginning of the spectrum")}},
+         length_parameter("longest_wavelength_m", 1e-4, 1.0, 0.01,
+                          "long-wave end of the spectrum")}},
        make_noise},
   };
 }

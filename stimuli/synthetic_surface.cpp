@@ -117,7 +117,7 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
          " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
          " for each spacing, so that heights and shape differ from those requested; " +
          number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
-         " samples a side or more (--pixels) have eight for each";
+         " samples per side or more (--pixels) have eight for each";
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {
@@ -134,7 +134,7 @@ HeightField make_surface(std::string_view kind, const ParameterValues& values,
   }
   if (canvas.pixels < 16 || canvas.pixels > 8192) {
     throw std::invalid_argument("pixels is " + std::to_string(canvas.pixels) +
-                                "; a synthetic surface has 16 to 8192 a side.");
+                                "; a synthetic surface has 16 to 8192 per side.");
   }
   const std::vector<SurfaceMaker> makers = all_makers();
   const auto maker = std::find_if(makers.begin(), makers.end(), [&](const SurfaceMaker& candidate) {

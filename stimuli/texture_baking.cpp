@@ -418,7 +418,7 @@ std::optional<std::string> warning_of(const BakeReport& report) {
            micrometres(plain.*of) + " without";
   };
   return is_further ? "The mesh lies " + both(&GeometricError::rms_m) +
-                          " (RMS): the texture makes it worse. Take more triangles."
+                          " (RMS): the texture makes it worse. Increase the number of triangles."
                     : "Somewhere the mesh lies " + both(&GeometricError::max_m) +
                           ": there the texture makes it worse. More triangles would help.";
 }

@@ -40,7 +40,7 @@ std::vector<Parameter> texture_recipe_parameters() {
   };
   return {
       number("width_m", "m", 0.001, 1.0, usual.width_m,
-             "What the photograph shows on the surface, from its left to its right edge"),
+             "Width of the surface in the photograph, from its left to its right edge"),
       {.name = "histogram",
        .kind = ParameterKind::choice,
        .unit = "1",

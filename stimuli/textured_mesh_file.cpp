@@ -178,8 +178,8 @@ class Reader final {
     if ((states_size && unpacked != count * sizeof(Item)) ||
         count * sizeof(Item) / kMostUnpacked > bytes) {
       refuse("holds an array \"" + text(kind, "name") + "\" that cannot be unpacked: " +
-             std::to_string(count) + " items are announced, and its " + std::to_string(bytes) +
-             " bytes hold another number of them.");
+             std::to_string(count) + " items are stated, and its " + std::to_string(bytes) +
+             " bytes contain a different number.");
     }
     std::vector<Item> items(count);
     const std::size_t size =

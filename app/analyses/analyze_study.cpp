@@ -46,30 +46,30 @@ Phrase attempts_that_were(const std::string& what) {
 void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const AnswerCount& count = gathered.count;
   if (gathered.group == AnswerGroup::virtual_participants) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "These participants are virtual: the numbers test the program and are no evidence "
-               "about people."));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "These participants are virtual: the numbers test the program "
+                                     "and are not evidence about human participants."));
   }
   if (gathered.group == AnswerGroup::pilot) {
     outcome.remarks.push_back(phrase(
         "Analysis",
-        "These sessions are pilots: they are analysed apart from sessions of mode \"run\"."));
+        "These sessions are pilots: they are analysed separately from sessions of mode \"run\"."));
   }
   if (gathered.sources > 1) {
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "%1 different files carry this protocol name and version; "
-                                     "their responses are counted together.")
-                                  .with(std::to_string(gathered.sources)));
+    outcome.remarks.push_back(
+        phrase(
+            "Analysis",
+            "%1 different files have this protocol name and version; their responses are pooled.")
+            .with(std::to_string(gathered.sources)));
   }
   if (!gathered.declared_alike) {
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "These files declare different tests: nothing counts as declared before the data."));
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "These files declare different tests: no test counts as declared before data collection."));
   }
   if (count.unfinished_sessions > 0) {
     outcome.remarks.push_back(
-        phrase("Analysis", "Sessions that are not completed: %1 of %2.")
+        phrase("Analysis", "Sessions that were not completed: %1 of %2.")
             .with(std::to_string(count.unfinished_sessions), std::to_string(count.sessions)));
   }
   if (count.unfelt_sessions > 0) {
@@ -97,8 +97,8 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   }
   if (count.flagged > 0) {
     outcome.remarks.push_back(phrase("Analysis",
-                                     "Flagged attempts among those that count: %1; attempts.tsv of "
-                                     "an export has the reasons.")
+                                     "Flagged attempts among those that count: %1; the reasons are "
+                                     "in attempts.tsv of an export.")
                                   .with(std::to_string(count.flagged)));
   }
 }

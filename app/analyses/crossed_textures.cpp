@@ -76,8 +76,8 @@ Phrase crossed_answer(const FoundNumbers& found, const CrossedResponses& crossed
                       std::size_t textures) {
   const Finding& proportion = *found.find("glmm.proportion");
   return phrase("Analysis",
-                "For a participant and a texture of average intercept, %1 is estimated as %2 "
-                "(%3), where the chance level is %4: t(%5) = %6, %7, uncorrected. SD of the "
+                "For a participant and a texture of average intercept, %1 is estimated as %2 (%3), "
+                "compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the "
                 "intercepts (logit): participants %8, textures %9. This test is exploratory.")
       .with(crossed.proportion, percent(*proportion.value), interval_text(proportion),
             percent(crossed.chance), fixed(*found.value("glmm.t.df", "intercept"), 0),
@@ -120,14 +120,14 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
   keep_findings(findings, outcome);
   const FoundNumbers found(findings);
   if (!found.value("glmm.proportion")) return;
-  const Phrase method = phrase(
-      "Analysis",
-      "Generalised linear mixed model (logit) with participants and textures as crossed "
-      "random intercepts, by maximum likelihood with Laplace's approximation; t test and CI of "
-      "the fixed intercept, with the degrees of freedom of the smaller sample, of participants "
-      "or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 "
-      "the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and "
-      "four textures, and in 90 to 100 % with ten.");
+  const Phrase method =
+      phrase("Analysis",
+             "Generalised linear mixed model (logit) with crossed random intercepts of "
+             "participants and textures, by maximum likelihood with the Laplace approximation; t "
+             "test and CI of the fixed intercept, with the degrees of freedom of the smaller "
+             "sample, of participants or of textures. In simulations with 5 to 20 participants and "
+             "SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies "
+             "with an estimate and four textures, and in 90 to 100 % with ten.");
   add_question(outcome, kCrossed,
                phrase("Analysis",
                       "Does the result hold for other participants and other textures of the same "

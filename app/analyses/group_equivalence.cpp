@@ -75,16 +75,15 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
                 reading_number(*found.value("jzs.bf10", "0.7071")));
   if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, the difference is
     return phrase("Analysis",
-                  "The protocol declares no margin of equivalence, so that there is no verdict: "
+                  "The protocol declares no equivalence margin, so equivalence is not assessed: "
                   "%1. The data would not support equivalence within any margin: the CI reaches "
                   "±100 percentage points, the largest difference that is possible.")
         .with(numbers);
   }
   if (!margin) {
-    return phrase(
-               "Analysis",
-               "The protocol declares no margin of equivalence, so that there is no verdict: %1. "
-               "The data would support equivalence within ±%2 percentage points.")
+    return phrase("Analysis",
+                  "The protocol declares no equivalence margin, so equivalence is not assessed: "
+                  "%1. The data would support equivalence within ±%2 percentage points.")
         .with(numbers, points_rounded_up(*supported));
   }
   const bool equivalent = found.find("equivalent")->word == "TRUE";

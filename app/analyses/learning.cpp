@@ -108,12 +108,12 @@ void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Ta
 }
 
 Phrase note_on_changes(const Table& changes, bool has_proportions) {
-  Phrase note = phrase(
-      "Analysis",
-      "Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of "
-      "each participant's counted trials, as numbered in the plan, without the middle one of an "
-      "odd number; a repeated trial has its planned place. Times: geometric means, and ratio of "
-      "the second to the first half.");
+  Phrase note =
+      phrase("Analysis",
+             "Exploratory, without a test, and not adjusted for the conditions of the trials. "
+             "Halves of each participant's counted trials, as numbered in the plan, without the "
+             "middle one if their number is odd; a repeated trial keeps its planned place. Times: "
+             "geometric means, and ratio of the second to the first half.");
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
@@ -122,8 +122,8 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
       [](const std::vector<Cell>& row) { return row.front() == Cell{"time_per_10_trials"}; });
   if (has_slope) {
     add(phrase("Analysis",
-               "Ratio per 10 trials: of the least-squares lines of the logarithm over the number "
-               "of the trial."));
+               "Ratio per 10 trials: from the least-squares lines of the logarithm over the trial "
+               "number."));
   }
   if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
   if (!has_cells(changes, "change_low")) return note;
@@ -138,7 +138,8 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
                 row.front() == Cell{"items_of_halves"}) &&
                row[row.size() - 2] != Cell{};
       });
-  if (has_cut) add(phrase("Analysis", "CIs of differences of proportions are cut at −1 and 1."));
+  if (has_cut)
+    add(phrase("Analysis", "CIs of differences of proportions are truncated at −1 and 1."));
   return note;
 }
 
@@ -198,7 +199,7 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (changes.table.rows.empty()) return;
   changes.note = note_on_changes(changes.table, !of_correct.empty());
   NamedTable course{kTrialCourse,
-                    phrase("Analysis", "Course over the trials"),
+                    phrase("Analysis", "Trend over the trials"),
                     {{"trials", "persons", "time_s", "time_s_low", "time_s_high", "share",
                       "share_low", "share_high"},
                      {}},

@@ -54,13 +54,13 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   const std::size_t left_out = gathered.answers.size() - estimates.size();
   if (left_out > 0) {
     outcome.remarks.push_back(phrase("Analysis",
-                                     "Responses that are not a number above 0, or whose spacing "
-                                     "the protocol does not state, left out: %1.")
+                                     "Responses left out because they are not a number above 0, or "
+                                     "because the protocol does not state their spacing: %1.")
                                   .with(std::to_string(left_out)));
   }
   if (gathered.count.anchors > 0) {
     outcome.remarks.push_back(
-        phrase("Analysis", "Numbers given to anchors, which are not analysed: %1.")
+        phrase("Analysis", "Estimates of anchors, which are not analysed: %1.")
             .with(std::to_string(gathered.count.anchors)));
   }
   return estimates;
@@ -161,19 +161,19 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
              "mean of the logarithms of all cells). raw: not normalised. left out: number of "
              "participants without an estimate in some cell; only raw includes them.")};
   if (gathered.people.size() > 1) {
-    curves.note = phrase("Analysis",
-                         "%1 The CI of normalised is within participants (Cousineau and Morey): it "
-                         "compares cells and does not contain the differences between "
-                         "participants.")
-                      .with(curves.note);
+    curves.note =
+        phrase(
+            "Analysis",
+            "%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it "
+            "serves to compare cells and does not include the differences between participants.")
+            .with(curves.note);
   }
-  NamedTable persons{
-      kEstimatesOfPersons,
-      phrase("Analysis", "Estimates of each participant"),
-      {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
-      phrase("Analysis",
-             "Geometric means over repetitions. A participant without an estimate in every cell is "
-             "not normalised and takes no part in curves and tests.")};
+  NamedTable persons{kEstimatesOfPersons,
+                     phrase("Analysis", "Estimates of each participant"),
+                     {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
+                     phrase("Analysis",
+                            "Geometric means over repetitions. Participants without an estimate in "
+                            "every cell are not normalised and are left out of curves and tests.")};
   for (const std::string& condition : conditions) {
     for (const std::string& spacing : spacings) {
       std::vector<double> raw{};
@@ -236,18 +236,17 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
                const FoundNumbers& found, AnalysisOutcome& outcome) {
   NamedTable peaks{
       "peaks",
-      phrase("Analysis", "Where it is roughest: a parabola per condition"),
+      phrase("Analysis", "Spacing of maximum roughness: one parabola per condition"),
       {{"condition", "status", "peak_m", "peak_m_low", "peak_m_high", "fieller_m_low",
         "fieller_m_high", "height", "descending", "inverted_u", "other", "p_interior", "r_squared"},
        {}},
-      phrase(
-          "Analysis",
-          "Parabolas of the logarithms over the logarithm of the spacing, one per participant; the "
-          "maximum is that of their mean, with CIs by the delta method and by Fieller. It is "
-          "reported where the test for an interior maximum (Lind and Mehlum: the mean curve "
-          "rises at the smallest and falls at the largest spacing, one-sided t over "
-          "participants, the larger p) has p < .05. R²: of the mean parabola over the cell "
-          "means. “Descending”, “inverted U” and “other” count the participants' own curves.")};
+      phrase("Analysis",
+             "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
+             "the maximum is that of their mean, with CIs by the delta method and by Fieller's "
+             "method. It is reported where the test for an interior maximum (Lind and Mehlum: the "
+             "mean curve rises at the smallest and falls at the largest spacing, one-sided t over "
+             "participants, the larger p) has p < .05. R²: fit of the mean parabola to the cell "
+             "means. “Descending”, “inverted U” and “other” count the participants' own curves.")};
   for (const std::string& condition : conditions) {
     const std::string status = peak_status(found, condition, spacings);
     if (status.empty()) continue;
@@ -266,11 +265,11 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
   }
   if (!peaks.table.rows.empty()) outcome.tables.push_back(std::move(peaks));
   NamedTable shifts{"peak_ratios",
-                    phrase("Analysis", "How far the peaks lie apart"),
+                    phrase("Analysis", "Ratios of the peaks"),
                     {{"first", "second", "ratio", "ratio_low", "ratio_high", "p", "status"}, {}},
                     phrase("Analysis",
-                           "Spacing of the first peak over that of the second, the same "
-                           "participants in both; delta method. p is not adjusted.")};
+                           "Ratio of the spacing of the first peak to that of the second, with the "
+                           "same participants in both; delta method. p is uncorrected.")};
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (std::size_t j = i + 1; j < conditions.size(); ++j) {
       for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
@@ -305,13 +304,13 @@ constexpr std::array<std::pair<const char*, const char*>, 3> kEffects{
     {{"condition", "condition"}, {"spacing", "spacing"}, {"interaction", "condition:spacing"}}};
 
 void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable table{kAnova,
-                   phrase("Analysis", "Analysis of variance of the logarithms"),
-                   {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
-                   phrase("Analysis",
-                          "Every participant in every cell, replicates averaged. p: F corrected by "
-                          "epsilon of Greenhouse and Geisser, where an effect has more than one "
-                          "degree of freedom.")};
+  NamedTable table{
+      kAnova,
+      phrase("Analysis", "Analysis of variance of the logarithms"),
+      {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
+      phrase("Analysis",
+             "Every participant in every cell, replicates averaged. p: "
+             "Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.")};
   for (const auto& [name, effect] : kEffects) {
     const Finding* p = found.find(p_of(found, effect), effect);
     if (p == nullptr) continue;
@@ -356,7 +355,7 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   }
   const std::string ratio = fixed(std::pow(10.0, std::abs(*most->value)), 2);
   if (levels.size() > 2) {
-    return phrase("Analysis", "roughest was %1, and %2 the least rough, by a factor of %3")
+    return phrase("Analysis", "%1 was roughest and %2 least rough (ratio of geometric means: %3)")
         .with(names.first, names.second, ratio);
   }
   if (!most->low || !most->high || !most->confidence) {
@@ -381,16 +380,16 @@ Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
 }
 
 Phrase method_of_effect(bool is_corrected, bool states_factor) {
-  const Phrase anova =
-      is_corrected
-          ? phrase("Analysis",
-                   "Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by "
-                   "ε of Greenhouse and Geisser.")
-          : phrase("Analysis", "Repeated-measures ANOVA of the logarithms.");
+  const Phrase anova = is_corrected
+                           ? phrase("Analysis",
+                                    "Repeated-measures ANOVA of the logarithms, the degrees of "
+                                    "freedom corrected by Greenhouse–Geisser ε.")
+                           : phrase("Analysis", "Repeated-measures ANOVA of the logarithms.");
   if (!states_factor) return anova;
   return phrase("Analysis",
-                "%1 Factors of roughness by the participants' mean logarithms; that between two "
-                "levels has a t-based CI, that between the ends of several has none.")
+                "%1 Roughness ratios are computed from the participants' mean logarithms; the "
+                "ratio of two levels has a t-based CI, the ratio of the extremes of several levels "
+                "has none.")
       .with(anova);
 }
 
@@ -427,7 +426,7 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
     if (peak_status(found, condition, spacings) == kTooFew) {
       one = phrase("Analysis",
                    "%1 cannot be determined, because with %2 participants its CI is wider than the "
-                   "tested spacings")
+                   "range of the tested spacings")
                 .with(condition, std::to_string(peak->n));
     } else if (peak_status(found, condition, spacings) == kNoInterior) {
       const std::optional<double> p = found.value("invU.p", condition);
@@ -446,16 +445,16 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
                       reading_p(found.value("invU.p", condition).value_or(1.0)),
                       reading_bounded(found.value("pooled.quad.r2", condition).value_or(0.0)));
     } else if (status->word == "outside_range") {
-      one = phrase("Analysis", "%1 not within the tested spacings").with(condition);
+      one = phrase("Analysis", "%1 outside the range of the tested spacings").with(condition);
     } else {
-      one = phrase("Analysis", "%1 nowhere, because the curve does not bend down").with(condition);
+      one = phrase("Analysis", "%1 nowhere, because the parabola opens upwards").with(condition);
     }
     answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
   }
   if (answer.empty()) return;
   add_question(
       outcome, "peaks", phrase("Analysis", "Which spacing is judged roughest?"),
-      phrase("Analysis", "By the peaks of the curves: %1.").with(answer),
+      phrase("Analysis", "Peaks of the curves: %1.").with(answer),
       phrase("Analysis",
              "The maximum of the mean of the participants' parabolas, in logarithms; CI by the "
              "delta method. It is reported where the test for an interior maximum by Lind and "
@@ -474,7 +473,8 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
     if (ratio == nullptr || !ratio->value || !ratio->low || !ratio->high) continue;
     const std::size_t bar = test.about.find('|');
     const Phrase numbers =
-        phrase("Analysis", "the peak of %1 is at %2 times the spacing of %3 (95 % CI [%4, %5])")
+        phrase("Analysis",
+               "the peak of %1 is at %2 times the spacing of the peak of %3 (95 % CI [%4, %5])")
             .with(test.about.substr(0, bar), fixed(*ratio->value, 2), test.about.substr(bar + 1),
                   fixed(*ratio->low, 2), fixed(*ratio->high, 2));
     const Phrase one =
@@ -484,14 +484,13 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
     if (first == nullptr) first = ratio;
   }
   if (answer.empty()) return;
-  add_question(
-      outcome, "peak_ratios",
-      phrase("Analysis", "Do the conditions differ in the spacing judged roughest?"),
-      phrase("Analysis", "By the ratios of the peaks: %1.").with(answer),
-      phrase("Analysis",
-             "The ratio of the peaks of two conditions that both have an interior maximum, "
-             "with a CI by t on the logarithms over participants."),
-      "peaks", first);
+  add_question(outcome, "peak_ratios",
+               phrase("Analysis", "Do the conditions differ in the spacing judged roughest?"),
+               phrase("Analysis", "Ratios of the peaks: %1.").with(answer),
+               phrase("Analysis",
+                      "The ratio of the peaks of two conditions that both have an interior "
+                      "maximum, with a t-based CI over participants on the logarithmic scale."),
+               "peaks", first);
 }
 
 void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& found,
@@ -546,11 +545,10 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       incomplete != nullptr && incomplete->word != "none") {
     std::string names{};
     for (const char sign : incomplete->word) names += sign == ';' ? ", " : std::string(1, sign);
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "Participants without an estimate in every cell, who take no part in curves and "
-               "tests: %1.")
-            .with(names));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Participants without an estimate in every cell, who are left "
+                                     "out of curves and tests: %1.")
+                                  .with(names));
   }
   if (const Finding* replicates = found_anova.find("replicates");
       replicates != nullptr && replicates->word == "unequal") {
@@ -561,11 +559,10 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       least = least == 0 ? k : std::min(least, k);
       greatest = std::max(greatest, k);
     }
-    outcome.remarks.push_back(
-        phrase("Analysis",
-               "The cells of the participants have %1 to %2 estimates; each is averaged first, "
-               "so that all weigh the same.")
-            .with(std::to_string(least), std::to_string(greatest)));
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "The participants' cells contain %1 to %2 estimates; each "
+                                     "cell is averaged first, so that all cells have equal weight.")
+                                  .with(std::to_string(least), std::to_string(greatest)));
   }
   StudyTests tests(gathered);
   for (const auto& [name, effect] : kEffects) {

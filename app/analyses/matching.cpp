@@ -132,8 +132,8 @@ std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, Analysis
   if (left_out > 0) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "Responses left out because they do not assign every picture to one surface, so "
-               "that the chance level is not that of a permutation: %1.")
+               "Responses left out because they do not assign each picture to exactly one surface, "
+               "so that the chance level of a permutation does not apply: %1.")
             .with(std::to_string(left_out)));
   }
   return assignments;
@@ -218,9 +218,10 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   cells.insert(cells.end(), {column, person, right});
   if (sizes.size() != 1) {
     cells.resize(table.table.columns.size());
-    finding.status = sizes.empty()
-                         ? "there are no responses that count here"
-                         : "the number of items differs between the trials, and chance with it";
+    finding.status =
+        sizes.empty()
+            ? "no responses count here"
+            : "the number of items differs between the trials, and with it the chance level";
     outcome.findings.push_back(std::move(finding));
     return;
   }
@@ -236,7 +237,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
                              found.cell("prop.correct"), 1.0 / static_cast<double>(items),
                              share("relabel.null.lower"), share("relabel.null.upper"), p});
   finding.value = found.value("prop.correct");
-  finding.method = "correctly matched items of all items; chance 1/" + std::to_string(items);
+  finding.method = "correctly matched items of all items; chance level 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
   finding.quantity = "p";
   finding.value = p;
@@ -282,23 +283,22 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Assign
   ShareTable shares{"whole_permutations",
                     phrase("Analysis", "Proportion of trials with all items correct"),
                     phrase("Analysis",
-                           "Chance is 1/m! for m items. p: exact binomial test, two-sided, not "
-                           "corrected for the number of rows."),
+                           "The chance level is 1/m! for m items. p: exact binomial test, "
+                           "two-sided, uncorrected for the number of rows."),
                     {"column", "person"},
                     "correct",
                     "share_of_permutations_correct",
                     {}};
-  NamedTable items{
-      "items",
-      phrase("Analysis", "Proportion of correctly matched items"),
-      {{"column", "person", "correct", "of", "persons", "share", "chance", "chance_low",
-        "chance_high", "p"},
-       {}},
-      phrase("Analysis",
-             "The chance level is 1/m. p: exact permutation test, one-sided, not corrected for the "
-             "number of rows: one random relabelling of the pictures per participant, common to "
-             "the participant's trials. The interval contains 95 % of the permutation "
-             "distribution.")};
+  NamedTable items{"items",
+                   phrase("Analysis", "Proportion of correctly matched items"),
+                   {{"column", "person", "correct", "of", "persons", "share", "chance",
+                     "chance_low", "chance_high", "p"},
+                    {}},
+                   phrase("Analysis",
+                          "The chance level is 1/m. p: exact permutation test, one-sided, "
+                          "uncorrected for the number of rows: the pictures are relabelled at "
+                          "random once per participant, in all of the participant's trials alike. "
+                          "The interval contains 95 % of the permutation distribution.")};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
     for (std::size_t sex = 0; sex < sexes; ++sex) {
       add_item_row(gathered, cells.columns()[column], cells.sexes()[sex],
@@ -395,7 +395,9 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(
         percent(*mean->value), interval_text(*mean),
-        equal_size ? percent(chance) : phrase("Analysis", "different from trial to trial"),
+        equal_size
+            ? percent(chance)
+            : phrase("Analysis", "1 divided by the number of items, which differs between trials"),
         p_text(*test));
   };
   if (test->is_significant() && holds_in_interval(*mean, chance)) {
@@ -403,38 +405,39 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
   }
   const Sayings sayings{
       mean->n == 1
-          ? with_numbers(phrase("Analysis",
-                                "For this participant only: %1 of the items were matched correctly "
-                                "(%2), where the chance level is %3; permutation test, %4. More "
-                                "participants are needed."))
+          ? with_numbers(phrase(
+                "Analysis",
+                "For this participant only: %1 of the items were matched correctly (%2), compared "
+                "with a chance level of %3; permutation test, %4. More participants are needed."))
       : holds_in_interval(*mean, chance)
           ? with_numbers(
                 phrase("Analysis",
                        "Not established: on average %1 of a participant's items were matched "
-                       "correctly (%2), where the chance level is %3; permutation test over "
+                       "correctly (%2), compared with a chance level of %3; permutation test over "
                        "participants, %4. The test is significant, but the CI contains the chance "
                        "level; more participants are needed."))
-          : with_numbers(
-                phrase("Analysis",
-                       "Yes: on average %1 of a participant's items were matched correctly (%2), "
-                       "where the chance level is %3; permutation test over participants, %4.")),
+          : with_numbers(phrase(
+                "Analysis",
+                "Yes: on average %1 of a participant's items were matched correctly (%2), compared "
+                "with a chance level of %3; permutation test over participants, %4.")),
       with_numbers(phrase("Analysis",
                           "Not significantly more often: on average %1 of a participant's items "
-                          "were matched correctly (%2), where the chance level is %3; permutation "
-                          "test over participants, %4.")),
-      with_numbers(phrase("Analysis",
-                          "On average %1 of a participant's items were matched correctly (%2), "
-                          "where the chance level is %3; permutation test over participants, "
-                          "%4."))};
+                          "were matched correctly (%2), compared with a chance level of %3; "
+                          "permutation test over participants, %4.")),
+      with_numbers(
+          phrase("Analysis",
+                 "On average %1 of a participant's items were matched correctly (%2), compared "
+                 "with a chance level of %3; permutation test over participants, %4."))};
   add_question(
       outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
       said_of(*test, sayings),
-      phrase("Analysis",
-             "%1 The total of correctly matched items is compared with its exact permutation null "
-             "distribution: the pictures are relabelled once per participant, in all trials alike, "
-             "so that the test also holds for participants who guess one assignment and keep it.")
+      phrase(
+          "Analysis",
+          "%1 The total of correctly matched items is compared with its exact permutation null "
+          "distribution: the pictures are relabelled once per participant, in all trials alike, so "
+          "that the test is also valid for participants who guess one assignment and keep it.")
           .with(averaged(
-              phrase("Analysis", "The proportion of each participant's correctly matched items"),
+              phrase("Analysis", "Each participant's proportion of correctly matched items"),
               mean)),
       "items", mean);
 }
@@ -456,10 +459,9 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
       phrase("Analysis",
              "%1 Exact permutation test: the pictures are relabelled once per participant, in all "
              "trials alike.")
-          .with(averaged(phrase("Analysis",
-                                "The proportion of each participant's trials with all items "
-                                "correct"),
-                         mean)),
+          .with(averaged(
+              phrase("Analysis", "Each participant's proportion of trials with all items correct"),
+              mean)),
       "whole_permutations", &share);
 }
 
@@ -501,10 +503,11 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
                 "for %1 pairs, and higher for none.")
                 .with(std::to_string(as_often), std::to_string(times))
           : phrase("Analysis",
-                   "Most often %1 and %2; number of confusions, counted in both directions: %3.")
+                   "%1 and %2 are confused most often; number of confusions, counted in both "
+                   "directions: %3.")
                 .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
                       std::to_string(times)),
-      phrase("Analysis", "Counts of all responses; a CI would need a model of the confusions."),
+      phrase("Analysis", "Counts of all responses; a CI would require a model of the confusions."),
       "confused_pairs", &finding, CountedUnit::participants);
 }
 
@@ -513,8 +516,9 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<Assignment> assignments = assignments_of(gathered, outcome);
   if (assignments.empty()) {
-    outcome.remarks.push_back(phrase(
-        "Analysis", "No response assigns every picture to one surface: nothing is analysed."));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "No response assigns each picture to exactly one surface: nothing is analysed."));
     return;
   }
   add_matching_tables(gathered, assignments, outcome);
@@ -617,7 +621,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   } else {
     add_no_crossed_model(
         "chance_differs",
-        "the trials have different numbers of items, and the chance level with them", outcome);
+        "the number of items differs between the trials, and with it the chance level", outcome);
   }
   const std::vector<RepeatedScore> scores = repeated_scores(gathered);
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},

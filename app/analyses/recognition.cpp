@@ -175,9 +175,10 @@ void add_recognition_tables(const GatheredAnswers& gathered, const std::vector<J
   ShareTable shares{
       "shares",
       phrase("Analysis", "Proportion correct"),
-      phrase("Analysis",
-             "The chance level is 1 divided by the number of pictures shown; “cannot tell” is not "
-             "correct. p: exact binomial test, two-sided, uncorrected for the number of rows."),
+      phrase(
+          "Analysis",
+          "The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as "
+          "incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows."),
       {"column", "person"},
       "correct",
       "share_correct",
@@ -240,27 +241,23 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
       "similarity",
       phrase("Analysis", "Similarity of the textures"),
       {{"felt", "other", "similarity", "dissimilarity"}, {}},
-      phrase(
-          "Analysis",
-          "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
-          "biases separated; above 1: by the model more often confused than recognised. "
-          "Dissimilarity: "
-          "Shepard's "
-          "−ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of "
-          "this similarity.")};
+      phrase("Analysis",
+             "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
+             "biases separated; above 1: according to the model, confused more often than "
+             "recognised. Dissimilarity: Shepard's −ln √(n_ij n_ji / (n_ii n_jj)) of the counts "
+             "plus ½, not below 0; it is not the −ln of this similarity.")};
   NamedTable map{"map",
                  phrase("Analysis", "MDS configuration of the textures"),
                  {{"item", "x", "y"}, {}},
                  phrase("Analysis",
                         "Classical scaling of the dissimilarities. Only distances can be "
                         "interpreted: the configuration may be rotated and mirrored.")};
-  NamedTable tree{
-      "tree",
-      phrase("Analysis", "Dendrogram of the textures"),
-      {{"join", "first", "second", "height"}, {}},
-      phrase("Analysis",
-             "Average linkage of the dissimilarities. Each row joins the cluster of the "
-             "one with that of the other.")};
+  NamedTable tree{"tree",
+                  phrase("Analysis", "Dendrogram of the textures"),
+                  {{"join", "first", "second", "height"}, {}},
+                  phrase("Analysis",
+                         "Average linkage of the dissimilarities. Each row joins the cluster of "
+                         "the first texture with that of the second.")};
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const std::string key = felt[i] + '|' + felt[j];
@@ -309,24 +306,24 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
   const Phrase proportion =
       averaged(phrase("Analysis", "Each participant's proportion correct"), mean);
   const Phrase method =
-      (mean->n > 1
-           ? phrase("Analysis",
-                    "%1 Two-sided one-sample t test against the chance level. Responses “cannot "
-                    "tell” name no picture and are left out here; the table of proportions counts "
-                    "them as not correct.")
-           : phrase("Analysis",
-                    "%1 One-sided exact binomial test against the chance level. Responses “cannot "
-                    "tell” name no picture and are left out here; the table of proportions counts "
-                    "them as not correct."))
+      (mean->n > 1 ? phrase("Analysis",
+                            "%1 Two-sided one-sample t test against the chance level. “Cannot "
+                            "tell” responses name no picture and are left out here; in the table "
+                            "of proportions they count as incorrect.")
+                   : phrase("Analysis",
+                            "%1 One-sided exact binomial test against the chance level. “Cannot "
+                            "tell” responses name no picture and are left out here; in the table "
+                            "of proportions they count as incorrect."))
           .with(proportion);
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
   if (!test->p) {
-    add_question(outcome, "right", question,
-                 phrase("Analysis",
-                        "On average %1 of a participant's responses were correct (%2), where the "
-                        "chance level is %3; the participants do not differ, so there is no test.")
-                     .with(percent(*mean->value), interval_text(*mean), chance),
-                 method, "shares", mean);
+    add_question(
+        outcome, "right", question,
+        phrase("Analysis",
+               "On average %1 of a participant's responses were correct (%2), compared with a "
+               "chance level of %3; the participants do not differ, so there is no test.")
+            .with(percent(*mean->value), interval_text(*mean), chance),
+        method, "shares", mean);
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {
@@ -337,29 +334,30 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
     qualify_test_sentence(outcome, test->name, kChanceInInterval);
   }
   const Sayings sayings{
-      mean->n == 1
-          ? with_numbers(phrase("Analysis",
-                                "For this participant only: %1 of the responses were correct (%2), "
-                                "where the chance level is %3; %4. More participants are needed."))
+      mean->n == 1 ? with_numbers(phrase(
+                         "Analysis",
+                         "For this participant only: %1 of the responses were correct (%2), "
+                         "compared with a chance level of %3; %4. More participants are needed."))
       : *mean->value < level
-          ? with_numbers(phrase("Analysis",
-                                "No, less often than by chance: on average %1 of a participant's "
-                                "responses were correct (%2), where the chance level is %3; %4."))
+          ? with_numbers(
+                phrase("Analysis",
+                       "No, less often than by chance: on average %1 of a participant's responses "
+                       "were correct (%2), compared with a chance level of %3; %4."))
       : holds_in_interval(*mean, level)
-          ? with_numbers(phrase("Analysis",
-                                "Not established: on average %1 of a participant's responses were "
-                                "correct (%2), where the chance level is %3; %4. The test is "
-                                "significant, but the CI contains the chance level; more "
-                                "participants are needed."))
+          ? with_numbers(
+                phrase("Analysis",
+                       "Not established: on average %1 of a participant's responses were correct "
+                       "(%2), compared with a chance level of %3; %4. The test is significant, but "
+                       "the CI contains the chance level; more participants are needed."))
           : with_numbers(phrase("Analysis",
                                 "Yes: on average %1 of a participant's responses were correct "
-                                "(%2), where the chance level is %3; %4.")),
+                                "(%2), compared with a chance level of %3; %4.")),
       with_numbers(phrase("Analysis",
                           "Not significantly: on average %1 of a participant's responses were "
-                          "correct (%2), where the chance level is %3; %4.")),
+                          "correct (%2), compared with a chance level of %3; %4.")),
       with_numbers(phrase("Analysis",
-                          "On average %1 of a participant's responses were correct (%2), where the "
-                          "chance level is %3; %4."))};
+                          "On average %1 of a participant's responses were correct (%2), compared "
+                          "with a chance level of %3; %4."))};
   add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);
 }
 
@@ -386,10 +384,11 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   add_question(
       outcome, "information", phrase("Analysis", "How much information do the responses transmit?"),
       answer.with(fixed(shown, 2), fixed(*of, 2), sensitivity),
-      phrase("Analysis",
-             "Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are "
-             "needed for m pictures. d′ of m alternatives without response bias, all responses "
-             "pooled, its CI at the Wilson limits of the proportion correct."),
+      phrase(
+          "Analysis",
+          "Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are "
+          "needed for m pictures. d′ for m alternatives, assuming no response bias, all responses "
+          "pooled; its CI is derived from the Wilson limits of the proportion correct."),
       "measures", bits, CountedUnit::answers);
 }
 
@@ -472,11 +471,11 @@ std::vector<Confusion> largest_confusions(const GatheredAnswers& gathered,
   return most;
 }
 
-/// "brick called gravel, brick called wood"
+/// "brick identified as gravel, brick called wood"
 Phrase confusions_text(const std::vector<Confusion>& confusions) {
   Phrase all{};
   for (const Confusion& one : confusions) {
-    const Phrase text = phrase("Analysis", "%1 called %2").with(one.felt, one.called);
+    const Phrase text = phrase("Analysis", "%1 identified as %2").with(one.felt, one.called);
     all = all.empty() ? text : phrase("Analysis", "%1, %2").with(all, text);
   }
   return all;
@@ -539,7 +538,8 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() == 1) {
     answer =
-        phrase("Analysis", "Most often confused are %1: one with the other in %2 of %3 responses.")
+        phrase("Analysis",
+               "The textures confused most often are %1: one with the other in %2 of %3 responses.")
             .with(first.names, std::to_string(first.times), std::to_string(first.answers));
   } else if (most.size() <= kMostNamedConfusions) {
     Phrase names = first.names;
@@ -549,26 +549,27 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
               .with(names, most[i].names);
     }
     answer = phrase("Analysis",
-                    "Equally often confused are %1: one with the other in %2 of the responses to "
-                    "the two textures of each pair.")
+                    "The following pairs are confused equally often: %1; one texture with the "
+                    "other in %2 of the responses to the two textures of each pair.")
                  .with(names, percent(first.share()));
   } else {
-    answer = phrase("Analysis",
-                    "%1 pairs of textures are equally often confused, and none more often: one "
-                    "with the other in %2 of the responses to the two textures of each pair.")
-                 .with(std::to_string(most.size()), percent(first.share()));
+    answer =
+        phrase("Analysis",
+               "%1 pairs of textures are confused equally often, and none more often: one texture "
+               "with the other in %2 of the responses to the two textures of each pair.")
+            .with(std::to_string(most.size()), percent(first.share()));
   }
   add_question(outcome, "confusions",
                phrase("Analysis", "Which textures are confused with each other?"),
                with_larger_confusions(answer, most, largest_confusions(gathered, judged, pictures)),
                pictures.felt.size() == 2
                    ? phrase("Analysis",
-                            "Of the responses to the two textures, those that name the other one, "
-                            "all participants pooled.")
+                            "Proportion of the responses to the two textures that name the other "
+                            "one, all participants pooled.")
                    : phrase("Analysis",
-                            "Of the responses to either of two textures, those that name the other "
-                            "one, all participants pooled. There is no CI, because the pair is "
-                            "selected as the most frequent of several."),
+                            "Proportion of the responses to either of two textures that name the "
+                            "other one, all participants pooled. There is no CI, because the pair "
+                            "is selected as the most frequent of several."),
                "confusion", &finding, CountedUnit::answers);
 }
 
@@ -605,8 +606,8 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   } else {
     outcome.remarks.push_back(phrase(
         "Analysis",
-        "The pictures and with them the chance level differ between trials: sensitivity, "
-        "information and similarities of all responses together are not meaningful and left out."));
+        "The pictures, and with them the chance level, differ between trials: sensitivity, "
+        "information and similarities over all responses are not meaningful and are left out."));
   }
   const FoundNumbers found(findings);
   const FoundNumbers found_likeness(likeness);
@@ -676,7 +677,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
                        outcome);
   } else {
     add_no_crossed_model("pictures_differ",
-                         "the pictures differ between the trials, and the chance level with them",
+                         "the pictures differ between the trials, and with them the chance level",
                          outcome);
   }
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},

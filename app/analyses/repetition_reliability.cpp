@@ -93,27 +93,27 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
           ? phrase("Analysis",
                    "Not defined: all participants have the same result in every repetition.")
           : phrase("Analysis",
-                   "Of one repetition %1 (consistency), %2 (agreement); of the mean of the %3 "
-                   "repetitions %4. N = %5 participants.")
+                   "For a single repetition, %1 (consistency) and %2 (agreement); for the mean of "
+                   "the %3 repetitions, %4; N = %5 participants.")
                 .with(correlation_text("ICC(3,1)", *one), correlation_text("ICC(2,1)", *agreement),
                       std::to_string(repetitions), correlation_text("ICC(3,k)", *all),
                       std::to_string(one->n));
-  const Phrase method =
-      phrase("Analysis",
-             "Intraclass correlations of %1 in each repetition. They are low also "
-             "where participants differ little from each other.")
-          .with(repeated.name);
+  const Phrase method = phrase("Analysis",
+                               "Intraclass correlations of %1 in each repetition. They are also "
+                               "low where participants differ little from each other.")
+                            .with(repeated.name);
   const bool has_interval = one != nullptr && one->low && one->high;
-  add_question(outcome, kReliability, reliability_question(), answer,
-               has_interval
-                   ? phrase("Analysis",
-                            "%1 The CIs assume normal results. In simulations of proportions of 2 "
-                            "to 20 participants they contained the true value in at least 85 % of "
-                            "the studies with a mean of 25 to 71 %, and in at least 58 % with one "
-                            "of 87 or 95 %.")
-                         .with(method)
-                   : method,
-               "", one != nullptr ? one : none);
+  add_question(
+      outcome, kReliability, reliability_question(), answer,
+      has_interval
+          ? phrase(
+                "Analysis",
+                "%1 The CIs assume normal results. In simulations of proportions of 2 to 20 "
+                "participants they contained the true value in at least 85 % of the studies with a "
+                "mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.")
+                .with(method)
+          : method,
+      "", one != nullptr ? one : none);
 }
 
 bool has_repetitions(const GatheredAnswers& gathered) {
@@ -162,15 +162,16 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
   const Finding& mean = findings.front();
   add_question(
       outcome, kReliability, reliability_question(),
-      phrase("Analysis",
-             "Of one of the %1 repetitions, within participants: %2. N = %3 participants.")
+      phrase(
+          "Analysis",
+          "For a single one of the %1 repetitions, within participants: %2; N = %3 participants.")
           .with(std::to_string(repetitions),
                 correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
                 std::to_string(mean.n)),
       phrase("Analysis",
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
              "estimates, with the surfaces in each condition as targets and the repetitions as "
-             "raters; mean over the participants with a t interval. In simulations with 2 to 20 "
+             "raters; mean over the participants with a t-based CI. In simulations with 2 to 20 "
              "participants and seven surfaces it contained the true mean in at least 88 % of the "
              "studies."),
       "", &mean);

@@ -84,12 +84,12 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                     {}};
   if (selection.can_abstain) {
     shares.note =
-        phrase("Analysis", "%1 Responses “cannot tell” are counted above and excluded here.")
+        phrase("Analysis", "%1 “Cannot tell” responses are counted above and excluded here.")
             .with(shares.note);
   }
   ShareTable pairs{
       "pairs",
-      phrase("Analysis", "One model against another, among the choices of either"),
+      phrase("Analysis", "Pairwise comparisons of the models, among the choices of either model"),
       phrase("Analysis", "The chance level is 1/2: choices of a third model are not counted."),
       {"column", "item", "against"},
       "chosen",
@@ -125,16 +125,16 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
 }
 
 void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
-  ShareTable positions{
-      "positions",
-      phrase("Analysis", "Proportion of choices of each position"),
-      phrase("Analysis",
-             "The first, second, … surface presented, whichever it was. Where the order of "
-             "surfaces is random, a proportion above chance is a position bias, not a preference."),
-      {"position"},
-      "chosen",
-      "share_of_position",
-      {}};
+  ShareTable positions{"positions",
+                       phrase("Analysis", "Proportion of choices of each position"),
+                       phrase("Analysis",
+                              "The first, second, … surface presented, regardless of its model. "
+                              "Where the order of surfaces is random, a proportion above the "
+                              "chance level is a position bias, not a preference."),
+                       {"position"},
+                       "chosen",
+                       "share_of_position",
+                       {}};
   for (std::size_t place = 0; place < counts.positions.size(); ++place) {
     positions.rows.push_back({{std::to_string(place + 1)}, counts.positions[place]});
   }
@@ -147,10 +147,11 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
   const char* log_worth = paired ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
   const char* worth = paired ? "bt.worth" : "pl.worth";
   if (found.find(log_worth, selection.items.front()) == nullptr) {
-    outcome.remarks.push_back(phrase(
-        "Analysis",
-        "There is no scale of the models: one of them was always chosen, or never, wherever it "
-        "was offered, or was never offered with the others. No finite distance fits that best."));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The models cannot be placed on a scale: one of them was always or never chosen "
+               "when it was offered, or was never offered with the others, so that the "
+               "best-fitting distance is not finite."));
     return;
   }
   const bool has_intervals =
@@ -159,7 +160,7 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
       has_intervals ? phrase("Analysis",
                              "95 % CI: t intervals of CR2 standard errors with the participants as "
                              "clusters, with Satterthwaite's degrees of freedom.")
-                    : phrase("Analysis", "No CI: it needs at least %1 participants.")
+                    : phrase("Analysis", "No CI: at least %1 participants are needed.")
                           .with(std::to_string(kFewestClusters));
   NamedTable made{
       "scale",
@@ -167,11 +168,11 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
       {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
       paired ? phrase("Analysis",
                       "Bradley–Terry model: of two models, i is chosen with probability 1/(1 + "
-                      "exp(l_j − l_i)). The log-worths l have the mean 0; worths add up to 1. %1")
+                      "exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1")
                    .with(intervals)
              : phrase("Analysis",
                       "Plackett–Luce model: of several models, each is chosen in proportion to its "
-                      "worth. The log-worths have the mean 0; worths add up to 1. %1")
+                      "worth. The log-worths have a mean of 0; the worths sum to 1. %1")
                    .with(intervals)};
   for (const std::string& item : selection.items) {
     const auto [low, high] = found.interval(log_worth, item);
@@ -249,7 +250,7 @@ std::vector<Finding> choice_findings(const Selection& selection) {
       if (!is_of_one && !is_of_pair) continue;
       if (quantity.ends_with(".holm")) continue;  // over one pair; the table of tests has all
       if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
-      finding.method += "; of the trials that presented both";
+      finding.method += "; of the trials in which both were presented";
       of_pairs.push_back(std::move(finding));
     }
   }
@@ -276,7 +277,7 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
 void add_untestable(StudyTests& tests) {
   for (const char* const name : {"preference", "textures"}) {
     if (!tests.is_in_family(name)) continue;
-    tests.add_untested(name, "", "not every trial presents every model");
+    tests.add_untested(name, "", "not every model is presented in every trial");
   }
 }
 
@@ -308,8 +309,8 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       counts.choices, selection.all_offered
                           ? phrase("Analysis", "Chance level: 1/%1 of the choices for each model.")
                           : phrase("Analysis",
-                                   "Chance level: each model in 1/%1 of the choices of the trials "
-                                   "that presented it."));
+                                   "Chance level: each model in 1/%1 of the choices in the trials "
+                                   "in which it was presented."));
   add_counts(counts.table_1, outcome);
   add_share_tables(selection, counts, cells, outcome);
 
@@ -319,8 +320,8 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (!selection.all_offered) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "Not every trial presents every model: each pair is tested on the trials that "
-               "presented both, and the scale joins all trials."));
+               "Not every model is presented in every trial: each pair is tested on the trials in "
+               "which both were presented, and the scale combines all trials."));
   }
   const FoundNumbers found(choice);
   keep_findings(choice, outcome);

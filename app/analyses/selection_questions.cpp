@@ -57,21 +57,21 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
   if (most.names.size() == items && items > 1) {
     return (items == kBoth ? phrase("Analysis",
                                     "Both were chosen equally often: each in %1 of a participant's "
-                                    "choices on average, where the chance level is %2")
+                                    "choices on average, compared with a chance level of %2")
                            : phrase("Analysis",
                                     "All were chosen equally often: each in %1 of a participant's "
-                                    "choices on average, where the chance level is %2"))
+                                    "choices on average, compared with a chance level of %2"))
         .with(share, chance);
   }
   if (most.names.size() > 1) {
     return phrase("Analysis",
                   "%1 were chosen equally often, and most often: each in %2 of a participant's "
-                  "choices on average, where the chance level is %3")
+                  "choices on average, compared with a chance level of %3")
         .with(listed_names(most.names), share, chance);
   }
   return phrase("Analysis",
-                "%1 was chosen most often: in %2 of a participant's choices on average (%3), where "
-                "the chance level is %4")
+                "%1 was chosen most often: in %2 of a participant's choices on average (%3), "
+                "compared with a chance level of %4")
       .with(most.names.front(), share, interval_text(*most.mean), chance);
 }
 
@@ -115,11 +115,11 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
   const Phrase method =
       selection.two_offered
           ? phrase("Analysis",
-                   "Bradley–Terry model of all choices: log-worths with the mean 0; CIs with the "
+                   "Bradley–Terry model of all choices: log-worths with a mean of 0; CIs with the "
                    "participants as clusters (CR2, at least %1 participants).")
                 .with(std::to_string(kFewestClusters))
           : phrase("Analysis",
-                   "Plackett–Luce model of all choices: log-worths with the mean 0; CIs with the "
+                   "Plackett–Luce model of all choices: log-worths with a mean of 0; CIs with the "
                    "participants as clusters (CR2, at least %1 participants).")
                 .with(std::to_string(kFewestClusters));
   const auto order = worths_in_order(selection, scale);
@@ -202,25 +202,25 @@ Phrase positions_text(const GreatestMean& most, std::size_t positions, const Fin
   if (most.names.size() > 1 && is_first) {
     return phrase("Analysis",
                   "the positions %1 were chosen equally often, each in %2 of a participant's "
-                  "choices on average, where the chance level is %3")
+                  "choices on average, compared with a chance level of %3")
         .with(listed_names(most.names), share, chance);
   }
   if (most.names.size() > 1) {
     return phrase(
                "Analysis",
                "the positions %1 were chosen equally often, each in %2 of a participant's choices "
-               "on average, and the first position in %3 (%4), where the chance level is %5")
+               "on average, and the first position in %3 (%4), compared with a chance level of %5")
         .with(listed_names(most.names), share, percent(*first.value), interval_text(first), chance);
   }
   if (is_first) {
     return phrase("Analysis",
                   "the first position was chosen in %1 of a participant's choices on average (%2), "
-                  "where the chance level is %3")
+                  "compared with a chance level of %3")
         .with(share, interval_text(first), chance);
   }
   return phrase("Analysis",
                 "position %1 was chosen in %2 of a participant's choices on average (%3), and the "
-                "first position in %4 (%5), where the chance level is %6")
+                "first position in %4 (%5), compared with a chance level of %6")
       .with(most.names.front(), share, interval_text(*most.mean), percent(*first.value),
             interval_text(first), chance);
 }
@@ -258,12 +258,12 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   }
   const GreatestMean most = greatest_mean(selection.items, choice);
   const Phrase proportion =
-      averaged(phrase("Analysis", "The proportion of each participant's own choices"), most.mean);
+      averaged(phrase("Analysis", "Each participant's proportion of choices"), most.mean);
   const Phrase method =
       phrase("Analysis",
              "%1 Equal choice probabilities are tested by a within-participant permutation test: "
-             "the models are exchanged within each participant's choices, so that it holds however "
-             "the choices of a participant depend on each other.")
+             "the models are exchanged within each participant's choices, so that the test is "
+             "valid however the choices of a participant depend on each other.")
           .with(proportion);
   const StudyTests::Test* test = tests.find("preference");
   if (most.mean == nullptr || test == nullptr) {
@@ -275,9 +275,10 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   const Phrase tested =
       is_of_one_participant(*test)
           ? phrase("Analysis", "%1. This cannot be tested with one participant.")
-      : !test->p ? phrase("Analysis", "%1.")
-      : !test->adjusted
-          ? phrase("Analysis", "%1. Test against equal proportions, not of the study's family: %2.")
+      : !test->p        ? phrase("Analysis", "%1.")
+      : !test->adjusted ? phrase("Analysis",
+                                 "%1. Test of equal proportions, which does not belong to the "
+                                 "study's family of tests: %2.")
       : test->shows()
           ? phrase("Analysis", "%1. The choices differ significantly from equal proportions (%2).")
           : phrase("Analysis",
@@ -302,13 +303,13 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
   const Phrase method =
       selection.all_offered
           ? phrase("Analysis",
-                   "For each pair the difference of both counts in every participant, against all "
-                   "patterns of signs (both names exchanged within a participant). Choices of a "
-                   "third model are not counted.")
+                   "For each pair, exact sign-flip (randomisation) test of each participant's "
+                   "difference between the two counts (both names exchanged within a participant). "
+                   "Choices of a third model are not counted.")
           : phrase("Analysis",
-                   "For each pair the trials that presented both: the difference of both counts in "
-                   "every participant, against all patterns of signs (both names exchanged within "
-                   "a participant).");
+                   "For each pair, exact sign-flip (randomisation) test of each participant's "
+                   "difference between the two counts (both names exchanged within a participant), "
+                   "on the trials in which both were presented.");
   const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
   if (smallest.empty()) {
     const bool is_one_participant = std::any_of(
@@ -335,7 +336,7 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
                     phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
           : Sayings{chosen_more,
                     phrase("Analysis", "No pair differs significantly: %1.").with(of_smallest),
-                    phrase("Analysis", "Of all pairs, %1.").with(of_smallest)};
+                    phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
   add_question(outcome, "pairs", question, said_of(least, sayings), method, "pairs",
                found.find("signflip.p.two", least.about));
 }
@@ -349,7 +350,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
   const GreatestMean most = greatest_mean(names, found);
   const Phrase question = phrase("Analysis", "Does the position in the trial matter?");
   const Phrase method =
-      phrase("Analysis", "As the preference, with the positions in the place of the models.");
+      phrase("Analysis", "As for the preference, with the positions in place of the models.");
   if (is_of_one_participant(*test)) {
     add_question(outcome, "position", question,
                  phrase("Analysis", "This cannot be tested with one participant: %1.")
@@ -363,7 +364,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
   const Sayings sayings{
       with_numbers(phrase("Analysis", "The position has a significant effect (%1): %2.")),
       with_numbers(phrase("Analysis", "The position has no significant effect (%1): %2.")),
-      with_numbers(phrase("Analysis", "Test against equal proportions: %1; %2."))};
+      with_numbers(phrase("Analysis", "Test of equal proportions: %1; %2."))};
   add_question(outcome, "position", question, said_of(*test, sayings), method, "positions",
                most.mean);
 }
@@ -378,11 +379,11 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   const StudyTests::Test* test = tests.find("textures");
   const Phrase question =
       phrase("Analysis", "Does the preference for %1 depend on the texture?").with(target);
-  const Phrase method = phrase(
-      "Analysis",
-      "How often each participant chose the target with each texture, against exchanging the "
-      "textures within each participant at random; where each texture was judged once, this "
-      "is the exact form of Cochran's test.");
+  const Phrase method =
+      phrase("Analysis",
+             "Permutation test of how often each participant chose the target with each texture: "
+             "the textures are exchanged at random within each participant. Where each texture was "
+             "judged once, this is the exact form of Cochran's Q test.");
   const TargetChoosers who = target_choosers(selection);
   if (test == nullptr || !test->p) {
     add_question(

@@ -126,19 +126,19 @@ Phrase method_of_sexes(const SexesComparison& sexes) {
   const Phrase intervals =
       sexes.difference->low
           ? phrase("Analysis",
-                   "%1 CIs of the means by Student's t, of proportions on the logit scale; of the "
-                   "difference Welch's CI, which belongs to another method than p: where one just "
-                   "excludes that there is no difference, the other need not.")
+                   "%1 The CIs of the means are t-based, for proportions on the logit scale; that "
+                   "of the difference is Welch's CI. p is computed by a different method: one may "
+                   "just exclude a difference of zero where the other does not.")
                 .with(means)
           : means;
   return sexes.women->n + sexes.men->n <= kMostPermuted
              ? phrase("Analysis",
-                      "%1 The permutation test compares all ways to split the participants into "
-                      "groups of these sizes.")
+                      "%1 The permutation test uses all divisions of the participants into groups "
+                      "of these sizes.")
                    .with(intervals)
              : phrase("Analysis",
-                      "%1 The permutation test compares %2 random ways to split the participants "
-                      "into groups of these sizes, of which there are too many to count all.")
+                      "%1 The permutation test uses %2 random divisions of the participants into "
+                      "groups of these sizes, because there are too many to enumerate.")
                    .with(intervals, std::to_string(kRandomSplits));
 }
 
@@ -157,13 +157,13 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   };
   const Phrase means =
       (sexes.scale == SexesScale::shares_of_answers
-           ? phrase("Analysis", "the mean proportion correct of women is %1, of men %2")
+           ? phrase("Analysis", "the mean proportion correct is %1 for women and %2 for men")
        : sexes.scale == SexesScale::shares_of_items
            ? phrase("Analysis",
-                    "the mean proportion of correctly matched items of women is %1, of men %2")
-           : phrase(
-                 "Analysis",
-                 "the mean number of correctly matched items per trial of women is %1, of men %2"))
+                    "the mean proportion of correctly matched items is %1 for women and %2 for men")
+           : phrase("Analysis",
+                    "the mean number of correctly matched items per trial is %1 for women and %2 "
+                    "for men"))
           .with(mean(*sexes.women), mean(*sexes.men));
   Finding shown = *sexes.difference;
   for (std::optional<double>* number : {&shown.value, &shown.low, &shown.high}) {
@@ -193,8 +193,8 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
                           "Not significantly: %1; difference (women − men) %2. Permutation test of "
                           "group labels: %3. This does not show that they are equal.")),
       with_numbers(phrase("Analysis",
-                          "Of these participants %1; difference (women − men) %2. Permutation test "
-                          "of group labels: %3."))};
+                          "For these participants, %1; difference (women − men) %2. Permutation "
+                          "test of group labels: %3."))};
   add_question(outcome, "sexes", phrase("Analysis", "Do women and men differ?"),
                said_of(*test, sayings), method_of_sexes(sexes), "tests", &*sexes.difference);
 }
@@ -204,8 +204,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
                  AnalysisOutcome& outcome, const char* name) {
   NamedTable made{
       name,
-      phrase("Analysis",
-             "Participant-level proportions: each participant's own, over the participants"),
+      phrase("Analysis", "Participant-level proportions, summarised over the participants"),
       {{key_column, "persons", "mean", "mean_low", "mean_high", "sd", "minimum", "median",
         "maximum"},
        {}},
@@ -229,7 +228,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }
-  if (!has_interval) made.note = phrase("Analysis", "There is no CI of one participant.");
+  if (!has_interval) made.note = phrase("Analysis", "With one participant there is no CI.");
   outcome.tables.push_back(std::move(made));
 }
 

@@ -281,12 +281,12 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
   Phrase note =
       !is_any_adjusted
-          ? phrase("Analysis", "No test of the family (%1) could be made.").with(family)
+          ? phrase("Analysis", "No test of the family (%1) could be performed.").with(family)
       : tests == 1
           ? (is_declared_
                  ? phrase("Analysis",
                           "The family that the protocol declares has one test (%1), the only "
-                          "confirmatory one; there is nothing to correct for.")
+                          "confirmatory one; no correction is needed.")
                  : phrase("Analysis",
                           "The protocol declares no family of tests, so that no test is "
                           "confirmatory. The usual family of this kind of protocol has one test "
@@ -295,12 +295,13 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
           : (is_declared_
                  ? phrase("Analysis",
                           "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
-                          "the protocol declares (%2); a test that cannot be made counts as p = 1.")
-                 : phrase("Analysis",
-                          "The protocol declares no family of tests, so that no test is "
-                          "confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual "
-                          "family of this kind of protocol (%2); a test that cannot be made counts "
-                          "as p = 1."))
+                          "the protocol declares (%2); a test that cannot be performed counts as p "
+                          "= 1.")
+                 : phrase(
+                       "Analysis",
+                       "The protocol declares no family of tests, so that no test is confirmatory. "
+                       "p, Holm: Holm-corrected over the %1 tests of the usual family of this kind "
+                       "of protocol (%2); a test that cannot be performed counts as p = 1."))
                 .with(std::to_string(tests), family);
   note = (is_declared_
               ? phrase("Analysis",
@@ -428,9 +429,9 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     finding.value = test.adjusted;
     const std::string family =
         " of the family " + name_ + (is_declared_ ? ", which the protocol declares" : "");
-    finding.method += in_family == 1
-                          ? "; the only test" + family + ", without adjustment"
-                          : "; Holm over the " + std::to_string(in_family) + " tests" + family;
+    finding.method += in_family == 1 ? "; the only test" + family + ", uncorrected"
+                                     : "; Holm-corrected over the " + std::to_string(in_family) +
+                                           " tests" + family;
     outcome.findings.push_back(std::move(finding));
   }
   outcome.tables.push_back(std::move(made));

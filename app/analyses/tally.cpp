@@ -95,7 +95,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     about.n = row.tally.persons();
     if (count.trials == 0) {
       cells.resize(made.table.columns.size());
-      about.status = "there are no responses that count here";
+      about.status = "no responses count here";
       outcome.findings.push_back(about);
       continue;
     }
@@ -116,13 +116,14 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
       test.value = number("p.two");
       std::string words = shares.quantity;
       std::replace(words.begin(), words.end(), '_', ' ');
-      test.method = "exact two-sided binomial test of " + words + " against chance 1/" +
+      test.method = "exact two-sided binomial test of " + words + " against the chance level 1/" +
                     std::to_string(*outcomes);
       cells.insert(cells.end(), {chance, *test.value});
       outcome.tests_in_tables.insert(name_of(test));
     } else {
       test.value.reset();
-      test.status = "chance differs between the trials, so that one test of all would be wrong";
+      test.status =
+          "the chance level differs between the trials, so that one test of all would be incorrect";
       cells.resize(made.table.columns.size());
     }
     outcome.findings.push_back(std::move(test));
@@ -276,15 +277,15 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   NamedTable made{
       "texture_force",
       is_matched ? phrase("Analysis",
-                          "Texture force (RMS) per model, as computed: aimed at on the prescribed "
+                          "Texture force (RMS) per model, as computed: intended on the prescribed "
                           "path, and achieved in the attempts")
                  : phrase("Analysis", "Texture force (RMS) per model, as computed in the attempts"),
       {{"model", "surfaces", "matched_mean_N", "achieved_mean_N", "achieved_sd_N",
         "achieved_minimum_N", "achieved_maximum_N"},
        {}},
       phrase("Analysis",
-             "Equal RMS is not equal perceived intensity, which also depends on frequency. The "
-             "force achieved depends on how the device was pressed and moved.")};
+             "Equal RMS does not mean equal perceived intensity, which also depends on frequency. "
+             "The force achieved depends on how the device was pressed and moved.")};
   for (const auto& [model, forces] : gathered.forces) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.insert(cells.end(), {model, count_cell(forces.surfaces)});
@@ -323,12 +324,12 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
           ? phrase("Analysis",
                    "Proportions of all responses pool several trials of one participant (%1 in "
                    "total). They need not be independent: the CIs of these proportions may be too "
-                   "narrow, and their p too small.")
+                   "narrow, and their p values too small.")
           : phrase("Analysis",
-                   "Proportions of all responses pool several trials of the same participants "
-                   "(%1 trials of %2 participants in total). They need not be independent: the CIs "
-                   "of these proportions may be too narrow, and their p too small. Means over the "
-                   "participants have the participant as the unit.");
+                   "Proportions of all responses pool several trials of the same participants (%1 "
+                   "trials of %2 participants in total). They need not be independent: the CIs of "
+                   "these proportions may be too narrow, and their p values too small. Means over "
+                   "the participants have the participant as the unit.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 

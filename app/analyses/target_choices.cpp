@@ -17,7 +17,7 @@ void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome) {
   }
   if (!selection.all_offered) {
     constexpr const char* kDiffer = "models_differ";
-    constexpr const char* kReason = "not every trial presents every model";
+    constexpr const char* kReason = "not every model is presented in every trial";
     add_no_crossed_model(kDiffer, kReason, outcome);
     if (is_repeated) add_no_reliability(kDiffer, kReason, outcome);
     return;

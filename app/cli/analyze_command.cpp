@@ -140,27 +140,27 @@ void add_analyze(CLI::App& program, Job& job) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* command = program.add_subcommand(
       "analyze",
-      "Show the tables and tests of a study's responses, or of tables from other sources.");
+      "Analyse the responses of a study, or tables from other sources: tables and tests.");
   auto* study = command->add_option("STUDY", options->study, "Folder of the study");
   auto* protocol =
-      command->add_option("--protocol", options->protocol, "Only the protocol of this name");
+      command->add_option("--protocol", options->protocol, "Only the protocol with this name");
   auto* json = command->add_flag("--json", options->json, "Print one JSON document");
   auto* tables = command->add_option(
       "--table", options->tables, "Instead of a study: tables, one observation per row (CSV, TSV)");
-  auto* kind =
-      command->add_option("--as", options->kind, "What the tables hold: " + family_names());
+  auto* kind = command->add_option("--as", options->kind, "Kind of analysis: " + family_names());
   auto* file = command->add_option("--options", options->options_file,
                                    "Options of that analysis (JSON, an object)");
-  auto* option = command->add_option(
-      "--option", options->options,
-      "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in JSON is "
-      "taken as such: 'within={\"spacing\":[1,2,4]}'");
+  auto* option =
+      command->add_option("--option", options->options,
+                          "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in "
+                          "JSON is read as JSON: 'within={\"spacing\":[1,2,4]}'");
 #ifdef ASPERITY_WITH_WINDOWS
   auto* figures =
       command->add_option("--figures", options->figures,
-                          "Also write the figures of that analysis, as SVG in this folder");
-  auto* level_unit = command->add_option("--level-unit", options->level_unit,
-                                         "Unit of the levels or spacings in the table, for axes");
+                          "Also write the figures of that analysis, as SVG files in this folder");
+  auto* level_unit = command->add_option(
+      "--level-unit", options->level_unit,
+      "Unit of the levels or spacings in the table, for the axes of the figures");
 #endif
   auto* reference_case = command->add_option(
       "--case", options->reference_case,

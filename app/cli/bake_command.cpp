@@ -63,8 +63,8 @@ void print_text(const BakeOutcome& outcome, const std::string& out) {
             << " or more samples per shortest wavelength of the original, steps of "
             << fixed(outcome.step_m * 1e9, 1) << " nm\n";
   if (report.missed > 0) {
-    std::cout << "Samples whose ray met nothing, continued from their neighbours: " << report.missed
-              << " of " << report.samples << '\n';
+    std::cout << "Samples whose ray met no surface, filled in from their neighbours: "
+              << report.missed << " of " << report.samples << '\n';
   }
   if (report.folded_faces > 0) {
     std::cout << "Faces folded so sharply that their texture is unreliable: " << report.folded_faces
@@ -84,7 +84,7 @@ void add_bake(CLI::App& program, Job& job) {
   BakeOrder& order = options->order;
   order.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
   CLI::App* command = program.add_subcommand(
-      "bake", "Make a simple mesh with a haptic texture from a detailed mesh.");
+      "bake", "Convert a detailed mesh to a simple mesh with a haptic texture.");
   command->add_option("MESH", order.mesh, "OBJ, PLY, STL or OFF")->required();
   command
       ->add_option(
@@ -100,15 +100,15 @@ void add_bake(CLI::App& program, Job& job) {
   const std::map<std::string, BodyRole> kRoles{{"surface", BodyRole::surface},
                                                {"tool", BodyRole::tool}};
   command
-      ->add_option(
-          "--for", order.role,
-          "Move it to where a surface or a tool is expected: its middle over the origin, its "
-          "highest or lowest point in the plane z = 0 (default: it keeps its frame)")
+      ->add_option("--for", order.role,
+                   "Move the mesh to where a surface or a tool is expected: its centre over the "
+                   "origin, the highest point of a surface or the lowest point of a tool in the "
+                   "plane z = 0 (default: the mesh is not moved)")
       ->transform(word_of(kRoles))
       ->option_text("surface|tool");
-  command->add_option("--jobs", order.jobs, "Threads; does not change the result")
+  command->add_option("--jobs", order.jobs, "Number of threads; does not affect the result")
       ->check(number_within(1, 256));
-  command->add_flag("--json", options->json, "Print the figures as JSON");
+  command->add_flag("--json", options->json, "Print the numbers as JSON");
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {
     job = [options] {

@@ -141,16 +141,16 @@ void add_check(CLI::App& program, Job& job) {
   command->add_option("--study", options->study,
                       "Folder of the study: also check the files that the protocols name");
   command->add_option("--device", options->device,
-                      "Compare with this device: a name of asperity devices, simulated:MODEL, "
-                      "replay:FILE; of several, NAME:SERIAL");
+                      "Compare with this device: a name listed by asperity devices, "
+                      "simulated:MODEL or replay:FILE; NAME:SERIAL if several are attached");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {
       if (options->study && !std::filesystem::is_directory(*options->study)) {
         throw std::runtime_error("there is no folder " + *options->study +
-                                 "; --study takes the folder of a study, where the files that the "
-                                 "protocols name are looked for");
+                                 "; --study takes the folder of a study, which contains the files "
+                                 "that the protocols name");
       }
       const ModelRegistry models = built_in_models();
       nlohmann::ordered_json json{{"format", "asperity.check/1"},

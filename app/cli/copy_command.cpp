@@ -19,7 +19,7 @@ void add_copy(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      program.add_subcommand("copy", "Copy a study, also while sessions of it are running.");
+      program.add_subcommand("copy", "Copy a study, even while its sessions are running.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("DIR", options->folder, "Folder of the copy, which must not exist yet")
       ->required();

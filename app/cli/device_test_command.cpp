@@ -94,7 +94,7 @@ bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop
   }
   // Not what was typed before anybody could read what it would agree to.
   tcflush(STDIN_FILENO, TCIFLUSH);
-  say("Type yes and press Enter to begin:");
+  say("Type yes and press Return to begin:");
   return typed_line(stop) == "yes";
 }
 
@@ -109,8 +109,9 @@ void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& op
   const std::string what =
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
   if (agrees(what + "\n  Ctrl-C sets the force to zero at once.", is_agreed, stop)) return;
-  throw std::runtime_error(stop.stop_requested() ? "nothing was measured: stopped on request"
-                                                 : "nothing was measured: the answer was not yes");
+  throw std::runtime_error(stop.stop_requested()
+                               ? "nothing was measured: stopped on request"
+                               : "nothing was measured: the answer was not \"yes\"");
 }
 
 Table table_of(const DeviceProfile& profile) {
@@ -149,13 +150,14 @@ void add_device_test(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "device-test", "Measure a device: timing, mechanics, safety. It moves by itself.");
+      "device-test", "Measure a device: timing, mechanics, safety. The device moves by itself.");
   command
-      ->add_option("NAME", options->device,
-                   "Device: simulated, simulated:MODEL, falcon, …; of several, NAME:SERIAL")
+      ->add_option(
+          "NAME", options->device,
+          "Device: simulated, simulated:MODEL, falcon, …; NAME:SERIAL if several are attached")
       ->required();
   command->add_option("--study", options->order.study,
-                      "Keep the profile with this study, for its sessions");
+                      "Store the profile in this study, for its sessions");
   command->add_option("--protocol", options->protocol,
                       "Protocol whose limits and rate apply to the device");
   const CLI::Option* rate =
@@ -167,7 +169,8 @@ void add_device_test(CLI::App& program, Job& job) {
       ->capture_default_str();
   command->add_option("--limit", options->limits, "NAME=NUMBER: limit for an item");
   add_driver_options(*command, options->drivers);
-  command->add_flag("--yes", options->agreed, "Do not ask before the device moves");
+  command->add_flag("--yes", options->agreed,
+                    "Do not ask for confirmation before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
   command->callback([options, rate, &job] {
     const bool has_rate = rate->count() > 0;

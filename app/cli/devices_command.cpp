@@ -66,7 +66,8 @@ void add_devices(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "devices", "List the drivers, the attached devices, and what would make each usable.");
+      "devices",
+      "List the drivers, the attached devices, and what each needs before it can be used.");
   add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {

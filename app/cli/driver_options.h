@@ -11,9 +11,9 @@ namespace asperity {
 /// Adds --firmware, --library and --service. `options` has to outlive the command.
 inline void add_driver_options(CLI::App& command, DriverOptions& options) {
   command.add_option("--firmware", options.firmware, "File with the firmware of a Falcon");
-  command.add_option(
-      "--library", options.library,
-      "File of the maker's library, if the system does not find it (force_dimension, openhaptics)");
+  command.add_option("--library", options.library,
+                     "File of the manufacturer's library, if the system does not find it "
+                     "(force_dimension, openhaptics)");
   command.add_option("--service", options.service,
                      "HOST:PORT of Haply's Inverse Service, if not 127.0.0.1:10001 (inverse3)");
 }

@@ -51,10 +51,13 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
     const auto remark = [&file](std::size_t cells, const char* what) {
       if (cells > 0) say(file.name + ": in " + counted(cells, "cell") + ' ' + what);
     };
-    remark(file.spaced_cells, "tabs or line breaks, which TSV cannot hold, became spaces");
+    remark(file.spaced_cells,
+           "tabs or line breaks, which TSV cannot hold, were replaced by spaces");
     remark(file.marked_cells,
            "an apostrophe prevents a text from being read as a formula (README.txt)");
-    remark(file.cut_cells, "a text was cut: SPSS takes 32 000 bytes, and 120 of an option");
+    remark(file.cut_cells,
+           "a text was truncated: SPSS allows 32 000 bytes for a text and 120 bytes for the label "
+           "of an option");
   }
   for (const auto& [name, count] : of_dataset) {
     say(out + "/" + name + ": " + counted(count, "file"));
@@ -74,15 +77,17 @@ void add_export(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "export", "Write a study as tables (TSV) with a codebook, and for other programs.");
+      "export",
+      "Export a study as tables (TSV) with a codebook, and in the formats of other programs.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New folder for the tables")->required();
   auto* published = command->add_flag("--public", options->published,
                                       "Leave out dates, free text, answers to questionnaires and "
                                       "participants who withdrew; the columns are listed below");
   command
-      ->add_option("--with-questions", options->questions,
-                   "Questions of questionnaires whose answers are published, separated by commas")
+      ->add_option(
+          "--with-questions", options->questions,
+          "Questions of questionnaires whose answers are to be published, separated by commas")
       ->delimiter(',')
       ->needs(published);
   command->add_flag("--force", options->force, "Replace an earlier export");

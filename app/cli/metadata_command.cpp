@@ -66,7 +66,7 @@ void add_metadata_options(CLI::App& command, MetadataOptions& options, EmptyText
   };
   command
       .add_option("--author", options.authors,
-                  "An author, \"Family, Given\"; repeat it for each author, in order")
+                  "An author, \"Family, Given\"; repeat the option for each author, in order")
       ->transform(words("an author"));
   command.add_option("--license", options.license, "License of the data, such as CC-BY-4.0")
       ->transform(words("a license"));

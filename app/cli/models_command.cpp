@@ -77,7 +77,7 @@ void print_model(const ForceModel& force) {
 void add_models(CLI::App& program, Job& job) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command =
-      program.add_subcommand("models", "The force models and their declared parameters.");
+      program.add_subcommand("models", "List the force models and their parameters.");
   command->add_flag("--json", *json, "Print one JSON document");
   command->callback([json, &job] {
     job = [json] {

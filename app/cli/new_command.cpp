@@ -23,18 +23,18 @@ void add_new(CLI::App& program, Job& job) {
     MetadataOptions metadata{};
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("new", "Make a study.");
+  CLI::App* command = program.add_subcommand("new", "Create a study.");
   command->add_option("DIR", options->folder, "Folder of the study; must be new or empty")
       ->required();
   command->add_flag("--demo", options->demo,
-                    "Make the demonstration study, with textures and protocols");
+                    "Create the demonstration study, with textures and protocols");
   CLI::Option* const shared = command->add_flag(
       "--shared", options->shared,
       "Share the study with the group of the folder: its members can read and change it and run "
-      "sessions. Without it only the owner can access a new folder");
+      "sessions. Without this option only the owner can access a new folder");
   command
       ->add_option("--group", options->group,
-                   "With --shared: the group, one that you are a member of")
+                   "With --shared: the group, of which you must be a member")
       ->needs(shared);
   add_metadata_options(*command, options->metadata, EmptyText::mistake);
   command->callback([options, &job] {
@@ -50,16 +50,17 @@ void add_new(CLI::App& program, Job& job) {
         Study study = Study::open(options->folder, Access::read_write);
         study.set_metadata(options->metadata.applied_to({}));
       }
-      std::cout << "made the study " << options->folder.string();
+      std::cout << "created the study " << options->folder.string();
       if (options->shared) {
         std::cout << ", shared with the group " << share_study(options->folder, options->group);
       }
       std::cout << '\n';
       if (!options->shared) return 0;
       if (const auto closed = folder_closed_to_group(options->folder)) {
-        std::cerr << "asperity: warning: members of the group cannot get to the study: the folder "
+        std::cerr << "asperity: warning: members of the group cannot reach the study: they have no "
+                     "access to the folder "
                   << closed->string()
-                  << " is closed to them. Open it with chmod, or move the study out of it\n";
+                  << ". Give them access with chmod, or move the study out of that folder\n";
       }
       return 0;
     };

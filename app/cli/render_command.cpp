@@ -51,11 +51,10 @@ void add_height_field(RendererInputs& inputs, const ForceModel& model, const Bod
 void require_material(const Material& material) {
   if (!(material.stiffness_N_per_m > 0.0)) {
     throw WrongUsage("--stiffness-n-per-m is " + number_text(material.stiffness_N_per_m) +
-                     "; a stiffness is above 0 N/m");
+                     "; it must be above 0 N/m");
   }
   if (!(material.friction >= 0.0)) {
-    throw WrongUsage("--friction is " + number_text(material.friction) +
-                     "; a coefficient of friction is 0 or above");
+    throw WrongUsage("--friction is " + number_text(material.friction) + "; it must be 0 or above");
   }
 }
 
@@ -96,8 +95,8 @@ void add_render(CLI::App& program, Job& job) {
   command->add_option(
       "--tool", options->tool,
       "Tool in the hand, for a model with two bodies: a textured mesh, sphere:D_m, disc:D_m, "
-      "cylinder:D_m,L_m, or another shape as of --stimulus. The path leads the origin of its "
-      "frame: of a shape its middle, while in a protocol it is the tool's lowest point");
+      "cylinder:D_m,L_m, or another shape of --stimulus. The path is that of the origin of the "
+      "tool's frame: the centre of a shape, whereas in a protocol it is the tool's lowest point");
   command
       ->add_option("--coupling", options->coupling,
                    "For a model with two bodies. none (the default): the path is that of the tool; "
@@ -140,7 +139,7 @@ void add_render(CLI::App& program, Job& job) {
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +
-                                 " needs something to touch: --stimulus FILE, or a shape");
+                                 " needs a surface: --stimulus FILE, or a shape");
       }
       if (options->stimulus) {
         const BodyOption surface = body_option("--stimulus", *options->stimulus);

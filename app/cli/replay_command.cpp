@@ -62,11 +62,11 @@ void add_replay(CLI::App& program, Job& job) {
       ->add_option("--attempt", options->attempt,
                    "Row number of the exported attempts.tsv, or PARTICIPANT/SESSION/TRIAL/ATTEMPT")
       ->required();
-  command->add_option("--surface", options->surface, "Which of the surfaces of the trial")
+  command->add_option("--surface", options->surface, "Number of the surface in the trial")
       ->capture_default_str();
-  command->add_option(
-      "--model", options->model,
-      "Another force model on the same texture, of the same kind: with two bodies or with a point");
+  command->add_option("--model", options->model,
+                      "Another force model on the same texture, of the same kind as the recorded "
+                      "one: with two bodies or with a point");
   command->add_option("--param", options->parameters, "NAME=VALUE of that model's parameters");
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");

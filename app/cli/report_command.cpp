@@ -28,7 +28,7 @@ void add_report(CLI::App& program, Job& job) {
       "report", "Write a report of a study: methods, tables, tests and figures.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New file, .pdf or .html")->required();
-  command->add_option("--protocol", options->protocol, "Only the protocol of this name");
+  command->add_option("--protocol", options->protocol, "Only the protocol with this name");
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {
     job = [options] {

@@ -33,9 +33,9 @@ std::uint64_t seed_of_this_machine() {
 /// Before anybody is asked anything.
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
   if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
-    say("asperity: warning: the protocol requires noise that masks the device; a terminal plays "
-        "none, which is stored with the session and stated in its report (the program's windows "
-        "play it)");
+    say("asperity: warning: the protocol requires masking noise; none is played at a terminal, "
+        "which is stored with the session and stated in its report (the program's windows play "
+        "it)");
   }
   if (guides_participants(protocol)) {
     say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
@@ -62,7 +62,8 @@ void add_run(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--device", options->inputs.device,
-                   "Device to run on: a name of asperity devices, and of several, NAME:SERIAL")
+                   "Device to run on: a name listed by asperity devices; NAME:SERIAL if several "
+                   "are attached")
       ->capture_default_str();
   add_driver_options(*command, options->inputs.driver_options);
   command->add_option("--seed", options->seed, "Seed of the session; drawn at random by default");
@@ -83,9 +84,9 @@ void add_run(CLI::App& program, Job& job) {
       ->needs(resume);
   CLI::Option* stand_in =
       command->add_flag("--virtual", options->inputs.is_virtual,
-                        "Simulate the participant by a virtual hand and observer");
+                        "Simulate the participant with a virtual hand and a virtual observer");
   CLI::Option* fast = command->add_flag("--as-fast-as-possible", options->fast,
-                                        "Simulated clock (default with --virtual)");
+                                        "Run on a simulated clock (default with --virtual)");
   CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Real time");
   fast->needs(stand_in)->excludes(realtime);
   realtime->needs(stand_in);
@@ -103,8 +104,8 @@ void add_run(CLI::App& program, Job& job) {
       if (!inputs.is_virtual) {
         if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
           throw WrongUsage(
-              "run asks its questions on a terminal, and there is none; use --virtual "
-              "for a virtual participant");
+              "run needs a terminal for its questions, and there is none; use --virtual for a "
+              "virtual participant");
         }
         person.emplace(STDIN_FILENO, std::cout, inputs.study,
                        inputs.study / ("sheet-" + inputs.participant + ".png"));
@@ -141,9 +142,9 @@ void add_run(CLI::App& program, Job& job) {
                        .tell = [](const std::string& line) { say("asperity: " + line); }});
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason.english() +
-            (end.as_the_protocol_says
-                 ? ""
-                 : "; every finished trial is stored, resume with the same command and --resume"));
+            (end.as_the_protocol_says ? ""
+                                      : "; every finished trial is stored. To resume the session, "
+                                        "repeat the command with --resume"));
         return 1;
       }
       say("session complete: " + std::to_string(end.attempts) +

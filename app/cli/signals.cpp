@@ -86,8 +86,9 @@ void InterruptWatch::watch(const std::stop_token& ended) {
       end_program(last_interrupt);
     }
     if (interrupts > 0 && !source_.stop_requested()) {
-      ask_to_stop(interrupt_holds > 0 ? " (once more to end in three seconds at the latest)"
-                                      : " (once more to end at once)");
+      ask_to_stop(interrupt_holds > 0
+                      ? " (press Ctrl-C again to end in three seconds at the latest)"
+                      : " (press Ctrl-C again to end at once)");
     }
     std::this_thread::sleep_for(kBetweenLooks);
   }

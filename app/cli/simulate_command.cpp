@@ -27,7 +27,7 @@ void add_simulate(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "simulate", "Add virtual participants to a study, each doing every given protocol.");
+      "simulate", "Add virtual participants to a study; each completes all given protocols.");
   command
       ->add_option("PROTOCOL", options->inputs.protocols,
                    "Protocol files, in the order of the sessions")
@@ -40,10 +40,11 @@ void add_simulate(CLI::App& program, Job& job) {
       ->add_option("--participants", options->inputs.participants, "Number of participants to add")
       ->required()
       ->check(number_within(1, 9999));
-  command->add_option("--seed", options->inputs.seed, "Same seed, same results")->required();
+  command->add_option("--seed", options->inputs.seed, "Seed; the same seed gives the same results")
+      ->required();
   command
       ->add_option("--jobs", options->inputs.jobs,
-                   "Sessions that run in parallel; does not change the results")
+                   "Number of sessions that run in parallel; does not affect the results")
       ->check(number_within(1, 256));
   const std::map<std::string, Recordings> recordings{
       {"all", Recordings::all}, {"first", Recordings::first}, {"none", Recordings::none}};

@@ -167,7 +167,7 @@ void take_texture(SweepOrder& order, const std::string& text) {
 void take_tip(SweepOrder& order, const std::string& text) {
   if (!order.stroke.model->declaration.needs_bodies) {
     throw WrongUsage("the force model " + order.stroke.model->declaration.id +
-                     " touches with a point; --tool goes with a model that has two bodies");
+                     " touches with a point; --tool is only for models with two bodies");
   }
   const std::map<std::string, TipForm> forms{
       {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
@@ -258,7 +258,7 @@ void say_what_has_no_effect(const Sweep& sweep) {
   if (!is_so) return;
   say(std::string(kNoEffectByConstruction) + ": " + sweep.order.stroke.model->declaration.id +
       " cannot depend on " + words_of_varied(sweep.order.varied) +
-      "; one stroke of a spacing stands for all values, and their curves are the same");
+      "; one stroke per spacing represents all values, and their curves are the same");
 }
 
 /// Rows without a measure to fit though nothing went wrong with their stroke: nothing moved the tool.
@@ -524,15 +524,17 @@ void add_sweep(CLI::App& program, Job& job) {
       ->required()
       ->transform(word_of(varied))
       ->option_text("probe_diameter|applied_force|exploratory_speed REQUIRED");
-  command->add_option("--values", options->values,
-                      "V,V,… of that quantity, in m, N or m/s; default: three usual values");
+  command->add_option(
+      "--values", options->values,
+      "Values of that quantity, V,V,…, in m, N or m/s (default: three typical values)");
   command
-      ->add_option("--spacings", options->spacings, "FROM:TO:COUNT of the texture, m, logarithmic")
+      ->add_option("--spacings", options->spacings,
+                   "Spacings of the texture, FROM:TO:COUNT in metres, logarithmically spaced")
       ->capture_default_str();
   command
       ->add_option("--texture", options->texture,
-                   "KIND[,NAME=VALUE…] of asperity synth, or FILE.png, a height field that is "
-                   "stretched to each spacing")
+                   "Texture: KIND[,NAME=VALUE…] of asperity synth, or FILE.png, a height field "
+                   "that is stretched to each spacing")
       ->capture_default_str();
   command->add_option("--tool", options->tool,
                       "For a model with two bodies: sphere (the default), disc (upright, along the "
@@ -541,7 +543,8 @@ void add_sweep(CLI::App& program, Job& job) {
                                               {"constant_force", DragMode::constant_force}};
   command
       ->add_option("--drag", options->order.stroke.mode,
-                   "constant_height: of the mean normal force; the default")
+                   "constant_height (the default): at the height of the given mean normal force; "
+                   "constant_force: pressed with the given force")
       ->transform(word_of(modes))
       ->option_text("constant_height|constant_force");
   command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
@@ -562,9 +565,9 @@ void add_sweep(CLI::App& program, Job& job) {
                    "Value if it is not varied")
       ->default_str(number_text(options->order.stroke.speed_m_per_s));
   command
-      ->add_option(
-          "--jobs", options->jobs,
-          "Spacings computed in parallel, all processors by default; does not change the result")
+      ->add_option("--jobs", options->jobs,
+                   "Number of spacings computed in parallel (default: one for each processor); "
+                   "does not affect the result")
       ->check(number_within(1, 256));
   command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
   std::map<std::string, SweepMeasure> measures{};
@@ -574,9 +577,10 @@ void add_sweep(CLI::App& program, Job& job) {
     measures[text_of(measure)] = measure;
   }
   command
-      ->add_option("--measure", options->measure,
-                   "Column of the printed peaks and of the figure: the greatest acceleration (the "
-                   "default), its RMS, a band's power, or the power over the threshold of touch")
+      ->add_option(
+          "--measure", options->measure,
+          "Measure of the printed peaks and of the figure: the maximum acceleration (the default), "
+          "its RMS, the power in a band, or the power over the threshold of touch")
       ->transform(word_of(measures))
       ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS
@@ -590,8 +594,8 @@ void add_sweep(CLI::App& program, Job& job) {
                      ->needs(plot);
   command
       ->add_option("--protocol", options->protocol,
-                   "NAME[@VERSION] of the study; needed if several protocols, or several versions "
-                   "of one, estimate roughness")
+                   "Protocol of that study, NAME[@VERSION]; required if several protocols, or "
+                   "several versions of one, request estimates of roughness")
       ->needs(beside);
 #endif
   command->add_flag("--force", options->force, "Replace the rows of another sweep");

@@ -46,7 +46,7 @@ void add_synth(CLI::App& program, Job& job) {
     kinds += (kinds.empty() ? "" : " ") + surface.kind;
     footer += surface.kind + ": " + surface.summary + '\n' + described(surface.parameters);
   }
-  CLI::App* command = program.add_subcommand("synth", "Make a surface with known heights.");
+  CLI::App* command = program.add_subcommand("synth", "Generate a surface with known heights.");
   command->footer("Kinds and their parameters\n" + footer);
   command->add_option("KIND", options->kind, "One of: " + kinds)->required();
   command
@@ -56,12 +56,14 @@ void add_synth(CLI::App& program, Job& job) {
   command->add_option("--param", options->parameters, "NAME=VALUE of the kind's parameters");
   command->add_option("--width-m", options->canvas.width_m, "Side of the square")
       ->capture_default_str();
-  command->add_option("--pixels", options->canvas.pixels, "Samples a side")->capture_default_str();
+  command->add_option("--pixels", options->canvas.pixels, "Samples per side")
+      ->capture_default_str();
   command->add_option("--seed", options->canvas.seed, "Seed of all random numbers")
       ->capture_default_str();
   command
       ->add_option("--photo", options->photograph,
-                   "bright_height, lambert or albedo, and FILE.png: also its photograph")
+                   "Also write a synthetic photograph of the surface: bright_height, lambert or "
+                   "albedo, and FILE.png")
       ->expected(2);
   command->add_flag("--force", options->force, "Replace existing files");
   command->callback([options, &job] {

@@ -31,8 +31,10 @@ void add_texture(CLI::App& program, Job& job) {
   constexpr std::size_t kPreviewRows = 320;
   auto options = std::make_shared<Options>();
   TextureRecipe& recipe = options->recipe;
-  CLI::App* command = program.add_subcommand(
-      "texture", "Make a height field from a photograph: grey, homomorphic filter, f − g.");
+  CLI::App* command =
+      program.add_subcommand("texture",
+                             "Compute a height field from a photograph: conversion to grey, "
+                             "homomorphic filter, subtraction of the low-pass (f − g).");
   command->add_option("PHOTO", options->photograph, "PNG, JPEG, TIFF, BMP or WebP")->required();
   command
       ->add_option("--out", options->out,
@@ -44,15 +46,18 @@ void add_texture(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
-                   "Cut-off of the low-pass g; longer waves are removed")
+                   "Cut-off wavelength of the low-pass g; longer waves are removed")
       ->capture_default_str();
   command
       ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
-                   "Cut-off of the homomorphic filter")
+                   "Cut-off wavelength of the homomorphic filter")
       ->capture_default_str();
-  command->add_option("--gamma-low", recipe.gamma_low, "Its gain for long waves")
+  command
+      ->add_option("--gamma-low", recipe.gamma_low, "Gain of the homomorphic filter for long waves")
       ->capture_default_str();
-  command->add_option("--gamma-high", recipe.gamma_high, "Its gain for short waves")
+  command
+      ->add_option("--gamma-high", recipe.gamma_high,
+                   "Gain of the homomorphic filter for short waves")
       ->capture_default_str();
   command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
   command->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")
@@ -63,7 +68,7 @@ void add_texture(CLI::App& program, Job& job) {
   command->add_option("--histogram", recipe.histogram, "none (the default) or equalize")
       ->transform(word_of(histograms))
       ->option_text("none|equalize");
-  command->add_option("--preview", options->preview, "PNG of the steps, for inspection");
+  command->add_option("--preview", options->preview, "PNG of the processing steps, for inspection");
   command->add_flag("--force", options->force, "Replace existing files");
   command->callback([options, &job] {
     job = [options] {

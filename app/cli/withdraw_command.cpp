@@ -42,9 +42,11 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
                      "; nothing was deleted");
   }
   if (::isatty(STDIN_FILENO) == 0) {
-    throw WrongUsage("withdraw --delete cannot ask without a terminal; repeat the label with " +
-                     ("--confirm " + label) + " to delete " + held(counts) +
-                     " permanently. Nothing was deleted");
+    throw WrongUsage(
+        "withdraw --delete needs a terminal for the confirmation, and there is none; repeat the "
+        "label with " +
+        ("--confirm " + label) + " to delete " + held(counts) +
+        " permanently. Nothing was deleted");
   }
   std::cerr << label << ": " << held(counts)
             << ". They cannot be brought back. Type the label again to delete them: " << std::flush;
@@ -54,9 +56,9 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
 
 void name_outputs(const OutputsOfParticipant& outputs) {
   if (!outputs.recorded.empty()) {
-    std::cout << "outputs made from the study since the participant was added, which this did not "
-                 "change; delete those that hold data of the participant, and export or report "
-                 "again if needed:\n";
+    std::cout << "outputs made from the study since the participant was added, which were not "
+                 "changed; delete those that contain data of the participant, and repeat the "
+                 "export or the report if needed:\n";
     for (const OutputRow& output : outputs.recorded) {
       std::cout << "  " << local_time_text(output.made_utc) << "  "
                 << kind_words(output.kind).english() << "  " << output.path << '\n';
@@ -81,17 +83,17 @@ void add_withdraw(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "withdraw", "Withdraw a participant: the data are kept and never used, or deleted.");
+      "withdraw", "Withdraw a participant: the data are kept but no longer used, or deleted.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("LABEL", options->label, "Label of the participant")->required();
-  auto* deletes = command->add_flag(
-      "--delete", options->deletes,
-      "Delete every trace of the participant from the folder of the study. Without it the data "
-      "stay, and no analysis uses them");
+  auto* deletes =
+      command->add_flag("--delete", options->deletes,
+                        "Delete every trace of the participant from the folder of the study. "
+                        "Without this option the data are kept, and no analysis uses them");
   command
       ->add_option("--confirm", options->confirmed,
-                   "With --delete: LABEL once more. Without it the terminal asks for the label; "
-                   "where there is no terminal it is required")
+                   "With --delete: LABEL again, as confirmation. If this option is absent, the "
+                   "label is requested on the terminal; without a terminal the option is required")
       ->needs(deletes);
   const std::map<std::string, WithdrawalReason> reasons{
       {text_of(WithdrawalReason::consent_withdrawn), WithdrawalReason::consent_withdrawn},
@@ -103,7 +105,7 @@ void add_withdraw(CLI::App& program, Job& job) {
       ->transform(word_of(reasons));
   command
       ->add_option("--by", options->by,
-                   "Who decided it; without it the name of the user of this computer")
+                   "Name of the person who decided it (default: the user of this computer)")
       ->transform(not_blank("who decided it"));
   command->callback([options, &job] {
     job = [options] {

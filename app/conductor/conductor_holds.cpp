@@ -173,8 +173,8 @@ std::optional<Phrase> Conductor::trouble_after_standstill() {
   course_.event("fault_cleared", "");
   publish_trouble(
       phrase("Troubles",
-             "The servo loop stood still for more than 50 ms: the force was set to zero, and what "
-             "was interrupted is repeated. The session stops at the third time."),
+             "The servo loop stalled for more than 50 ms: the force was set to zero, and what was "
+             "interrupted is repeated. At the third occurrence the session stops."),
       SessionTrouble::Remedy::none);
   return {};
 }
@@ -236,7 +236,8 @@ bool Conductor::wait_out_fault(Phrase what) {
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
     const Fault fault = rig_.loop().status().fault;
     tell(fault == Fault::emergency_stop
-             ? phrase("Troubles", "%1 The emergency stop was pressed meanwhile.").with(stopped())
+             ? phrase("Troubles", "%1 The emergency stop was pressed in the meantime.")
+                   .with(stopped())
              : phrase("Troubles", "%1 The device is not ready yet: %2.")
                    .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
   }

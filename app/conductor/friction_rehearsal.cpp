@@ -65,10 +65,11 @@ std::optional<FrictionDamper> damper_of(const StimulusDescription& stimulus,
 Phrase basis_of(const DampedResponse& device, double mass_kg, double delay_s) {
   const Phrase text =
       device.moving_mass_kg
-          ? phrase("Rehearsal", "This holds for a moving mass of %1 g and a velocity %2 ms old.")
+          ? phrase("Rehearsal",
+                   "This holds for a moving mass of %1 g and a velocity delayed by %2 ms.")
           : phrase("Rehearsal",
-                   "This assumes a moving mass of %1 g, which was not measured, and a velocity %2 "
-                   "ms old.");
+                   "This assumes a moving mass of %1 g, which was not measured, and a velocity "
+                   "delayed by %2 ms.");
   return text.with(in_three_digits(1e3 * mass_kg), in_three_digits(1e3 * delay_s));
 }
 
@@ -77,13 +78,12 @@ Phrase remedy_for(const FrictionDamper& asked, double steepest_N_s_per_m) {
   const double raised_m_per_s = two_digits_up(asked.friction * asked.force_N / steepest_N_s_per_m);
   if (raised_m_per_s > asked.greatest_speed_m_per_s) {
     return phrase("Rehearsal",
-                  "Have the surface pressed with at most %1 N, or lower its friction; no "
+                  "Limit the pressing force to %1 N, or lower the friction of the surface; no "
                   "friction_speed_m_per_s that the model accepts is high enough.")
         .with(in_three_digits(below_N));
   }
   return phrase("Rehearsal",
-                "Set friction_speed_m_per_s to %1 or more, or have the surface pressed with at "
-                "most %2 N.")
+                "Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.")
       .with(in_three_digits(raised_m_per_s), in_three_digits(below_N));
 }
 
@@ -114,9 +114,9 @@ std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
            .device = steepest_N_s_per_m,
            .text =
                phrase("Rehearsal",
-                      "Near rest the friction of \"%1\" is a damper of %2 N s/m at %3 N, and at %4 "
-                      "Hz the device vibrates on more than %5 N s/m: strokes will buzz where they "
-                      "reverse. %6 %7")
+                      "Near rest, the friction of \"%1\" acts as a damper of %2 N s/m at %3 N, and "
+                      "at %4 Hz the device vibrates if the damping exceeds %5 N s/m: strokes are "
+                      "expected to buzz where they reverse. %6 %7")
                    .with(planned.stimulus.name, in_three_digits(asked->damper_N_s_per_m()),
                          in_three_digits(asked->force_N), in_three_digits(protocol.rate_Hz),
                          in_three_digits(steepest_N_s_per_m), basis_of(device, mass_kg, delay_s),

@@ -64,7 +64,8 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::feel_surface:
       return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
     case Saying::What::lift:
-      return phrase("ParticipantWords", "That is enough of surface %1. Please lift the handle.")
+      return phrase("ParticipantWords",
+                    "You have finished with surface %1. Please lift the handle.")
           .with(saying.code);
     case Saying::What::put_mask_on:
       return phrase("ParticipantWords", "Please put on the eye mask.");
@@ -96,32 +97,31 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Correct.");
     case Saying::What::was_wrong:
       if (saying.code.empty()) return phrase("ParticipantWords", "Incorrect.");
-      return phrase("ParticipantWords", "Incorrect. The correct answer: %1").with(saying.code);
+      return phrase("ParticipantWords", "Incorrect. The correct answer is %1.").with(saying.code);
     case Saying::What::answer_needed:
       return phrase("ParticipantWords", "Please answer this question.");
     case Saying::What::number_needed:
       if (saying.minimum && saying.maximum) {
-        return phrase("ParticipantWords", "A number from %1 to %2 is needed.")
+        return phrase("ParticipantWords", "Please enter a number from %1 to %2.")
             .with(number_text(*saying.minimum), number_text(*saying.maximum));
       }
       if (saying.minimum) {
-        return phrase("ParticipantWords", "A number is needed, %1 or more.")
+        return phrase("ParticipantWords", "Please enter a number of at least %1.")
             .with(number_text(*saying.minimum));
       }
       if (saying.maximum) {
-        return phrase("ParticipantWords", "A number is needed, %1 or less.")
+        return phrase("ParticipantWords", "Please enter a number of at most %1.")
             .with(number_text(*saying.maximum));
       }
-      return phrase("ParticipantWords", "A number is needed.");
+      return phrase("ParticipantWords", "Please enter a number.");
     case Saying::What::option_needed:
       return phrase("ParticipantWords", "Please choose one of the answers.");
     case Saying::What::estimate_needed:
-      return phrase("ParticipantWords", "A number above 0 is needed, such as 7 or 0.5.");
+      return phrase("ParticipantWords", "Please enter a number above 0, such as 7 or 0.5.");
     case Saying::What::estimate_unclear:
-      return phrase(
-                 "ParticipantWords",
-                 "%1 is ambiguous. Please write thousands without a point or a comma, and decimals "
-                 "with one or two digits after it.")
+      return phrase("ParticipantWords",
+                    "%1 is ambiguous. Please write thousands without a point or a comma, and "
+                    "decimals with one or two decimal places.")
           .with(saying.code);
     case Saying::What::session_resumes:
       return phrase("ParticipantWords",

@@ -36,15 +36,15 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::failed_between_trials, "device_failed_between_trials",
        phrase("Reasons", "the device failed between trials: %1")},
       {Reason::every_trial_stored, "finished_trials_stored",
-       phrase("Reasons", "every finished trial is stored, resume with --resume")},
+       phrase("Reasons", "every finished trial is stored; resume with --resume")},
       {Reason::failed_repeatedly, "trial_failed_repeatedly",
        phrase("Reasons", "trial %1 failed %2 times in a row (%3)")},
       {Reason::criterion_not_met, "criterion_not_met",
        phrase("Reasons", "the criterion of the block \"%1\" was not met")},
       {Reason::stood_still, "servo_loop_standstills",
        phrase("Reasons",
-              "the servo loop stood still for more than 50 ms, %1 times: the computer was "
-              "suspended, the program was stopped, or other programs kept it from running")},
+              "the servo loop stalled for more than 50 ms, %1 times: the computer was suspended, "
+              "the program was stopped, or other programs kept it from running")},
       {Reason::aborted, "aborted", phrase("Reasons", "aborted")},
       {Reason::emergency_stop, "emergency_stop_pressed",
        phrase("Reasons", "the emergency stop was pressed")},
@@ -65,15 +65,15 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::set_aside, "trial_repeated", phrase("Reasons", "repeated by the experimenter: %1")},
       {Reason::not_ready, "device_not_ready", phrase("Reasons", "the device is not ready: %1")},
       {Reason::does_not_tick, "device_does_not_tick",
-       phrase("Reasons", "its servo loop does not run")},
-      {Reason::does_not_answer, "device_does_not_answer", phrase("Reasons", "it does not answer")},
+       phrase("Reasons", "its servo loop is not running")},
+      {Reason::does_not_answer, "device_does_not_answer", phrase("Reasons", "it does not respond")},
       {Reason::sends_force, "force_without_surface",
        phrase("Reasons", "a force is sent although there is no surface")},
       {Reason::none_given, "no_reason_given", phrase("Reasons", "no reason was given")},
       {Reason::nothing_to_repeat, "nothing_to_repeat",
        phrase("Reasons", "no trial has been answered or skipped yet")},
       {Reason::agreement_witnessed, "agreement_witnessed",
-       phrase("Reasons", "agreement witnessed by %1")},
+       phrase("Reasons", "consent witnessed by %1")},
   };
   return kReasons;
 }
@@ -101,7 +101,7 @@ Phrase words_of_fault(Fault fault) {
     case Fault::emergency_stop:
       return phrase("Reasons", "emergency stop");
     case Fault::device_lost:
-      return phrase("Reasons", "the device does not answer");
+      return phrase("Reasons", "the device does not respond");
     case Fault::not_finite:
       return phrase("Reasons", "a force or position that is not a finite number");
     case Fault::workspace_left:
@@ -109,7 +109,7 @@ Phrase words_of_fault(Fault fault) {
     case Fault::repeated_misses:
       return phrase("Reasons", "too many missed deadlines");
     case Fault::standstill:
-      return phrase("Reasons", "the servo loop stood still for more than 50 ms");
+      return phrase("Reasons", "the servo loop stalled for more than 50 ms");
   }
   return {};
 }

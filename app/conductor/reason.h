@@ -52,7 +52,7 @@ enum class Reason {
   agreement_witnessed,  ///< by whom
 };
 Phrase phrase_of(Reason reason);
-/// "the device does not answer"; its code is its name.
+/// "the device does not respond"; its code is its name.
 Phrase phrase_of(Fault fault);
 
 /// "normal force of surface 2", for what was not explored as instructed; quantities as ComplianceRow

@@ -238,12 +238,12 @@ class DeviceRehearsal final {
     const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
     if (const std::optional<double> value = profile_.value(name)) {
       if (keeps(*value, quantity.bound, limit)) return;
-      const Phrase text =
-          at_most
-              ? phrase("Rehearsal",
-                       "The protocol requires a device whose %1 is at most %2; measured was %3.")
-              : phrase("Rehearsal",
-                       "The protocol requires a device whose %1 is at least %2; measured was %3.");
+      const Phrase text = at_most ? phrase("Rehearsal",
+                                           "The protocol requires a device whose %1 is at most %2; "
+                                           "the measured value is %3.")
+                                  : phrase("Rehearsal",
+                                           "The protocol requires a device whose %1 is at least "
+                                           "%2; the measured value is %3.");
       warn({.id = "limit_" + name,
             .pointer = pointer_to("/device/limits", name),
             .asked = limit,
@@ -344,8 +344,8 @@ class DeviceRehearsal final {
             .asked = force_N,
             .device = *friction_N,
             .text = phrase("Rehearsal",
-                           "The texture of \"%1\" is a force of %2 N RMS, and the device's own "
-                           "friction is %3 N, which masks the texture.")
+                           "The texture of \"%1\" corresponds to a force of %2 N RMS, and the "
+                           "device's own friction is %3 N, which masks the texture.")
                         .with(name, in_three_digits(force_N), in_three_digits(*friction_N))});
     } else if (resolution_N && force_N < *resolution_N) {
       warn({.id = "force_resolution",
@@ -353,8 +353,8 @@ class DeviceRehearsal final {
             .asked = force_N,
             .device = *resolution_N,
             .text = phrase("Rehearsal",
-                           "The texture of \"%1\" is a force of %2 N RMS, and the weakest force "
-                           "that moves the device is %3 N.")
+                           "The texture of \"%1\" corresponds to a force of %2 N RMS, and the "
+                           "smallest force that moves the device is %3 N.")
                         .with(name, in_three_digits(force_N), in_three_digits(*resolution_N))});
     }
   }
@@ -396,8 +396,8 @@ class DeviceRehearsal final {
             .asked = frequency_Hz,
             .device = bandwidth_Hz,
             .text = phrase("Rehearsal",
-                           "A hand that strokes \"%1\" at %2 mm/s meets %3 waves a second, and the "
-                           "device follows up to %4 Hz.")
+                           "When \"%1\" is stroked at %2 mm/s, %3 waves per second pass under the "
+                           "probe, and the device follows up to %4 Hz.")
                         .with(name, in_three_digits(1e3 * speed_m_per_s),
                               in_three_digits(frequency_Hz), in_three_digits(bandwidth_Hz))});
     }
@@ -440,9 +440,9 @@ class DeviceRehearsal final {
           .asked = asked_N_s_per_m,
           .device = device_N_s_per_m,
           .text = phrase("Rehearsal",
-                         "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, needs a device with "
-                         "%4 N s/m of damping at %5 Hz, and as measured this one has %6. Lower "
-                         "coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
+                         "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, requires a device "
+                         "with a damping of %4 N s/m at %5 Hz; the measured value is %6 N s/m. "
+                         "Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
                       .with(name, in_three_digits(coupling.stiffness_N_per_m),
                             in_three_digits(coupling.damping_N_s_per_m),
                             in_three_digits(asked_N_s_per_m), in_three_digits(protocol_.rate_Hz),
@@ -506,18 +506,21 @@ class DeviceRehearsal final {
                                                .speed_m_per_s = habits.speed_m_per_s,
                                                .rate_Hz = protocol_.rate_Hz});
     if (share <= kContactMayBeLost) return;
-    warn({.id = "contact",
-          .stimulus = name,
-          .asked = share,
-          .device = kContactMayBeLost,
-          .text = phrase("Rehearsal",
-                         "Pressed with %2 N and stroked at %3 mm/s, \"%1\" will be out of contact "
-                         "for about %4 % of a stroke: %5 g with %6 N s/m, as measured for the "
-                         "device, do not follow its height. Lower stiffness_N_per_m, the texture's "
-                         "amplitude or the speed, or have it pressed harder.")
-                      .with(name, in_three_digits(habits.normal_force_N),
-                            in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
-                            in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
+    warn(
+        {.id = "contact",
+         .stimulus = name,
+         .asked = share,
+         .device = kContactMayBeLost,
+         .text =
+             phrase(
+                 "Rehearsal",
+                 "With a force of %2 N and a speed of %3 mm/s, contact with \"%1\" is expected to "
+                 "be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, "
+                 "as measured for the device, does not follow its height. Lower stiffness_N_per_m, "
+                 "the texture's amplitude or the speed, or request a higher pressing force.")
+                 .with(name, in_three_digits(habits.normal_force_N),
+                       in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
+                       in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
   }
 
   void check_workspace(const SurfacePatch& patch) {

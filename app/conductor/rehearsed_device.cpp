@@ -54,8 +54,8 @@ Phrase refusal_for_profile(const Protocol& protocol, const WantedDevice& device,
   const double age = age_days(*profile, now_utc);
   if (age > *protocol.profile_maximum_age_days) {
     return phrase("Rehearsal",
-                  "the profile of \"%1\" is %2 days old, and the protocol allows %3; measure it "
-                  "again with %4")
+                  "the profile of \"%1\" is %2 days old, and the protocol allows at most %3; "
+                  "measure it again with %4")
         .with(name_of(device), days_text(age), days, command);
   }
   if (age < -kClocksDiffer_days) {
@@ -106,8 +106,7 @@ void compare(RehearsedDevice& device, const Protocol& protocol, const Rehearse& 
     return;
   }
   device.refusal =
-      phrase("Rehearsal",
-             "the device does not meet the requirements of the protocol in %1 respects. %2")
+      phrase("Rehearsal", "requirements of the protocol that the device does not meet: %1. %2")
           .with(std::to_string(device.warnings.size()), device.warnings.front().text);
 }
 

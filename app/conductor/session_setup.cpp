@@ -158,9 +158,9 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   const std::string number = std::to_string(row.session);
   if (!same) {
     throw PhrasedError(phrase("SessionSetup",
-                              "session %1 of participant %2 cannot be resumed: this program makes "
-                              "a plan from its protocol that differs from the stored one. Resume "
-                              "it with asperity %3, commit %4, which began it")
+                              "session %1 of participant %2 cannot be resumed: the plan that this "
+                              "program makes from its protocol differs from the stored one. Resume "
+                              "it with the version with which it began: asperity %3, commit %4")
                            .with(number, row.participant, row.program_version, row.program_commit));
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, study.folder());

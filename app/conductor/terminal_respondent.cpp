@@ -156,7 +156,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
             << " from left to right.\n";
   }
   if (question.allow_revisit) {
-    output_ << "To feel a surface again, type: feel and its letter.\n";
+    output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
   // One deadline for the whole question, however many lines it takes.
   std::optional<double> left_s = deadline_s;
@@ -188,7 +188,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
       continue;
     }
     if (std::find(reply.options.begin(), reply.options.end(), *number - 1) != reply.options.end()) {
-      output_ << "That picture is taken; each belongs to one surface.\n";
+      output_ << "That picture is already assigned; each picture belongs to one surface.\n";
       continue;
     }
     reply.options.push_back(*number - 1);
@@ -246,7 +246,7 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
     const std::optional<Saying> refusal = refusal_of(question, typed);
     if (!refusal) return typed;
     if (refusal->what == Saying::What::option_needed) {
-      output_ << "A number from 1 to " << question.options.size() << " is needed.\n";
+      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
     } else {
       output_ << text_of(*refusal) << '\n';
     }

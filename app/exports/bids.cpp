@@ -77,7 +77,7 @@ std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabu
   ExportColumn run{};
   run.name = "run";
   run.type = "integer";
-  run.description = "the run whose _physio.tsv.gz has the ticks of this attempt";
+  run.description = "the run whose _physio.tsv.gz contains the ticks of this attempt";
   run.minimum = 1.0;
   run.missing = "the attempt was not recorded";
   columns.push_back(std::move(run));
@@ -299,12 +299,12 @@ std::string BidsDataset::readme() const {
   if (metadata_.ethics_approval) text += "Ethics approval: " + *metadata_.ethics_approval + "\n";
   if (!authors.empty() || metadata_.license || metadata_.ethics_approval) text += "\n";
   return text +
-         "Responses about haptic textures by session (_beh.tsv), and presentations and events "
-         "(_events.tsv), with the meaning of every column in the .json file next to it. Onsets "
-         "count from the beginning of the session.\n\nAn analysis counts the rows of _beh.tsv with "
-         "counts_in_analyses 1; one with flagged 1 should be inspected.\nA text that a spreadsheet "
-         "would read as a formula has an apostrophe before it; the same applies to a text that "
-         "begins with an apostrophe. Remove one apostrophe to restore the text.\n";
+         "Responses to haptic textures by session (_beh.tsv), and presentations and events "
+         "(_events.tsv), with the meaning of every column in the .json file next to it. Onsets are "
+         "relative to the beginning of the session.\n\nAn analysis counts the rows of _beh.tsv "
+         "with counts_in_analyses 1; one with flagged 1 should be inspected.\nA text that a "
+         "spreadsheet would read as a formula is preceded by an apostrophe; the same applies to a "
+         "text that begins with an apostrophe. Remove one apostrophe to restore the text.\n";
 }
 
 /// In the form of CPAN changelogs, which BIDS asks for. Dates are not for the public.

@@ -61,8 +61,8 @@ ExportColumn type_column(const Columns& events, const std::string& factors) {
     return at.presentation ? kPresentation : kAttempt;
   });
   type.description =
-      "what the row is: an attempt at a trial, a surface presented in one, or else "
-      "the kind of the event";
+      "what the row is: an attempt at a trial, a surface presented in one, or the kind of the "
+      "event";
   type.levels.insert(type.levels.begin(), {kAttempt, kPresentation});
   type.level_meanings[kAttempt] = {"an attempt at a trial, from its beginning to its end",
                                    "(Experiment-structure, Label/attempt" + factors + ")"};
@@ -117,7 +117,7 @@ Columns bids_event_columns(const StudyVocabulary& vocabulary, ExportAudience aud
                                  "response that completed the attempt",
                                  response_time))));
   const auto key = [&](const char* name, auto number) {
-    add(missing("no attempt was under way",
+    add(missing("no attempt was in progress",
                 at_least(1, column(name, "integer", "",
                                    std::string("number of the ") + name +
                                        (std::string(name) == "trial" ? " within the session"

@@ -23,8 +23,8 @@ namespace {
 using Place = ExportPlace;
 
 constexpr const char* kMissedInContact =
-    "ticks that missed their deadline while a surface was touched; these decide whether an attempt "
-    "counts";
+    "ticks that missed their deadline while a surface was touched; only these affect whether an "
+    "attempt counts";
 constexpr const char* kNotCountedApart =
     "the attempt was made by version 0.1, which did not count them separately";
 
@@ -72,7 +72,7 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
   columns.push_back(column("withdrawn", "boolean", "",
-                           "1: the participant withdrew; the data were kept and are never used",
+                           "1: the participant withdrew; the data were kept but are never used",
                            [](const Place& at) { return boolean(at.participant->withdrawn); }));
   for (const std::string& name : vocabulary.participant_answers) {
     const auto question = vocabulary.questions.find(name);
@@ -119,9 +119,8 @@ Columns session_columns() {
   add(with_levels(column("state", "text", "", "state of the session",
                          [](const Place& at) { return text_of(at.session->state); }),
                   {"open", "completed", "stopped", "crashed"}));
-  text("seed", "seed of everything random in the session, an integer of 64 bits",
-       &SessionRow::seed);
-  text("generator", "name and version of the random generator", &SessionRow::generator);
+  text("seed", "seed of all random numbers of the session, a 64-bit integer", &SessionRow::seed);
+  text("generator", "name and version of the random number generator", &SessionRow::generator);
   add(at_least(
       0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
                 [](const Place& at) { return integer(at.session->counterbalance_row); })));
@@ -182,7 +181,7 @@ Columns session_columns() {
 ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
   ExportColumn made = missing(
       "the protocol requests no magnitudes, or specifies no spacing of the trial's texture",
-      column("texture_spacing_m", "number", "m", "distance of the elements of the texture",
+      column("texture_spacing_m", "number", "m", "spacing of the elements of the texture",
              [estimations = vocabulary.estimations](const Place& at) -> Cell {
                const auto estimation = estimations.find(at.protocol->source_sha256);
                if (estimation == estimations.end()) return {};
@@ -205,9 +204,10 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.protocol->name; }));
   add(column("block", "text", "", "block of the protocol",
              [](const Place& at) { return at.trial->block; }));
-  add(at_least(1, column("block_ordinal", "integer", "",
-                         "number of the block within the session; every run of a block counts",
-                         [](const Place& at) { return integer(at.trial->block_ordinal); })));
+  add(at_least(
+      1, column("block_ordinal", "integer", "",
+                "number of the block within the session; each run of a block has its own number",
+                [](const Place& at) { return integer(at.trial->block_ordinal); })));
   add(with_levels(column("phase", "text", "", "only the main phase is analysed",
                          [](const Place& at) { return at.trial->phase; }),
                   {"familiarisation", "practice", "main"}));
@@ -245,26 +245,26 @@ Columns attempt_columns() {
                          [](const Place& at) { return text_of(at.attempt->outcome); }),
                   {"answered", "timed_out", "not_compliant", "aborted", "device_fault",
                    "emergency_stop", "skipped"}));
-  add(column("valid", "boolean", "", "1: the valid attempt of its trial; there is one at most",
+  add(column("valid", "boolean", "", "1: the valid attempt of its trial; there is at most one",
              [](const Place& at) { return boolean(at.attempt->valid); }));
   add(dropped(
       missing("the attempt is valid",
               column("invalid_reason", "text", "",
                      "why the attempt does not count; may be in the experimenter's words",
                      [](const Place& at) { return text_cell_of(at.attempt->invalid_reason); }))));
-  add(codes_column("invalid_code", "the attempt is valid",
-                   "the same by codes, with semicolons between; \"typed\" where the experimenter "
-                   "typed it",
-                   &AttemptRow::invalid_reason));
+  add(codes_column(
+      "invalid_code", "the attempt is valid",
+      "the same as codes, separated by semicolons; \"typed\" where the experimenter typed it",
+      &AttemptRow::invalid_reason));
   add(column("excluded", "boolean", "", "1: it or its session was excluded: leave it out",
              [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
   add(dropped(missing("not excluded",
                       column("exclusion_reason", "text", "", "reason, as it was entered",
                              [](const Place& at) { return text_cell_of(at.attempt->excluded); }))));
-  add(codes_column("exclusion_code", "not excluded", "the same by codes, as in invalid_code",
+  add(codes_column("exclusion_code", "not excluded", "the same as codes, as in invalid_code",
                    &AttemptRow::excluded));
   add(column("counts_in_analyses", "boolean", "",
-             "1: analyses count the attempt: the trial belongs to the main phase and is not an "
+             "1: the attempt counts in analyses: the trial belongs to the main phase and is not an "
              "anchor, and the attempt is answered, valid and not excluded",
              [](const Place& at) {
                return boolean(use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted);
@@ -276,7 +276,7 @@ Columns attempt_columns() {
               column("flag_reason", "text", "",
                      "what to inspect, in the words of the program or of the experimenter",
                      [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
-  add(codes_column("flag_code", "not flagged", "the same by codes, as in invalid_code",
+  add(codes_column("flag_code", "not flagged", "the same as codes, as in invalid_code",
                    &AttemptRow::flag_reason));
   add(column("onset_s", "number", "s", "beginning, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
@@ -310,7 +310,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   };
   add(at_least(1, column("position", "integer", "", "place in the order of the trial's surfaces",
                          [](const Place& at) { return integer(at.presentation->position); })));
-  text("role", "what the surface is in the trial", &PresentationRow::role);
+  text("role", "role of the surface in the trial", &PresentationRow::role);
   columns.back().levels = {"alternative", "target", "anchor"};
   text("item", "name of the surface in the answers", &PresentationRow::item);
   text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
@@ -324,10 +324,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   add(missing(
       "no height field is involved",
       column("height_field_sha256", "text", "",
-             "SHA-256 of the height field's sidecar, which names its picture's",
+             "SHA-256 of the height field's sidecar, which contains that of its picture",
              [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
   const auto sha256 = [&add](const char* name, const char* description, auto member) {
-    add(missing("the model touches with a point",
+    add(missing("the tool of the model is a point",
                 column(name, "text", "", description, [member](const Place& at) {
                   return optional_cell(at.presentation->*member);
                 })));
@@ -336,28 +336,27 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
          &PresentationRow::surface_sha256);
   sha256("tool_sha256", "SHA-256 of the body that was held (docs/formats/study.md)",
          &PresentationRow::tool_sha256);
-  text("seed", "seed of the renderer, an integer of 64 bits", &PresentationRow::seed);
+  text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {
     add(missing(when, column(name, "number", "s", description, [member](const Place& at) {
                   return seconds_in_session(at, at.presentation->*member);
                 })));
   };
-  time("onset_s", "first tick with the surface there, since the session began",
+  time("onset_s", "first tick with the surface present, since the session began",
        "the surface was not presented", &PresentationRow::onset_ns);
   time("contact_onset_s", "first tick with the probe in the surface, since the session began",
        "the surface was not touched", &PresentationRow::contact_ns);
-  time("offset_s", "last tick with the surface there, since the session began",
+  time("offset_s", "last tick with the surface present, since the session began",
        "the surface was not presented", &PresentationRow::offset_ns);
   add(at_least(0, column("contact_s", "number", "s", "time in contact",
                          [](const Place& at) { return at.presentation->contact_s; })));
-  add(missing(
-      "no equal force was requested",
-      at_least(0, column("matched_texture_force_N", "number", "N",
-                         "RMS of the texture force that was aimed at on the prescribed path",
-                         [](const Place& at) {
-                           return optional_cell(at.presentation->matched_texture_force_N);
-                         }))));
+  add(missing("no equal force was requested",
+              at_least(0, column("matched_texture_force_N", "number", "N",
+                                 "intended RMS of the texture force on the prescribed path",
+                                 [](const Place& at) {
+                                   return optional_cell(at.presentation->matched_texture_force_N);
+                                 }))));
   add(missing("too short in contact",
               at_least(0, column("achieved_texture_force_N", "number", "N",
                                  "RMS of the texture force along the participant's own path",
@@ -425,12 +424,12 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
     }
     if (!options.empty()) questions += options + ")";
   }
-  add(column("answer", "text", "", "the answer, by the name it has in the protocol" + questions,
+  add(column("answer", "text", "", "the answer, by its name in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
-  columns.back().missing = "never, except for a questionnaire's in an export for the public";
+  columns.back().missing = "never, except for answers to questionnaires in a public export";
   add(missing(
-      "the answer is not a number, or is a questionnaire's in an export for the public",
+      "the answer is not a number, or is an answer to a questionnaire in a public export",
       column("answer_number", "number", "", "the answer as a number: the estimate of a magnitude",
              [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
@@ -441,7 +440,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->options_json; }));
   add(column("time_s", "number", "s", "when it was answered, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
-  add(missing("no contact came before",
+  add(missing("there was no contact before",
               at_least(0, column("from_contact_s", "number", "s",
                                  "time from the first contact of the attempt to the answer",
                                  [](const Place& at) {
@@ -458,17 +457,17 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->source; }));
   add(missing("the estimate was not re-elicited",
               column("doubted_estimate", "number", "",
-                     "the first estimate, of a magnitude that was re-elicited because it was ten "
-                     "times an earlier one for the same stimulus, or a tenth; "
-                     "the answer is the second one",
+                     "the first estimate, where the magnitude was re-elicited because the estimate "
+                     "was at least ten times, or at most a tenth of, an earlier one for the same "
+                     "stimulus; the answer is the second estimate",
                      [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   add(missing(
       "the answer is not an estimate of a magnitude, or the participant has none in some cell",
       column("normalised_estimate", "number", "",
-             "the estimate of a magnitude with the participant's own scale taken out: times "
-             "the geometric mean of all participants over the participant's own, of this "
-             "protocol, version and kind of session, over valid attempts of the main phase, with "
-             "nothing excluded and no anchors",
+             "the estimate of a magnitude with the participant's own scale removed: multiplied by "
+             "the geometric mean of all participants and divided by that of the participant; both "
+             "of this protocol, version and kind of session, over valid attempts of the main "
+             "phase, without excluded attempts and anchors",
              [](const Place& at) -> Cell {
                if (!at.own_scale || !at.response->answer_number) return {};
                return *at.own_scale * *at.response->answer_number;
@@ -499,10 +498,12 @@ Columns servo_columns() {
   number("period_p99_9_s", "s", "99.9th percentile of the time between ticks",
          &Row::period_p99_9_s);
   number("period_maximum_s", "s", "longest time between ticks", &Row::period_maximum_s);
-  number("lateness_p50_s", "s", "median start of a tick after its deadline", &Row::lateness_p50_s);
-  number("lateness_p99_s", "s", "99th percentile of the start after the deadline",
+  number("lateness_p50_s", "s", "median delay of the start of a tick after its deadline",
+         &Row::lateness_p50_s);
+  number("lateness_p99_s", "s", "99th percentile of the delay of the start after the deadline",
          &Row::lateness_p99_s);
-  number("lateness_maximum_s", "s", "latest start after a deadline", &Row::lateness_maximum_s);
+  number("lateness_maximum_s", "s", "longest delay of a start after its deadline",
+         &Row::lateness_maximum_s);
   number("execution_p99_s", "s", "99th percentile of the duration of a tick; 0 when simulated",
          &Row::execution_p99_s);
   number("execution_maximum_s", "s", "longest duration of a tick; 0 when simulated",
@@ -513,8 +514,9 @@ Columns servo_columns() {
                                            [](const Place& at) {
                                              return optional_cell(at.servo->missed_in_contact);
                                            }))));
-  count("saturated_ticks", "ticks with a force shortened to the limit", &Row::saturated_ticks);
-  count("slew_limited_ticks", "ticks with a change of force slowed down", &Row::slew_limited_ticks);
+  count("saturated_ticks", "ticks with the force reduced to the limit", &Row::saturated_ticks);
+  count("slew_limited_ticks", "ticks with the rate of change of the force limited",
+        &Row::slew_limited_ticks);
   count("not_finite_ticks", "ticks with a force that was not a number", &Row::not_finite_ticks);
   count("lost_records", "tick records that were lost", &Row::lost_records);
   columns.push_back(column("fault", "text", "", "fault that stopped the forces, or none",
@@ -528,10 +530,9 @@ Columns compliance_columns() {
   using Row = ComplianceRow;
   add(at_least(0, column("position", "integer", "", "place in the order of the trial's surfaces",
                          [](const Place& at) { return integer(at.compliance->position); })));
-  add(with_levels(
-      column("quantity", "text", "", "what was measured; its unit is the end of its name",
-             [](const Place& at) { return at.compliance->quantity; }),
-      {"normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"}));
+  add(with_levels(column("quantity", "text", "", "what was measured; the name ends with the unit",
+                         [](const Place& at) { return at.compliance->quantity; }),
+                  {"normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"}));
   const auto bound = [&add](const char* name, const char* description,
                             std::optional<double> Row::*member) {
     add(missing("the protocol declares none",
@@ -556,7 +557,7 @@ Columns compliance_columns() {
           column("fraction_in_band", "number", "1",
                  "fraction inside the band: of the contact time, of the strokes for the speed",
                  [](const Place& at) { return optional_cell(at.compliance->fraction_in_band); }))));
-  add(missing("the protocol declares nothing",
+  add(missing("the protocol declares no requirement",
               column("passed", "boolean", "", "1: explored as the protocol requires",
                      [](const Place& at) { return optional_boolean(at.compliance->passed); })));
   return columns;
@@ -571,7 +572,7 @@ const char* publication_text(Publication publication) {
     case Publication::without_free_text:
       return "without free text";
     case Publication::dropped_unless_named:
-      return "dropped unless named";
+      return "omitted unless named";
     case Publication::dropped:
       return "dropped";
   }
@@ -662,7 +663,7 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
                                                  return optional_cell(
                                                      at.attempt->servo->missed_in_contact);
                                                }))));
-  servo("saturated_ticks", "ticks with a force shortened to the limit",
+  servo("saturated_ticks", "ticks with the force reduced to the limit",
         &ServoQualityRow::saturated_ticks);
   servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);
   Columns answers = response_columns(vocabulary);

@@ -54,7 +54,7 @@ std::vector<ExportColumn> event_columns() {
   Columns columns = keys_to(Key::attempt);
   for (ExportColumn& made : columns) {
     if (made.name == "trial" || made.name == "attempt") {
-      made.missing = "no attempt was under way";
+      made.missing = "no attempt was in progress";
     }
   }
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
@@ -71,7 +71,7 @@ std::vector<ExportColumn> event_columns() {
                                    return optional_cell(at.event->duration_s);
                                  }))));
   add(kind_column());
-  add(missing("the event has none, or free text in an export for the public",
+  add(missing("the event has none, or it is free text in a public export",
               without_free_text(
                   column("text", "text", "", "text of the event as its kind defines it, as stored",
                          [](const ExportPlace& at) { return at.event->row.text; }),
@@ -89,12 +89,12 @@ std::vector<ExportColumn> event_columns() {
     };
   };
   add(missing("the event has no text, or its text has no codes",
-              without_free_text(column("text_code", "text", "",
-                                       "the text by codes, with semicolons between; \"typed\" "
-                                       "where a person typed it",
-                                       codes(codes_of)),
-                                codes(published_codes_of))));
-  add(missing("the event has none, or none that an export for the public has",
+              without_free_text(
+                  column("text_code", "text", "",
+                         "the text as codes, separated by semicolons; \"typed\" where it was typed",
+                         codes(codes_of)),
+                  codes(published_codes_of))));
+  add(missing("the event has none, or none that a public export includes",
               without_free_text(
                   column("data_json", "json", "", "data of the event as its kind defines them",
                          [](const ExportPlace& at) -> Cell {

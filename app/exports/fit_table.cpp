@@ -82,7 +82,7 @@ void FitTable::add(const ExportPlace& at) {
 std::optional<Phrase> FitTable::why_empty(const std::string& name) const {
   if (!has_choices_) {
     return phrase("FitTable",
-                  "%1 was not written: no completed session has choices that analyses count.")
+                  "%1 was not written: no completed session has choices that count in analyses.")
         .with(name);
   }
   if (curves_.empty()) {

@@ -1,12 +1,12 @@
-# Loads an export of Asperity with the right types. In R, with nothing but R itself:
+# Loads an export of Asperity with the correct types. In R, with nothing but R itself:
 #
 #   source("import.R", chdir = TRUE)   # from any folder: the path of this file
 #   tables$attempts                    # every .tsv and .csv of the folder, by name
-#   answers <- answered_trials()       # one row per answer of a person that counts
+#   answers <- answered_trials()       # one row per counted response of a human participant
 #
-# Types come from codebook.tsv. Truths are TRUE and FALSE; a text with declared levels is a factor;
+# Types come from codebook.tsv. Boolean values are TRUE and FALSE; a text with declared levels is a factor;
 # missing is NA. A text that begins with an apostrophe was written with one more, so that no
-# spreadsheet takes it for a formula: it is taken away here.
+# spreadsheet takes it for a formula: it is removed here.
 
 asperity_folder <- getwd()
 if (!file.exists(file.path(asperity_folder, "codebook.tsv"))) {

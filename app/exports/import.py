@@ -1,4 +1,4 @@
-"""Loads an export of Asperity with the right types.
+"""Loads an export of Asperity with the correct types.
 
     import importlib.util, sys
     sys.path.insert(0, "DIR")
@@ -8,7 +8,7 @@
 
 Types come from codebook.tsv. Whole numbers that can be missing are Int64, truths are boolean, a text with declared levels is
 a category, missing is <NA>. A text that begins with an apostrophe was written with one more, so that no spreadsheet takes it
-for a formula: it is taken away here.
+for a formula: it is removed here.
 
 `read_rows` does the same with the standard library alone, as a list of dictionaries with None for missing.
 """
@@ -19,7 +19,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def _cells(path):
-    """The names of the columns and the cells as they stand in the file; missing is None."""
+    """The names of the columns and the cells as in the file; missing is None."""
     is_csv = path.suffix == ".csv"
     with open(path, encoding="utf-8", newline="") as file:
         if is_csv:

@@ -64,10 +64,10 @@ void PsychDataset::finish() {
       {"name", study_name_ + made_by_.in_title},
       {"description",
        (made_by_.sentence.empty() ? "" : made_by_.sentence + " ") +
-           "Responses to haptic textures, one file per session, one row per response. Empty is "
-           "missing; an analysis counts the rows with counts_in_analyses 1. A text that a "
-           "spreadsheet would read as a formula has an apostrophe before it; the same applies to a "
-           "text that begins with one."},
+           "Responses to haptic textures, one file per session, one row per response. Empty cells "
+           "are missing values; an analysis counts the rows with counts_in_analyses 1. A text that "
+           "a spreadsheet would read as a formula is preceded by an apostrophe; the same applies "
+           "to a text that begins with one."},
       {"variableMeasured", std::move(variables)}};
   folder_.write(root_ + "dataset_description.json", description.dump(2) + "\n");
 }

@@ -44,10 +44,10 @@ std::string publication_text(const std::vector<ExportFile>& files) {
          columns[Publication::without_questionnaires].sentence(
              "n/a for answers to questionnaires, unless named by --with-questions") +
          columns[Publication::without_free_text].sentence(
-             "Without texts by a person or a driver (then n/a; codes: \"typed\"; data: without the "
-             "members that hold them)") +
-         columns[Publication::kept].sentence("Kept of each participant") +
-         "Whether these identify a participant is for you to judge before you publish them.\n";
+             "Without texts entered by hand or reported by a driver (then n/a; codes: \"typed\"; "
+             "data: without the members that hold them)") +
+         columns[Publication::kept].sentence("Kept for each participant") +
+         "Check whether these columns could identify a participant before publishing them.\n";
 }
 
 std::string publication_text_of_any_study() {

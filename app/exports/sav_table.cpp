@@ -41,7 +41,7 @@ SavTable::SavTable(std::vector<ExportColumn> columns, const std::filesystem::pat
   spool_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+b"));
   if (!spool_) {
     throw ResultsError(
-        "no file can be made in " + spool_folder.string() + ": " + std::strerror(errno),
+        "no file can be created in " + spool_folder.string() + ": " + std::strerror(errno),
         spool_folder, errno);
   }
 }
@@ -51,7 +51,7 @@ void SavTable::put(const void* bytes, std::size_t count) {
   const int error_number = errno;
   throw ResultsError("the rows of an SPSS table cannot be written to a temporary file in " +
                          spool_folder_.string() + ": " + std::strerror(error_number) +
-                         "; make room there, then export again",
+                         "; free some space there, then export again",
                      spool_folder_, error_number);
 }
 

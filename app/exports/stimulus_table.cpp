@@ -59,26 +59,25 @@ Columns StimulusTable::columns() {
       "SHA-256 of the height field's sidecar, as in presentations.tsv", kNoField);
   add("height_field_state", "text", "",
       "complete: the study has the height field as the sessions used it; missing: the file or its "
-      "sidecar is missing; changed: the file is another one",
+      "sidecar is missing; changed: the file is a different one",
       kNoField);
   columns.back().levels = {name_of(FileState::complete), name_of(FileState::missing),
                            name_of(FileState::changed)};
   add("height_field", "text", "",
-      "file of the height field in the study, and in this folder where it holds stimuli/; its "
-      "sidecar, with pitch and range of the heights, has .json at the end of the name",
+      "file of the height field in the study, and in this folder where it holds stimuli/; the name "
+      "of its sidecar, which has the pitch and the range of the heights, ends with .json",
       kNoFile);
   add("height_field_width_m", "number", "m", "width of the height field", kNoFile);
   add("height_field_rms_m", "number", "m", "RMS of the heights about their mean", kNoFile);
-  add("height_field_range_m", "number", "m", "difference of the greatest and the smallest height",
-      kNoFile);
+  add("height_field_range_m", "number", "m",
+      "difference between the greatest and the smallest height", kNoFile);
   add("height_field_dominant_wavelength_m", "number", "m",
-      "wavelength with the greatest power per third of an octave, whatever its direction",
+      "wavelength with the greatest power per third of an octave, in any direction",
       "no height field is involved, its file is no longer in the study as it was used, or it is a "
       "plane");
-  add("presentations", "integer", "1", "how often it was presented");
+  add("presentations", "integer", "1", "number of presentations");
   add("matched_texture_force_N", "number", "N",
-      "RMS of the texture force that was aimed at on the prescribed path",
-      "no equal force was requested");
+      "intended RMS of the texture force on the prescribed path", "no equal force was requested");
   add("achieved_presentations", "integer", "1",
       "presentations in the following two columns: touched for long enough, in attempts that "
       "analyses count");

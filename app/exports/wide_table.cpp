@@ -146,7 +146,8 @@ WideTable::Made WideTable::make() const {
         [member](const Person& person) { return Cell{person.*member}; });
   };
   count("answers", "responses that are counted in the columns of conditions", &Person::answers);
-  count("answers_flagged", "those of them from flagged attempts", &Person::flagged);
+  count("answers_flagged", "those of the counted responses that are from flagged attempts",
+        &Person::flagged);
   count("answers_left_out",
         "responses in main trials, without anchors, that are not counted because the attempt is "
         "not valid or was excluded",
@@ -160,8 +161,8 @@ WideTable::Made WideTable::make() const {
   });
   if (gives_numbers) {
     count("answers_doubted",
-          "of the counted responses: estimates that were re-elicited because they were ten "
-          "times an earlier one for the same stimulus, or a tenth",
+          "of the counted responses: estimates that were re-elicited because they were at least "
+          "ten times, or at most a tenth of, an earlier one for the same stimulus",
           &Person::doubted);
   }
 

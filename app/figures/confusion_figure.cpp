@@ -29,13 +29,14 @@ Phrase word_of_name(const std::string& name) {
 }
 
 Figure figure_of(const Confusions& confusions) {
-  Figure figure{.name = "confusions",
-                .title = phrase("Figures", "Confusion matrix"),
-                .note = phrase("Figures",
-                               "Numbers are responses; the shade is their proportion among the "
-                               "responses to the stimulus. Correct responses are framed."),
-                .shape = FigureShape::square,
-                .shade_name = phrase("Figures", "proportion of the row")};
+  Figure figure{
+      .name = "confusions",
+      .title = phrase("Figures", "Confusion matrix"),
+      .note = phrase("Figures",
+                     "Numbers are counts of responses; the shade is their proportion among the "
+                     "responses to the stimulus. Correct responses are framed."),
+      .shape = FigureShape::square,
+      .shade_name = phrase("Figures", "proportion of the row")};
   double all = 0.0;
   figure.x.name = phrase("Figures", "response");
   figure.y.name = phrase("Figures", "stimulus");

@@ -16,13 +16,13 @@ ScaleChoice bradley_terry() {
   return {.quantity = "bt.ability.sumzero.cluster",
           .otherwise = "bt.firth.ability",
           .status = "bt.status",
-          .title = phrase("Figures", "Scale of preference (Bradley–Terry)")};
+          .title = phrase("Figures", "Preference scale (Bradley–Terry)")};
 }
 
 ScaleChoice plackett_luce() {
   return {.quantity = "pl.logworth.sumzero.cluster",
           .status = "pl.status",
-          .title = phrase("Figures", "Scale of preference (Plackett–Luce)")};
+          .title = phrase("Figures", "Preference scale (Plackett–Luce)")};
 }
 
 /// Of several analyses that stand together, that one.
@@ -38,7 +38,7 @@ GroupChoice shares_of_groups() {
           .difference = "subj.diff",
           .pooled_difference = "diff",
           .axis = phrase("Figures",
-                         "proportion correct (of a matching: of items), mean with its %1 % CI"),
+                         "proportion correct (for matching: of items), mean with its %1 % CI"),
           .are_shares = true};
 }
 

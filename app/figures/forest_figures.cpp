@@ -57,7 +57,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
         {.name = kinds[kind].name, .style = static_cast<int>(kind), .hollow = kinds[kind].is_part});
   }
   std::vector<std::vector<SingleValues>> singles(kinds.size());
-  FigureSeries by_chance{.name = phrase("Figures", "chance"), .style = 5};
+  FigureSeries by_chance{.name = phrase("Figures", "chance level"), .style = 5};
   for (const ForestRow& row : rows) {
     const auto place = static_cast<double>(figure.y.places.size());
     figure.y.places.push_back(row.label);
@@ -77,12 +77,14 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
       std::any_of(figure.series.begin(), figure.series.end(),
                   [](const FigureSeries& series) { return !series.points.empty(); });
   if (!has_points) {
-    figure.instead = phrase("Figures", "There is no response from which to compute a proportion.");
+    figure.instead =
+        phrase("Figures", "There are no responses from which to compute a proportion.");
     return;
   }
   std::erase_if(figure.series, [](const FigureSeries& series) { return series.points.empty(); });
   if (chances.size() == 1) {
-    figure.references.push_back({.value = *chances.begin(), .label = phrase("Figures", "chance")});
+    figure.references.push_back(
+        {.value = *chances.begin(), .label = phrase("Figures", "chance level")});
   } else if (chances.size() > 1) {
     if (figure.series.front().name.empty())
       figure.series.front().name = phrase("Figures", "proportion");
@@ -260,16 +262,17 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
       .name = table.name + "_forest",
       .table = table.name,
       .title = table.title,
-      .note = means.empty()
-                  ? note
-                  : (has_intervals(means) ? phrase("Figures",
-                                                   "%1 Squares are means of the participants' "
-                                                   "own proportions with 95 % CIs by t on the "
-                                                   "logit scale: the participant is the unit.")
-                                          : phrase("Figures",
-                                                   "%1 Squares are means of the participants' own "
-                                                   "proportions: the participant is the unit."))
-                        .with(note)};
+      .note =
+          means.empty()
+              ? note
+              : (has_intervals(means)
+                     ? phrase("Figures",
+                              "%1 Squares are means of the participants' own proportions with "
+                              "t-based 95 % CIs on the logit scale: the participant is the unit.")
+                     : phrase("Figures",
+                              "%1 Squares are means of the participants' own "
+                              "proportions: the participant is the unit."))
+                    .with(note)};
   const std::vector<ForestKind>& names = pooled_and_people();
   add_rows(rows,
            {{.name = means.empty() ? Phrase() : names[0].name},
@@ -291,17 +294,17 @@ std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<d
   if (rows.empty()) return {};
   const NamedTable& table = *means.table;
   for (ForestRow& row : rows) row.chance = chance;
-  Figure figure{.name = table.name + "_forest",
-                .table = table.name,
-                .title = table.title,
-                .note = has_intervals(rows)
-                            ? phrase("Figures",
-                                     "Squares are means of the participants' own proportions, bars "
-                                     "their 95 % CIs by t on the logit scale: the participant is "
-                                     "the unit.")
-                            : phrase("Figures",
-                                     "Squares are means of the participants' own proportions: the "
-                                     "participant is the unit.")};
+  Figure figure{
+      .name = table.name + "_forest",
+      .table = table.name,
+      .title = table.title,
+      .note = has_intervals(rows)
+                  ? phrase("Figures",
+                           "Squares are means of the participants' own proportions, bars their "
+                           "t-based 95 % CIs on the logit scale: the participant is the unit.")
+                  : phrase("Figures",
+                           "Squares are means of the participants' own proportions: the "
+                           "participant is the unit.")};
   add_rows(rows, {{}},
            has_intervals(rows) ? phrase("Figures", "mean proportion, with its 95 % CI")
                                : phrase("Figures", "mean proportion"),
@@ -407,11 +410,11 @@ Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {
 Figure selection_forest(const FoundNumbers& found) {
   Figure figure{
       .name = "choices",
-      .title = phrase("Figures", "How often each was chosen"),
+      .title = phrase("Figures", "Proportion of choices of each alternative"),
       .note = phrase("Figures",
                      "Circles are proportions of the choices of a row with Wilson 95 % CIs, which "
                      "are too narrow where a participant chose more than once. Squares are means "
-                     "of the participants' own proportions with t 95 % CIs.")};
+                     "of the participants' own proportions with t-based 95 % CIs.")};
   std::vector<ForestRow> rows = rows_of(found, "prop");
   std::set<std::string> alternatives{};
   for (const Finding* one : found.all("prop")) alternatives.insert(parts_of(one->key).back());
@@ -426,7 +429,7 @@ Figure selection_forest(const FoundNumbers& found) {
 
 Figure matching_forest(const FoundNumbers& found) {
   Figure figure{.name = "textures_matched",
-                .title = phrase("Figures", "How often each texture was matched to its picture"),
+                .title = phrase("Figures", "Proportion of correct matches of each texture"),
                 .note = phrase("Figures",
                                "Proportions of the trials with that texture, with Wilson 95 % CIs; "
                                "the rows of one trial depend on each other.")};
@@ -443,11 +446,11 @@ Figure matching_forest(const FoundNumbers& found) {
 Figure recognition_forest(const FoundNumbers& found) {
   Figure figure{
       .name = "recognised",
-      .title = phrase("Figures", "How often each was recognised"),
+      .title = phrase("Figures", "Proportion correct for each stimulus"),
       .note = phrase("Figures",
                      "Circles are proportions of the trials with that stimulus, with Wilson 95 % "
                      "CIs that treat trials as independent. The square is the mean of the "
-                     "participants' own proportions with a t 95 % CI on the logit scale.")};
+                     "participants' own proportions with a t-based 95 % CI on the logit scale.")};
   std::vector<ForestRow> rows{};
   for (const Finding* recall : found.all("recall")) {
     // Its n are participants; the trials stand in the row of the confusions.
@@ -481,7 +484,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
   std::vector<Figure> figures{};
   const Phrase note = phrase("Figures",
                              "Proportions with Wilson 95 % CIs, one choice per participant and "
-                             "experiment; all together: as if independent.");
+                             "experiment; all experiments together are treated as independent.");
   figures.push_back({.name = "table_1",
                      .title = phrase("Figures", "Chosen as the most realistic"),
                      .note = note});

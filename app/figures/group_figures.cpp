@@ -57,9 +57,9 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   Figure both{.name = "group_means",
               .title = phrase("Figures", "Both groups: means of the participants"),
               .note = phrase("Figures",
-                             "Points are means of the participants' own results, bars their %1 % "
-                             "CIs by t, of proportions on the logit scale. Overlapping intervals "
-                             "are not a test of a difference.")
+                             "Points are means of the participants' own results, bars their "
+                             "t-based %1 % CIs, for proportions on the logit scale. Overlapping "
+                             "intervals are not a test of a difference.")
                           .with(percent),
               .shape = FigureShape::rows,
               .series = {{}}};
@@ -70,19 +70,19 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
           (found.all(choice.pooled_difference).empty()
                ? phrase("Figures",
                         "The bar is Welch's %1 % CI of the difference of the participants' means; "
-                        "the permutation test of group labels assumes less.")
+                        "the permutation test of group labels makes fewer assumptions.")
                : phrase("Figures",
-                        "Bars are %1 % CIs: of the difference of the participants' means by Welch, "
-                        "of all responses pooled by Newcombe, as if they were independent. The "
-                        "permutation test of group labels assumes less than either."))
+                        "Bars are %1 % CIs: Welch's for the difference of the participants' means, "
+                        "Newcombe's for all responses pooled, as if they were independent. The "
+                        "permutation test of group labels makes fewer assumptions than either."))
               .with(percent),
       .shape = FigureShape::rows,
       .series = {{.style = 1}}};
   if (!has_both) {
     for (Figure* figure : {&both, &less}) {
       figure->series.clear();
-      figure->instead = phrase(
-          "Figures", "There are not two groups with responses: there is nothing to compare.");
+      figure->instead =
+          phrase("Figures", "Fewer than two groups have responses: there is nothing to compare.");
     }
     return {both, less};
   }

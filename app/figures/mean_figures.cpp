@@ -57,8 +57,8 @@ Figure rating_figure(const FoundNumbers& found) {
       .name = "ratings",
       .title = phrase("Figures", "Scores by item"),
       .note = phrase("Figures",
-                     "Points are means over the participants who scored every item, bars their %1 "
-                     "% t intervals. The tests next to them use only the ranks of the scores.")
+                     "Points are means over the participants who scored every item, bars their "
+                     "t-based %1 % CIs. The accompanying tests use only the ranks of the scores.")
                   .with(percent_of(means)),
       .shape = FigureShape::rows};
   bool is_first = true;
@@ -96,12 +96,12 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
           has_within_intervals
               ? phrase("Figures",
                        "Points are means over the participants, shifted where several coincide. "
-                       "Bars: %1 % intervals without the participants' own levels (Cousineau and "
-                       "Morey), which show differences within participants. Lines guide the eye.")
+                       "Bars: within-participant %1 % CIs (Cousineau and Morey), which do not "
+                       "include the differences between participants. Lines guide the eye.")
                     .with(percent_of(means))
               : phrase("Figures",
                        "Points are means over the participants, shifted where several coincide. "
-                       "Bars: %1 % t intervals. Lines guide the eye.")
+                       "Bars: t-based %1 % CIs. Lines guide the eye.")
                     .with(percent_of(means))};
   if (means.empty()) {
     const Finding* status = found.find("status");

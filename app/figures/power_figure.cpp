@@ -68,7 +68,7 @@ std::vector<PlannedPoint> planned_in(const TidyInput& input, const FoundNumbers&
   return plans;
 }
 
-/// What of a plan is not the same in all of them: "exact binomial, one-sided · p₁ = 0.6".
+/// What of a plan is not the same in all of them: "exact binomial test, one-sided · p₁ = 0.6".
 Phrase name_of_plan(const PlannedPoint& plan, const std::vector<PlannedPoint>& all) {
   Phrase name{};
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
@@ -106,10 +106,10 @@ void add_curves(const std::vector<PlannedPoint>& plans, Figure& figure) {
   }
   if (figure.series.size() == 1) figure.series.front().name = {};
   const double room = most > least ? 0.05 * (most - least) : 1.0;
-  figure.x = {.name = phrase("Figures", "n of the plan"),
+  figure.x = {.name = phrase("Figures", "planned n"),
               .low = std::max(0.0, least - room),
               .high = most + room};
-  figure.y = {.name = phrase("Figures", "power: probability that the test finds it"),
+  figure.y = {.name = phrase("Figures", "power: probability of detecting the effect"),
               .low = 0.0,
               .high = 1.0};
   figure.references.push_back(
@@ -126,7 +126,7 @@ void add_rows_of_plans(const std::vector<PlannedPoint>& plans, Figure& figure) {
                                         std::to_string(static_cast<long>(plan.n))));
   }
   figure.series.push_back(std::move(points));
-  figure.x = {.name = phrase("Figures", "power: probability that the test finds it"),
+  figure.x = {.name = phrase("Figures", "power: probability of detecting the effect"),
               .low = 0.0,
               .high = 1.0};
   figure.references.push_back({.value = kWanted, .label = phrase("Figures", "80 %")});
@@ -138,13 +138,13 @@ Figure power_figure(const TidyInput& input, const FoundNumbers& found) {
   Figure figure{
       .name = "power",
       .title = phrase("Figures", "Power of the planned tests"),
-      .note =
-          phrase("Figures",
-                 "Points are planned sizes, each computed by itself: the power of exact tests of "
-                 "counts is not monotone between them. The dashed line is the usual target.")};
+      .note = phrase(
+          "Figures",
+          "Points are planned sample sizes, each computed separately: between them, the power of "
+          "exact tests of counts is not monotonic. The dashed line is the usual target.")};
   const std::vector<PlannedPoint> plans = planned_in(input, found);
   if (plans.empty()) {
-    figure.instead = phrase("Figures", "No plan has a power to show.");
+    figure.instead = phrase("Figures", "No power was computed for any plan.");
     return figure;
   }
   std::map<std::vector<std::string>, std::set<double>> sizes{};

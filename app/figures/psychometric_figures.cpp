@@ -106,7 +106,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
   if (input.options.text("gamma") != "free" && input.options.number("gamma") > 0.0) {
     figure.references.push_back({.at = FigureReference::At::y,
                                  .value = input.options.number("gamma"),
-                                 .label = phrase("Figures", "chance")});
+                                 .label = phrase("Figures", "chance level")});
   }
   figure.x = {.name = unit.empty() ? phrase("Figures", "level, in the unit of the table")
                                    : phrase("Figures", "level"),

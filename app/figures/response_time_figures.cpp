@@ -61,14 +61,14 @@ bool has_interval(const std::vector<const Finding*>& findings) {
 }
 
 Phrase note_on_geometric_means(const std::vector<const Finding*>& means) {
-  return has_interval(means)
-             ? phrase("Figures",
-                      "Points are geometric means over the participants, bars their %1 % CIs by t "
-                      "on the logarithmic scale. From the cue to the response.")
-                   .with(percent_of(means))
-             : phrase("Figures",
-                      "Points are geometric means over the participants. From the cue to the "
-                      "response.");
+  return has_interval(means) ? phrase("Figures",
+                                      "Points are geometric means over the participants, bars "
+                                      "their t-based %1 % CIs on the logarithmic scale. Response "
+                                      "times are measured from the cue to the response.")
+                                   .with(percent_of(means))
+                             : phrase("Figures",
+                                      "Points are geometric means over the participants. Response "
+                                      "times are measured from the cue to the response.");
 }
 
 /// The lines of single participants over the blocks; none of a single one, nor of too many.
@@ -191,18 +191,17 @@ Figure times_over_trials_figure(const FoundNumbers& found) {
 Figure correct_over_trials_figure(const FoundNumbers& found) {
   Figure figure = course_figure(found);
   figure.name = "correct_over_trials";
-  figure.title =
-      phrase("Figures", "Proportion correct over the trials (of a matching: of its items)");
+  figure.title = phrase("Figures", "Proportion correct over the trials (for matching: of items)");
   if (!figure.is_drawn()) return figure;
-  figure.y = {.name = phrase("Figures", "proportion correct (of a matching: of items)"),
+  figure.y = {.name = phrase("Figures", "proportion correct (for matching: of items)"),
               .low = 0.0,
               .high = 1.0};
   const std::vector<const Finding*> blocks = found.all("block");
   figure.note = with_note_on_lines(
       has_interval(blocks)
           ? phrase("Figures",
-                   "Points are means of the participants' own proportions, bars their %1 % CIs by "
-                   "t on the logit scale.")
+                   "Points are means of the participants' own proportions, bars their t-based %1 % "
+                   "CIs on the logit scale.")
                 .with(percent_of(blocks))
           : phrase("Figures", "Points are means of the participants' own proportions."),
       figure);

@@ -45,13 +45,14 @@ bool has_any_interval(const std::vector<FigureSeries>& series) {
 /// Explains the marks that are drawn, and no others.
 Phrase roughness_note(const std::vector<FigureSeries>& means,
                       const std::vector<FigureSeries>& peaks, const std::string& percent) {
-  Phrase note = has_any_interval(means)
-                    ? phrase("Figures",
-                             "Filled symbols: geometric means of normalised estimates with %1 % "
-                             "within-participant intervals (Cousineau and Morey), which compare "
-                             "cells and do not contain the spread between participants.")
-                          .with(percent)
-                    : phrase("Figures", "Filled symbols: geometric means of normalised estimates.");
+  Phrase note =
+      has_any_interval(means)
+          ? phrase("Figures",
+                   "Filled symbols: geometric means of normalised estimates with "
+                   "within-participant %1 % CIs (Cousineau and Morey), which serve to compare "
+                   "cells and do not include the differences between participants.")
+                .with(percent)
+          : phrase("Figures", "Filled symbols: geometric means of normalised estimates.");
   if (has_curves(means)) {
     note = phrase("Figures", "%1 Curves: mean parabolas of the logarithms.").with(note);
   }

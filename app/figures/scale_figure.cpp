@@ -45,16 +45,16 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
               .high = high + room};
   if (has_intervals) {
     figure.note = phrase("Figures",
-                         "Points are log-worths, bars their t CIs with the participants as clusters. "
-                         "Overlapping CIs are not a test of a difference.");
+                         "Points are log-worths, bars their t-based CIs with the participants as "
+                         "clusters. Overlapping CIs are not a test of a difference.");
   } else if (is_over_participants) {
     figure.note = phrase("Figures",
-                         "Points are log-worths. The participants show no spread that would give "
-                         "intervals, or are too few for them.");
+                         "Points are log-worths. There are no CIs, because the participants do not "
+                         "differ or are too few.");
   } else {
     figure.note = phrase("Figures",
                          "Points are log-worths with Firth's bias reduction, relative to the first "
-                         "item. There are no intervals over participants.");
+                         "item. There are no CIs over participants.");
   }
   figure.series.push_back(std::move(points));
   return figure;

@@ -151,7 +151,7 @@ Figure similarity_map(const FoundNumbers& found) {
     const auto row = static_cast<Eigen::Index>(i);
     points.points.push_back({.x = places(row, 0), .y = places(row, 1), .label = read->names[i]});
   }
-  figure.x = {.name = phrase("Figures", "first dimension of dissimilarity"),
+  figure.x = {.name = phrase("Figures", "first MDS dimension"),
               .low = middle(0) - reach,
               .high = middle(0) + reach};
   figure.y = {.name = phrase("Figures", "second dimension"),

@@ -58,7 +58,7 @@ FigureAxis measure_axis(SweepMeasure measure) {
   FigureAxis axis{.unit = "m²/s⁴", .scale = AxisScale::log10};
   switch (measure) {
     case SweepMeasure::max_accel:
-      axis.name = phrase("Figures", "greatest acceleration");
+      axis.name = phrase("Figures", "maximum acceleration");
       axis.unit = "m/s²";
       break;
     case SweepMeasure::rms_accel:
@@ -102,8 +102,8 @@ std::size_t series_of_condition(const Figure& estimates, const std::string& cond
   }
   std::string names{};
   for (const std::string& name : there) names += (names.empty() ? "" : ", ") + name;
-  throw std::runtime_error("the study has no estimates under the condition " + condition +
-                           " yet; it has some under " + names);
+  throw std::runtime_error("the study has no estimates for the condition " + condition +
+                           " yet; it has estimates for " + names);
 }
 
 }  // namespace
@@ -230,7 +230,7 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
     FigureSeries& condition = estimates.series[places[i]];
     const Phrase level = curve_name(sweep, curves[i]);
     FigureSeries& marks = predicted.emplace_back(
-        FigureSeries{.name = phrase("Figures", "%1 predicts: %2").with(model, level),
+        FigureSeries{.name = phrase("Figures", "predicted by %1: %2").with(model, level),
                      .style = condition.style,
                      .hollow = true});
     for (const SweepRow& row : curves[i].fitted) {
@@ -261,10 +261,11 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
     }
     estimates.series.push_back(std::move(marks));
   }
-  estimates.note = phrase("Figures",
-                          "%1 Small outlined marks: the %2 that a sweep of %3 predicts, all times "
-                          "one factor.")
-                       .with(estimates.note, measure_axis(measure).name, model);
+  estimates.note =
+      phrase(
+          "Figures",
+          "%1 Small open symbols: the %2 predicted by a sweep of %3, all multiplied by one factor.")
+          .with(estimates.note, measure_axis(measure).name, model);
   return estimates;
 }
 

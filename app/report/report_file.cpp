@@ -20,8 +20,8 @@ constexpr double kReadingShare = 0.5;
 bool is_pdf(const std::filesystem::path& path) {
   if (path.extension() == ".pdf") return true;
   if (path.extension() == ".html") return false;
-  throw std::invalid_argument("a report is a .pdf or an .html, which \"" + path.string() +
-                              "\" does not end with");
+  throw std::invalid_argument("a report is written as .pdf or .html; \"" + path.string() +
+                              "\" has a different ending");
 }
 
 }  // namespace
@@ -32,20 +32,20 @@ void require_report_path(const std::filesystem::path& path, Overwrite overwrite)
   std::error_code error{};
   if (!std::filesystem::is_directory(folder, error)) {
     throw ResultsError("there is no folder " + folder.string() + " to write " +
-                           path.filename().string() + " into; make it first, or name another",
+                           path.filename().string() + " into; create it first, or choose another",
                        path);
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     throw ResultsError("nothing can be written into the folder " + folder.string() +
-                           ": its permissions forbid it; name another",
+                           ": its permissions forbid it; choose another",
                        path);
   }
   if (std::filesystem::is_directory(path, error)) {
-    throw ResultsError(path.string() + " is a folder; name a file", path);
+    throw ResultsError(path.string() + " is a folder; choose a file name", path);
   }
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path, error)) {
     throw ResultsError("the file " + path.string() +
-                           " exists already; choose another name, or replace it with --force",
+                           " already exists; choose another name, or replace it with --force",
                        path);
   }
 }

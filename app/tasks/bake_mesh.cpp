@@ -73,7 +73,7 @@ void place_for_role(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& p
   for (glm::dvec3& vertex : mesh.vertices_m) vertex += to_m;
   provenance.findings.push_back("Moved by " + fixed(1e3 * to_m.x, 3) + ", " +
                                 fixed(1e3 * to_m.y, 3) + ", " + fixed(1e3 * to_m.z, 3) +
-                                " mm: its middle lies over the origin, its " +
+                                " mm: its centre lies over the origin, its " +
                                 (is_tool ? "lowest" : "highest") + " point in the plane z = 0.");
 }
 
@@ -85,9 +85,9 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   // Said now and not after the work.
   if (const auto folder = order.out.parent_path();
       !folder.empty() && !std::filesystem::is_directory(folder)) {
-    throw ResultsError(
-        "the file " + order.out.string() + " cannot be made: there is no folder " + folder.string(),
-        order.out);
+    throw ResultsError("the file " + order.out.string() +
+                           " cannot be created: there is no folder " + folder.string(),
+                       order.out);
   }
   const auto part = [&progress](double from, double to) {
     return [&progress, from, to](double fraction) { progress(from + (to - from) * fraction); };

@@ -168,7 +168,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   if (!study) {
     if (device.wanted.has_motors) {
       warn("except for friction, no stimulus was compared with " + name +
-           ": its profile is stored with a study; name it with --study DIR");
+           ": the profile of a device is stored in a study; name that study with --study DIR");
     }
     warn_of_friction();
   } else {

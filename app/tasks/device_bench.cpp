@@ -58,23 +58,25 @@ class StageForce final : public ForceRenderer {
 Phrase loss_of(const StageRecord& record, Pacing pacing) {
   if (!record.trouble.empty()) {
     return phrase("DeviceTest",
-                  "the device was lost while it was measured: %1 Fix that, then measure it again.")
+                  "the connection to the device was lost during the measurement: %1 Fix the "
+                  "problem, then measure the device again.")
         .with(record.trouble);
   }
   const bool was_lost_in_a_tick =
       std::any_of(record.ticks.begin(), record.ticks.end(),
                   [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
   if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
-    return phrase("DeviceTest",
-                  "the device was lost while it was measured: its maker's thread made no call for "
-                  "%1 ms: it hangs or had to wait. Close other programs that keep this computer "
-                  "busy, check its cable, and measure it again.")
+    return phrase(
+               "DeviceTest",
+               "the connection to the device was lost during the measurement: the thread of the "
+               "manufacturer's driver made no call for %1 ms: it hangs or had to wait. Close other "
+               "programs that keep this computer busy, check its cable, and measure it again.")
         .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));
   }
   return phrase("DeviceTest",
-                "the device was lost while it was measured: it did not answer, and its driver "
-                "reports no cause. Check its cable and its power, close other programs that keep "
-                "this computer busy, and measure it again.");
+                "the connection to the device was lost during the measurement: the device did not "
+                "respond, and its driver reports no cause. Check its cable and its power supply, "
+                "close other programs that keep this computer busy, and measure it again.");
 }
 
 }  // namespace

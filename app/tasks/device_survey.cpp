@@ -54,8 +54,9 @@ Phrase missing_udev_rule(const std::vector<std::filesystem::path>& folders) {
       });
   if (is_there) return {};
   return phrase("DeviceSurvey",
-                "There is no %1 in a folder of udev: only root can open USB devices. Copy %2 into "
-                "/etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md).")
+                "The udev rules file %1 is not installed: only root can open USB devices. Copy %2 "
+                "into /etc/udev/rules.d, then unplug the device and plug it in again "
+                "(docs/devices.md).")
       .with(kUdevRule, udev_rule_of_this_program());
 }
 

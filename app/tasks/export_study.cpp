@@ -128,7 +128,8 @@ MadeBy made_by(Group group) {
       return {};
     case Group::pilot:
       return {" (pilot sessions)",
-              "These are pilot sessions: they tested the experiment and are not part of its data."};
+              "These are pilot sessions: they served to test the experiment and are not part of "
+              "its data."};
     case Group::virtual_people:
       return {" (virtual participants)",
               "The participants are virtual: a program simulated all responses; there were no "
@@ -436,10 +437,11 @@ class StudyExport final {
     for (const std::string& name : vocabulary_.for_public) {
       const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
       if (is_asked && vocabulary_.goes_to_public(name)) continue;
-      throw std::invalid_argument(
-          "answers to \"" + name + "\" cannot be published: " +
-          (is_asked ? "they are free text" : "no questionnaire of the study asks this question") +
-          (possible.empty() ? "" : "; those that can: " + possible));
+      throw std::invalid_argument("answers to \"" + name + "\" cannot be published: " +
+                                  (is_asked
+                                       ? "they are free text"
+                                       : "no questionnaire of the study contains this question") +
+                                  (possible.empty() ? "" : "; those that can: " + possible));
     }
   }
 
@@ -569,37 +571,38 @@ class StudyExport final {
 /// `publication` states what an export for the public has and lacks.
 std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark,
                    const std::vector<Phrase>& warnings, const std::string& publication) {
-  std::string text = "A study, written by Asperity for other programs.\n\n";
+  std::string text = "A study, exported by Asperity for use in other programs.\n\n";
   if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
   for (const Phrase& warning : warnings) text += "INCOMPLETE: " + warning.english() + "\n\n";
   text +=
-      "codebook.tsv describes every column of every file; MANIFEST.tsv has the SHA-256 of every "
-      "file; events.json describes each kind of event.\nimport.R and import.py load everything "
-      "with the right types.\n\n";
+      "codebook.tsv describes every column of every file; MANIFEST.tsv contains the SHA-256 of "
+      "every file; events.json describes each kind of event.\nimport.R and import.py load all "
+      "tables with the correct types.\n\n";
   if (options.audience == ExportAudience::published) {
     std::string named{};
     for (const std::string& question : options.questions_for_public) {
-      named += (named.empty() ? ", but for " : ", ") + question;
+      named += (named.empty() ? ", except for " : ", ") + question;
     }
-    text += "This is the public form: without dates, free text and answers to questionnaires" +
-            named + ". Participants who withdrew are not in it.\n" + publication + "\n";
+    text += "This is a public export: without dates, free text and answers to questionnaires" +
+            named + ". Participants who withdrew are not included.\n" + publication + "\n";
   }
   return text +
-         "The .tsv files of this folder hold everything, including attempts that do not count, "
+         "The .tsv files of this folder contain all data, including attempts that do not count, "
          "excluded ones, pilots and virtual\nparticipants; the columns virtual, mode, phase, "
          "valid, excluded and flagged state which, and counts_in_analyses\nof attempts.tsv states "
-         "which attempts analyses count. All other files of this\nfolder hold only sessions of "
+         "which attempts analyses count. All other files of this\nfolder contain only sessions of "
          "human participants. Pilots are in pilot/, virtual participants in virtual/. Rows that do "
          "not\ncount are marked there too, except in wide.csv and wide.sav, which include only "
          "what counts.\n\nSpreadsheets: a text that begins with = + - @, a tab or a line break "
-         "would be read as a formula. In every .tsv and .csv file such a\ntext has an apostrophe "
-         "before it; the same applies to a text that begins with an apostrophe or is exactly "
+         "would be read as a formula. In every .tsv and .csv file such a\ntext is preceded by an "
+         "apostrophe; the same applies to a text that begins with an apostrophe or is exactly "
          "n/a.\nRemove one apostrophe from every text that begins with one to restore the original "
-         "texts; import.R and\nimport.py do this. Numbers are never changed. The .sav files have "
-         "the original texts.\nTabs and line breaks within a text are spaces in a .tsv file; the "
-         "program reported in how many cells.\n\nMissing is n/a in .tsv, empty in .csv. Times in "
-         "seconds count from the beginning of the session. Labels of\nparticipants and seeds are "
-         "texts, even if they look like numbers.\n";
+         "texts; import.R and\nimport.py do this. Numbers are never changed. The .sav files "
+         "contain the original texts.\nTabs and line breaks within a text are spaces in a .tsv "
+         "file; the number of such cells was reported at the export.\n\nMissing values are n/a in "
+         ".tsv files and empty in .csv files. Times in seconds are relative to the beginning of "
+         "the session. Labels of\nparticipants and seeds are texts, even if they look like "
+         "numbers.\n";
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::string next_virtual_label(const std::vector<ParticipantRow>& participants) 
 std::optional<Phrase> complaint_about_answer(const Question& question, const std::string& answer) {
   if (answer.empty()) {
     if (question.optional) return {};
-    return phrase("ParticipantAnswers", "\"%1\" is not answered.").with(question.prompt);
+    return phrase("ParticipantAnswers", "\"%1\" has not been answered.").with(question.prompt);
   }
   switch (question.form) {
     case Question::Form::text:

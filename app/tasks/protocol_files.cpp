@@ -68,11 +68,11 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
   if (named.kind == NamedFile::Kind::height_field) paths.push_back(named.path + ".json");
   for (const std::string& path : paths) {
     if (!std::filesystem::is_regular_file(study / path)) {
-      const char* const from = is_of_demonstration(path)
-                                   ? "; the demonstration study has one of this name (asperity new "
-                                     "DIR --demo makes it): "
-                                     "copy it from there, with its .json where it has one"
-                                   : "";
+      const char* const from =
+          is_of_demonstration(path)
+              ? "; the demonstration study has one of this name (asperity new DIR --demo creates "
+                "it): copy it from there, together with its .json if there is one"
+              : "";
       return "the file " + path + " is not in the study " + study.string() + from;
     }
     if (!lies_in(study, study / path)) {
@@ -243,8 +243,8 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
          micrometres_text(kSamplesPerWave * cell_m) +
          " and longer; use a texture without finer waves, or a cell_m of " +
          micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
-         " or less, which takes longer to render. A step where a tile that is repeated does not "
-         "close is the finest wave of all";
+         " or less, which takes longer to render. A step at the seam of a repeated tile counts as "
+         "the finest wave";
 }
 
 struct LimitBeyond {
@@ -507,17 +507,17 @@ std::vector<Phrase> complaints_about_device(const Protocol& protocol,
   // One without motors gives none of it, whatever the protocol asks for: whoever chooses it knows.
   const bool has_motors = device.actuated_degrees_of_freedom > 0;
   if (has_motors && protocol.force_limit_N > device.peak_force_N) {
-    complaints.push_back(
-        phrase(
-            "ProtocolFiles",
-            "the protocol's force_limit_N of %1 N is more than the device \"%2\" can exert, %3 N")
-            .with(text_of_number(protocol.force_limit_N), called(device),
-                  text_of_number(device.peak_force_N)));
+    complaints.push_back(phrase("ProtocolFiles",
+                                "the protocol's force_limit_N of %1 N exceeds the largest force of "
+                                "the device \"%2\", %3 N")
+                             .with(text_of_number(protocol.force_limit_N), called(device),
+                                   text_of_number(device.peak_force_N)));
   }
   if (protocol.rate_Hz > device.maximum_rate_Hz) {
     complaints.push_back(
-        phrase("ProtocolFiles",
-               "the protocol's rate_Hz of %1 Hz is more than the device \"%2\" can run at, %3 Hz")
+        phrase(
+            "ProtocolFiles",
+            "the protocol's rate_Hz of %1 Hz exceeds the highest rate of the device \"%2\", %3 Hz")
             .with(text_of_number(protocol.rate_Hz), called(device),
                   text_of_number(device.maximum_rate_Hz)));
   }
@@ -537,8 +537,8 @@ std::optional<Phrase> complaint_about_label(const std::string& label, bool is_vi
         .with(label);
   }
   return phrase("ProtocolFiles",
-                "the participant label \"%1\" is not acceptable: it has to be 1 to 32 letters and "
-                "digits (0-9, A-Z, a-z)")
+                "the participant label \"%1\" is not acceptable: it must consist of 1 to 32 "
+                "letters and digits (0-9, A-Z, a-z)")
       .with(label);
 }
 

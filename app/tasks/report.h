@@ -57,7 +57,7 @@ struct ReportSection {
 /// whole. No two chapters share a page.
 struct ReportChapter {
   std::string heading{};
-  /// Stands in the heading of every page: "SIMULATED: no person"; empty for what was measured with
+  /// Stands in the heading of every page: "SIMULATED: no human participant"; empty for what was measured with
   /// people in sessions that count.
   std::string mark{};
   AnswerGroup group = AnswerGroup::people;  ///< whose mark it is

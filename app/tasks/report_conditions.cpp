@@ -17,10 +17,10 @@ std::string levels_dBA_text(const std::set<double>& levels_dBA) {
   const std::string lowest = reading_number(*levels_dBA.begin());
   return (levels_dBA.size() == 1 ? lowest
                                  : lowest + " to " + reading_number(*levels_dBA.rbegin())) +
-         " dBA";
+         " dB(A)";
 }
 
-/// " (level at the ear, as measured: 65 dBA)"
+/// " (level at the ear, as measured: 65 dB(A))"
 std::string played_level_text(const ReportFacts& facts, const SessionShare& played) {
   std::set<double> levels_dBA{};
   const SessionShare measured =
@@ -35,7 +35,7 @@ std::string played_level_text(const ReportFacts& facts, const SessionShare& play
   return " (level at the ear, as measured" + where + ": " + levels_dBA_text(levels_dBA) + ')';
 }
 
-/// "A. Keller measured 65 dBA at the ear"
+/// "A. Keller measured 65 dB(A) at the ear"
 std::string attested_text(const ReportFacts& facts) {
   std::set<std::string> people{};
   std::set<double> levels_dBA{};
@@ -55,7 +55,7 @@ std::string requested_noise_text(const Protocol& protocol) {
   if (noise.kind == Protocol::Noise::Kind::none) return "The protocol requests no masking noise. ";
   return std::string("The protocol requests ") +
          (noise.kind == Protocol::Noise::Kind::pink ? "pink" : "white") + " noise" +
-         (noise.level_dBA ? " of " + reading_number(*noise.level_dBA) + " dBA at the ear" : "") +
+         (noise.level_dBA ? " of " + reading_number(*noise.level_dBA) + " dB(A) at the ear" : "") +
          " to mask the sound of the device. ";
 }
 
@@ -94,7 +94,7 @@ std::string devices_text(const ReportFacts& facts) {
   if (unknown.is_any()) {
     text += (text.empty() ? "" : " ") + std::string("The device is not recorded ") +
             unknown.text_after_not() +
-            ", after resuming: the program that ran them stored the first device alone.";
+            ", after resuming: the program version used stored only the first device.";
   }
   return text;
 }
@@ -143,7 +143,7 @@ std::string recorded_noise_text(const ReportFacts& facts) {
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
     sentences.push_back(
         "No masking noise is recorded " + unstored.text_after_not() +
-        "; the program that ran them stored nothing of it at a terminal, which plays none.");
+        "; the program version used stored nothing about it at a terminal, where none is played.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

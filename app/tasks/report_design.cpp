@@ -21,10 +21,11 @@ std::string task_text(const Protocol& protocol) {
   switch (protocol.kind) {
     case ProtocolKind::selection: {
       if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
-        return "Task: each trial presents surfaces that differ in " +
-               words_of_parameter(*parameter) + " alone, and one of them is to be chosen.";
+        return "Task: in each trial, surfaces are presented that differ in " +
+               words_of_parameter(*parameter) + " only, and one of them is to be chosen.";
       }
-      std::string text = "Task: each trial presents several surfaces, and one is to be chosen";
+      std::string text =
+          "Task: in each trial, several surfaces are presented, and one is to be chosen";
       const std::vector<std::string> questions = main_questions(protocol);
       if (!questions.empty()) text += ": " + listed(questions);
       if (!protocol.realism_standard) return text + '.';
@@ -39,14 +40,14 @@ std::string task_text(const Protocol& protocol) {
       return text + '.';
     }
     case ProtocolKind::matching:
-      return "Task: each trial presents several textures, and each is to be assigned one of as "
-             "many pictures.";
+      return "Task: in each trial, several textures are presented, and each is to be assigned to "
+             "one of as many pictures.";
     case ProtocolKind::recognition:
-      return "Task: each trial presents one texture, and its picture is to be chosen among "
+      return "Task: in each trial, one texture is presented, and its picture is to be chosen from "
              "several.";
     case ProtocolKind::magnitude:
-      return "Task: each trial presents one surface, and its roughness is to be given a number "
-             "(absolute magnitude estimation with free modulus).";
+      return "Task: in each trial, one surface is presented, and its roughness is to be given a "
+             "number (absolute magnitude estimation with free modulus).";
   }
   return {};
 }
@@ -83,11 +84,11 @@ std::string order_text(const Protocol::Block& block) {
   if (block.presented.size() < 2) return text;
   switch (block.positions) {
     case Protocol::Block::Positions::as_listed:
-      return text + ", the surfaces of a trial always in the same places";
+      return text + ", the surfaces of a trial always in the same positions";
     case Protocol::Block::Positions::shuffle:
-      return text + ", the surfaces of a trial in random places";
+      return text + ", the surfaces of a trial in random positions";
     case Protocol::Block::Positions::balanced:
-      return text + ", the places of the surfaces balanced over the trials";
+      return text + ", the positions of the surfaces balanced over the trials";
   }
   return text;
 }
@@ -125,14 +126,14 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
       case Protocol::Block::Feedback::none:
         break;
       case Protocol::Block::Feedback::correctness:
-        text += ", each answer followed by whether it was correct";
+        text += ", with feedback on whether each response was correct";
         break;
       case Protocol::Block::Feedback::correct_answer:
-        text += ", each answer followed by the correct one";
+        text += ", with the correct response shown after each response";
         break;
     }
     text += ". Question: " + quoted(block.question.prompt);
-    if (block.question.allow_cannot_tell) text += " “Cannot tell” is an answer as well.";
+    if (block.question.allow_cannot_tell) text += " “Cannot tell” is also a response option.";
     if (!block.question.allow_revisit) text += " Surfaces cannot be presented again.";
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
@@ -163,7 +164,7 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
       text += " of at most " + reading_quantity(*band.maximum, unit);
     }
   }
-  if (band.target) text += " (aiming at " + reading_quantity(*band.target, unit) + ')';
+  if (band.target) text += " (target " + reading_quantity(*band.target, unit) + ')';
   bands.push_back(text);
 }
 
@@ -240,11 +241,13 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
   if (exploration.required_fraction_in_band > 0.0) {
     const std::string fraction = reading_percent(exploration.required_fraction_in_band);
     if (bounded(exploration.normal_force_N)) {
-      text += " The force has to lie in its band for " + fraction + " of the contact time.";
+      text +=
+          " The force must be within its band for at least " + fraction + " of the contact time.";
     }
     if (bounded(exploration.speed_m_per_s)) {
-      text += " The speed of " + fraction +
-              " of the strokes (length divided by time, from turn to turn) has to lie in its band.";
+      text +=
+          " The speed of at least " + fraction +
+          " of the strokes (length divided by time, from turn to turn) must be within its band.";
     }
   }
   const bool is_judged_in_part =
@@ -253,21 +256,24 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
   if (is_judged_in_part) {
     text +=
         " The protocol requires no minimum proportion of the contact time or of the strokes within "
-        "the bands of force and speed, so the bands alone put no attempt outside the limits.";
+        "the bands of force and speed, so that the bands alone do not place any attempt outside "
+        "the limits.";
   }
   text += guidance_text(exploration, facts);
   const bool repeats = exploration.maximum_repeats > 0;
   switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
     case Exploration::OnFailure::flag:
-      return text + " By the protocol, attempts outside these limits are flagged and included" +
+      return text +
+             " According to the protocol, attempts outside these limits are flagged and included" +
              kUntouched;
     case Exploration::OnFailure::repeat_now:
-      return text + " By the protocol, attempts outside these limits are repeated at once, " +
+      return text +
+             " According to the protocol, attempts outside these limits are repeated at once, " +
              repeats_text(exploration.maximum_repeats) + kLastRepeat;
     case Exploration::OnFailure::requeue_at_end_of_block:
       return text +
-             " By the protocol, attempts outside these limits are repeated at the end of the "
-             "block, " +
+             " According to the protocol, attempts outside these limits are repeated at the end of "
+             "the block, " +
              repeats_text(exploration.maximum_repeats) + kLastRepeat;
   }
   return text;
@@ -291,9 +297,11 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   } else {
     text = "No surface was presented. ";
   }
-  text += "By the protocol, or by default for what it does not state, the stiffness was " +
-          reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
-          " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
+  text +=
+      "According to the protocol, or by default where it does not state a value, the stiffness "
+      "was " +
+      reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
+      " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
   if (facts.has_equal_force) {
     text += " The models were matched in the RMS of their texture force along a prescribed path.";
   }
@@ -324,8 +332,7 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
   }
   std::set<int> rows{};
   for (const ReportedSession& session : facts.sessions) rows.insert(session.row.counterbalance_row);
-  return " The protocol counterbalances the order of the levels over sessions by a " + square +
-         " square; " +
+  return " The order of the levels is counterbalanced over sessions by a " + square + " square; " +
          (facts.sessions.size() == 1 ? "the only session uses " : "the sessions use ") +
          reading_count(rows.size()) + " of its " + std::to_string(counterbalance_rows(protocol)) +
          " rows.";

@@ -92,7 +92,7 @@ std::string observer_text(const std::string& observer_json) {
 }  // namespace
 
 ReportSection making_section(const ReportFacts& facts) {
-  ReportSection section{"What it was made with", {}};
+  ReportSection section{"Provenance", {}};
   Values rate{};
   Values generator{};
   Values observer{};
@@ -135,12 +135,12 @@ ReportSection making_section(const ReportFacts& facts) {
                                         reading_count(facts.sessions.size()));
   }
   if (!files.empty()) {
-    section.parts.emplace_back(
-        ReportText{reading_count(files.size()) +
-                   (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
-                   " to the protocol; sessions.tsv of an export has the SHA-256 of each. The list "
-                   "of sessions gives the seed and the counterbalancing row of each: with the "
-                   "protocol, the files and the program they determine its plan."});
+    section.parts.emplace_back(ReportText{
+        reading_count(files.size()) +
+        (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
+        " to the protocol; sessions.tsv of an export contains the SHA-256 of each. The list of "
+        "sessions gives the seed and the counterbalancing row of each session: together with the "
+        "protocol, the files and the program, they determine its plan."});
   }
   section.parts.emplace_back(std::move(table));
   return section;
@@ -158,7 +158,7 @@ ReportSection sessions_section(const ReportFacts& facts) {
   }
   ReportTable table{};
   table.is_reference = true;
-  table.title = "Sessions, with the seed of each";
+  table.title = "Sessions and their seeds";
   table.columns = {{"participant", false}, {"session", true},     {"began (UTC)", false},
                    {"state", false},       {"trials done", true}, {"counterbalancing row", true},
                    {"seed", true}};
@@ -178,8 +178,8 @@ ReportSection sessions_section(const ReportFacts& facts) {
       });
   if (ended_early) {
     table.note =
-        "A completed session has fewer trials than planned where a block reached its criterion "
-        "before its last trial.";
+        "A completed session has fewer trials than planned if a block reached its criterion before "
+        "its last trial.";
   }
   section.parts.emplace_back(std::move(table));
   return section;

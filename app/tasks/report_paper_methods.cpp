@@ -93,7 +93,7 @@ std::string paper_participants(const ReportFacts& facts, const StudyMetadata& me
       break;
     case AnswerGroup::virtual_participants:
       return text + (facts.participants.size() == 1 ? " was simulated" : " were simulated") +
-             sessions + " No person took part.";
+             sessions + " No human participant took part.";
   }
   const auto consented = static_cast<std::size_t>(std::count_if(
       facts.sessions.begin(), facts.sessions.end(),

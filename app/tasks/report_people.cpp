@@ -178,13 +178,14 @@ std::string counted_text(std::size_t counted, std::size_t attempts) {
   return ", of which " + reading_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
-/// " Two attempts belong to practice and are in no result."
+/// " Two attempts belong to practice and are not included in the results."
 std::string other_attempts_text(const ReportFacts& facts) {
   if (facts.other_attempts == 0) return {};
   return ' ' + capitalised(count_in_words(facts.other_attempts)) +
          (facts.other_attempts == 1 ? " attempt belongs to " : " attempts belong to ") +
          listed({facts.other_kinds.begin(), facts.other_kinds.end()}) +
-         (facts.other_attempts == 1 ? " and is in no result." : " and are in no result.");
+         (facts.other_attempts == 1 ? " and is not included in the results."
+                                    : " and are not included in the results.");
 }
 
 ReportText attempts_text(const ReportFacts& facts) {
@@ -281,7 +282,8 @@ ReportSection participants_section(const ReportFacts& facts) {
       break;
     case AnswerGroup::virtual_participants:
       text = who + (all == 1 ? " was" : " were") +
-             " simulated by a virtual hand and a computational observer. No person took part.";
+             " simulated by a virtual hand and a computational observer. No human participant took "
+             "part.";
       break;
   }
   const SampleTexts sample = sample_texts(facts);
@@ -310,7 +312,7 @@ ReportSection participants_section(const ReportFacts& facts) {
     }
     if (!without.empty()) {
       section.parts.emplace_back(
-          ReportText{"No consent is stored of " + listed({without.begin(), without.end()}) + '.',
+          ReportText{"No consent is stored for " + listed({without.begin(), without.end()}) + '.',
                      ReportText::Tone::notice});
     }
   }
@@ -350,7 +352,7 @@ ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
                                             : "deleted in " + reading_count(deleted) + " of them";
   return {"The whole study has " + count_in_words(count) +
           (count == 1 ? " withdrawal" : " withdrawals") + " of participants (" + listed(reasons) +
-          "), with the data " + data + "; they are in no number of this report."};
+          "), with the data " + data + "; they are not included in this report."};
 }
 
 ReportSection exclusions_section(const ReportFacts& facts) {

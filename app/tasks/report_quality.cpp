@@ -110,8 +110,8 @@ ReportText timing_text(const ReportFacts& facts) {
   }
   const std::optional<Summary> lateness = summary_of(facts.servo.lateness_p99_s);
   if (lateness) {
-    text += " In the median attempt 99 % of its ticks began at most " +
-            reading_quantity(lateness->p50, "s") + " late, in the worst " +
+    text += " In the median attempt, 99 % of the ticks began at most " +
+            reading_quantity(lateness->p50, "s") + " late; in the worst attempt, " +
             reading_quantity(lateness->maximum, "s") + '.';
   }
   if (pacings.contains(kStepped)) {
@@ -130,17 +130,18 @@ ReportText losses_text(const ReportFacts& facts) {
                                  ". ");
   std::vector<std::string> limited{};
   if (servo.saturated.total > 0) {
-    limited.push_back("the limiter shortened the force in " + ticks_of(servo.saturated));
+    limited.push_back("the limiter reduced the force in " + ticks_of(servo.saturated));
   }
   if (servo.slew_limited.total > 0) {
-    limited.push_back("the limiter slowed its change in " + ticks_of(servo.slew_limited));
+    limited.push_back("the limiter limited the rate of change of the force in " +
+                      ticks_of(servo.slew_limited));
   }
   if (servo.not_finite.total > 0) {
     limited.push_back("a force that was not a number was set to zero in " +
                       ticks_of(servo.not_finite));
   }
   text +=
-      limited.empty() ? "The force limiter never had to act." : capitalised(listed(limited)) + '.';
+      limited.empty() ? "The force limiter was never active." : capitalised(listed(limited)) + '.';
   for (const auto& [fault, count] : servo.faults) {
     if (fault == name_of(Fault::emergency_stop)) {
       text += " The emergency stop was pressed in " + count_in_words(count) +
@@ -165,8 +166,8 @@ ReportTable times_table(const ReportedServo& servo) {
                 time_row("period, 99th percentile", servo.period_p99_s),
                 time_row("duration of a tick, 99th percentile", servo.execution_p99_s)};
   table.note =
-      "Lateness: how long after its deadline a tick began. Each attempt has one number per row; "
-      "given are the median of these numbers over the attempts and the largest.";
+      "Lateness: how long after its deadline a tick began. Each attempt has one value per row; the "
+      "table shows the median and the largest of these values over the attempts.";
   return table;
 }
 
@@ -181,8 +182,8 @@ ReportTable counts_table(const ReportFacts& facts) {
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
-                count_row("force shortened to the limit", servo.saturated, "attempts"),
-                count_row("change of force slowed", servo.slew_limited, "attempts"),
+                count_row("force reduced to the limit", servo.saturated, "attempts"),
+                count_row("rate of change of the force limited", servo.slew_limited, "attempts"),
                 count_row("force that was not a number", servo.not_finite, "attempts")};
   for (const auto& [limit, count] : facts.limits) {
     const auto& [model, name, felt] = limit;
@@ -218,8 +219,8 @@ ReportSection presentation_section(const ReportFacts& facts) {
 namespace {
 
 constexpr const char* kNoFractionRequired =
-    "The protocol requires no proportion of the contact time or of the strokes to lie in these "
-    "bands.";
+    "The protocol requires no minimum proportion of the contact time or of the strokes to be "
+    "within these bands.";
 
 /// Whose hand it was, and what its force is where no device could be pressed against.
 std::string explored_by_text(const ReportFacts& facts) {
@@ -289,9 +290,10 @@ ReportSection exploration_section(const ReportFacts& facts) {
     section.parts.emplace_back(ReportText{"No measure of the exploration is stored."});
     return section;
   }
-  std::string text = has_limits ? "The table shows what was recorded."
-                                : "The protocol sets no limits to the exploration; the table shows "
-                                  "what was recorded.";
+  std::string text =
+      has_limits
+          ? "The table shows what was recorded."
+          : "The protocol sets no limits on the exploration; the table shows what was recorded.";
   if (!required.empty()) text = "Explored as the protocol requires: " + listed(required) + '.';
   if (!described.empty()) {
     text = (required.empty() ? "" : text + ' ') + std::string(kNoFractionRequired) +

@@ -71,7 +71,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
                   reading_percent(number_of(row[*low + 1]).value_or(1.0)) + "])";
     if (chance) {
       if (const auto by_chance = number_of(row[*chance])) {
-        answer.text += ", where the chance level is " + reading_percent(*by_chance);
+        answer.text += ", compared with a chance level of " + reading_percent(*by_chance);
       }
     }
     if (p) {
@@ -134,7 +134,7 @@ std::string heading_of(const std::string& column) {
       {"felt_as_other", "confused with the other"},
       {"fieller_m 95 %", "Fieller 95 % CI (m)"},
       {"goes", "trials"},
-      {"matched_mean_N", "aimed at, mean (N)"},
+      {"matched_mean_N", "intended, mean (N)"},
       {"other_as_felt", "the other confused with it"},
       {"p_holm", "p, Holm"},
       {"p_interior", "p, interior maximum"},
@@ -195,12 +195,12 @@ ReportTable report_table(const NamedTable& named) {
 /// What a finding is about that can have no answer; the words of its name where it has no others.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
-      {"bt.cluster.status", "the CIs of the scale of preference"},
-      {"bt.firth.status", "the scale of preference with Firth’s correction"},
-      {"bt.order.status", "whether the first of two is preferred, on the scale of preference"},
-      {"bt.se.cluster", "the cluster-robust standard errors of the scale of preference"},
-      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the scale of preference"},
-      {"bt.status", "the scale of preference (Bradley–Terry)"},
+      {"bt.cluster.status", "the CIs of the preference scale"},
+      {"bt.firth.status", "the preference scale with Firth’s correction"},
+      {"bt.order.status", "whether the first of two is preferred, on the preference scale"},
+      {"bt.se.cluster", "the cluster-robust standard errors of the preference scale"},
+      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the preference scale"},
+      {"bt.status", "the preference scale (Bradley–Terry)"},
       {"cochran.Q", "Cochran’s Q"},
       {"dprime", "the sensitivity d′"},
       {"dprime.se", "the standard error of d′"},
@@ -219,8 +219,8 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"p", "the test"},
       {"pc.se.cluster", "the cluster-robust standard error of the proportion correct"},
       {"peak.status", "the peak of the curve"},
-      {"pl.cluster.status", "the CIs of the scale of preference"},
-      {"pl.status", "the scale of preference (Plackett–Luce)"},
+      {"pl.cluster.status", "the CIs of the preference scale"},
+      {"pl.status", "the preference scale (Plackett–Luce)"},
       {"pooled.deff", "the design effect of pooling"},
       {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
       {"precision", "the precision (positive predictive value)"},
@@ -318,11 +318,12 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
     sentences.push_back(stopped(capitalised(listed(same)) + ": " + reason));
   }
   if (further > 0) {
-    sentences.push_back((further == 1 ? "One number of the appendix or of a table is"
-                                      : reading_count(further) + " numbers of the appendix or of "
-                                                                 "tables are") +
-                        std::string(" not defined for these data; asperity analyze STUDY --json "
-                                    "has each by its name."));
+    sentences.push_back(
+        (further == 1 ? "One number of the appendix or of a table is"
+                      : reading_count(further) + " numbers of the appendix or of "
+                                                 "tables are") +
+        std::string(
+            " not defined for these data; asperity analyze STUDY --json lists each by its name."));
   }
   return sentences;
 }
@@ -382,7 +383,7 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
   }
   std::vector<std::string> refusals = refusals_in(outcome);
   if (!refusals.empty()) {
-    section.parts.emplace_back(ReportText{"What could not be answered, and why:"});
+    section.parts.emplace_back(ReportText{"What could not be computed, and why:"});
     section.parts.emplace_back(ReportList{std::move(refusals)});
   }
   return section;
@@ -416,7 +417,7 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
 ReportSection numbers_section(const AnalysisOutcome& outcome) {
   ReportSection section{"Further tests and numbers", {}};
   if (outcome.findings.empty()) {
-    section.parts.emplace_back(ReportText{"The analysis has come to no numbers."});
+    section.parts.emplace_back(ReportText{"The analysis yielded no results."});
     return section;
   }
   const std::vector<ReportedTest> others = other_tests(outcome);
@@ -426,8 +427,8 @@ ReportSection numbers_section(const AnalysisOutcome& outcome) {
   if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
   section.parts.emplace_back(ReportText{
       "Not all numbers are printed: asperity analyze STUDY --protocol " + outcome.protocol +
-      " --json gives each with every digit and its n, and its interval and method where "
-      "it has them."});
+      " --json prints each number in full precision with its n, and with its interval and method "
+      "where it has them."});
   return section;
 }
 

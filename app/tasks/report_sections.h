@@ -76,7 +76,7 @@ std::string planned_trials_text(const ReportFacts& facts);
 std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run);
 /// "attempts outside these limits were flagged and included": what the protocol makes of them.
 std::string after_failure(const Exploration& exploration);
-/// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (aiming at 1 N)"
+/// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (target 1 N)"
 std::string instructed_exploration(const Exploration& exploration);
 
 /// In how many sessions something is so.

@@ -85,7 +85,8 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   ParticipantRow person = *inputs.new_person;
   if (person.label != inputs.participant || person.is_virtual) {
     throw PhrasedError(
-        phrase("RunSession", "the new person \"%1\" is not the participant of the session, %2")
+        phrase("RunSession",
+               "the new label \"%1\" is not that of the participant of the session, %2")
             .with(person.label, inputs.participant));
   }
   if (person.created_utc.empty()) person.created_utc = clock.utc();
@@ -165,8 +166,8 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
 void require_late_reason(const Sitting& sitting) {
   if (!sitting.late || !sitting.late_reason.empty()) return;
   throw PhrasedError(phrase("RunSession",
-                            "%1; to resume it all the same, give the reason with "
-                            "--late-reason, which is stored and stated in the report")
+                            "%1; to resume it nevertheless, give the reason with --late-reason; it "
+                            "is stored and stated in the report")
                          .with(complaint_about(*sitting.late)));
 }
 
@@ -188,8 +189,8 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     throw PhrasedError(phrase("RunSession",
-                              "participant %1 has done all sessions of this protocol, which plans "
-                              "%2 per participant; choose another participant")
+                              "participant %1 has completed all sessions of this protocol, which "
+                              "plans %2 per participant; choose another participant")
                            .with(inputs.participant, std::to_string(protocol.sessions)));
   }
 }
@@ -242,7 +243,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     const auto blocker =
         study_data_blocker(protocol, recorded_device(rig->capability()), sitting.unfinished);
     if (blocker) {
-      throw PhrasedError(phrase("StudyData", "%1; %2; Pilot is --mode pilot")
+      throw PhrasedError(phrase("StudyData", "%1; %2 (Pilot: --mode pilot)")
                              .with(blocker->problem, blocker->remedy));
     }
   }
@@ -261,8 +262,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     }
     if (sitting.mode == SessionMode::run && study_data_blocker(protocol, now)) {
       inputs.resumed(phrase("RunSession",
-                            "the session began on a device with which no participant feels the "
-                            "surfaces, and is resumed this way; its report states this"));
+                            "the session began on a device with which no participant can feel the "
+                            "surfaces, and is resumed in the same way; its report states this"));
     }
   }
   const Wait wait = sleep_until_stopped(stop, links);

@@ -59,9 +59,10 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
   const std::string sha256 = sha256_of(protocol.source);
   if (!inputs.protocol_sha256.empty() && sha256 != inputs.protocol_sha256) {
     check.state = State::stop;
-    check.text = phrase("SessionChecks",
-                        "The file has changed since it was chosen: it was %1 and is %2 now.")
-                     .with(short_hash(inputs.protocol_sha256), short_hash(sha256));
+    check.text =
+        phrase("SessionChecks",
+               "The file has changed since it was chosen: its SHA-256 was %1 and is now %2.")
+            .with(short_hash(inputs.protocol_sha256), short_hash(sha256));
     check.remedy =
         phrase("SessionChecks",
                "Choose the protocol again to read the new version, or restore the earlier file.");
@@ -83,7 +84,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   SessionCheck check{.state = State::stop};
   const bool is_virtual = inputs.mode == SessionMode::simulate;
   if (inputs.participant.empty()) {
-    check.text = phrase("SessionChecks", "No participant is chosen yet.");
+    check.text = phrase("SessionChecks", "No participant has been chosen yet.");
     check.remedy = phrase("SessionChecks", "Choose a participant, or enter a new label.");
     return check;
   }
@@ -103,12 +104,13 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
   if (known && known->is_virtual != is_virtual) {
     check.text = (known->is_virtual ? phrase("SessionChecks", "%1 is a virtual participant.")
-                                    : phrase("SessionChecks", "%1 is a person."))
+                                    : phrase("SessionChecks", "%1 is a human participant."))
                      .with(inputs.participant);
     check.remedy =
         known->is_virtual
             ? phrase("SessionChecks", "Choose a human participant, or switch to Simulate.")
-            : phrase("SessionChecks", "Leave the label to the program, or switch to Run or Pilot.");
+            : phrase("SessionChecks",
+                     "Use the label that the program assigns, or switch to Run or Pilot.");
     return check;
   }
   if (known && known->withdrawn) {
@@ -120,9 +122,9 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
     const std::optional<SessionRow> going_on =
         unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
     if (!going_on) {
-      check.text =
-          phrase("SessionChecks", "%1 has no unfinished session of this protocol as it is now.")
-              .with(inputs.participant);
+      check.text = phrase("SessionChecks",
+                          "%1 has no unfinished session of this protocol in its present form.")
+                       .with(inputs.participant);
       check.remedy = phrase("SessionChecks", "Start a new session instead.");
       return check;
     }
@@ -151,7 +153,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     check.text =
-        phrase("SessionChecks", "%1 has done %2 of %3 planned sessions.")
+        phrase("SessionChecks", "%1 has completed %2 of %3 planned sessions.")
             .with(inputs.participant, std::to_string(completed), std::to_string(protocol.sessions));
     check.remedy = phrase("SessionChecks", "Choose another participant.");
     return check;
@@ -173,9 +175,8 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
 
 SessionCheck readable_study_check(const std::filesystem::path& study) {
   return {.state = State::look,
-          .text = phrase(
-              "SessionChecks",
-              "On a local disk, and can be written. Every user of this computer can read it."),
+          .text = phrase("SessionChecks",
+                         "On a local disk and writable. Every user of this computer can read it."),
           .remedy = phrase("SessionChecks", "To keep other users out, run: %1")
                         .with("chmod o-rwx " + shell_word(study.string()))};
 }
@@ -185,17 +186,17 @@ SessionCheck study_check(const CheckInputs& inputs) {
     // Takes what a session takes: a lock that can be trusted, in a folder that can be written.
     const StudyLock lock(inputs.study, kStudyCheckLock);
     if (is_readable_by_others(inputs.study)) return readable_study_check(inputs.study);
-    return fine(phrase("SessionChecks", "On a local disk, and can be written."));
+    return fine(phrase("SessionChecks", "On a local disk and writable."));
   } catch (const ResultsError& error) {
-    return {.state = State::stop,
-            .text = phrase_of(error).as_sentence(),
-            .remedy = phrase("SessionChecks",
-                             "Move the study to a folder on a local disk that you may write to.")};
+    return {
+        .state = State::stop,
+        .text = phrase_of(error).as_sentence(),
+        .remedy = phrase("SessionChecks", "Move the study to a writable folder on a local disk.")};
   }
 }
 
 Phrase files_in_words(std::size_t files, bool resume) {
-  if (files == 0) return phrase("SessionChecks", "The protocol names no files.");
+  if (files == 0) return phrase("SessionChecks", "The protocol uses no files.");
   if (files == 1) {
     return resume ? phrase("SessionChecks", "1 file, the same as when the session began.")
                   : phrase("SessionChecks", "1 file, present and unchanged since it was made.");
@@ -233,7 +234,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
                        .with(before.path, std::to_string(row.session));
       check.remedy =
           phrase("SessionChecks",
-                 "Restore the earlier file; this session cannot be resumed with another one.");
+                 "Restore the earlier file; this session cannot be resumed with a different file.");
       return check;
     }
   }
@@ -292,7 +293,7 @@ SessionCheck untried_device_check(const CheckInputs& inputs) {
                    .with(shown_device(inputs, inputs.device));
   check.remedy = phrase("SessionChecks",
                         "Press “Try this device” while its handle is not held: the device is "
-                        "opened, and the loop runs for a third of a second without force.");
+                        "opened, and the servo loop runs for a third of a second without force.");
   return check;
 }
 
@@ -326,8 +327,9 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   }
   if (!has_motors(*device)) {
     check.text =
-        phrase("SessionChecks",
-               "“%1” moves and presses but exerts no force: the participant feels nothing.")
+        phrase(
+            "SessionChecks",
+            "“%1” moves and presses the probe but exerts no force: the participant feels nothing.")
             .with(shown_device(inputs, device->name));
   } else {
     check.text =
@@ -342,16 +344,15 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.state = State::look;
     check.text =
         phrase("SessionChecks", "%1 The session last ran on “%2”.").with(check.text, before);
-    check.remedy =
-        phrase("SessionChecks",
-               "Choose the device that it last ran on, unless another one is meant; the change is "
-               "stored and stated in the report.");
+    check.remedy = phrase("SessionChecks",
+                          "Choose the device on which the session last ran, unless a change is "
+                          "intended; a change is stored and stated in the report.");
   }
   if (inputs.mode == SessionMode::run && study_data_blocker(protocol, recorded_device(*device))) {
     check.state = State::look;
     check.text = phrase("SessionChecks",
-                        "%1 The session began without a force that a participant felt, and is "
-                        "resumed this way; the report states this.")
+                        "%1 The session began without a force that a participant could feel, and "
+                        "is resumed in the same way; the report states this.")
                      .with(check.text);
     check.remedy = phrase("SessionChecks", "For new sessions choose a device with motors.");
   }
@@ -382,8 +383,8 @@ std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings
   }
   if (!lines.empty()) {
     lines.back().remedy = phrase("SessionChecks",
-                                 "Choose another device, or stimuli that this one can render; the "
-                                 "session is stored with these warnings.");
+                                 "Choose another device, or stimuli that this one can render; "
+                                 "otherwise these warnings are stored with the session.");
   }
   return lines;
 }
@@ -422,15 +423,15 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
       return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
     }
     if (device && !has_motors(*device)) {
-      return {fine(phrase("SessionChecks", "Not needed: it exerts no force."))};
+      return {fine(phrase("SessionChecks", "Not needed: the device exerts no force."))};
     }
     return {{.state = State::look,
              .text = phrase("SessionChecks",
                             "The study has no profile of this device: whether it can render these "
                             "stimuli has not been checked."),
              .remedy = phrase("SessionChecks",
-                              "Measure it once, while its handle is not held: asperity device-test "
-                              "\"%1\" --study \"%2\"")
+                              "Measure the device once while its handle is not held: asperity "
+                              "device-test \"%1\" --study \"%2\"")
                            .with(inputs.device, inputs.study.string())}};
   }
   const Phrase age = phrase("SessionChecks", "Measured %1")
@@ -442,21 +443,25 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   const std::vector<DeviceTrait> uncompared = not_compared(found.profile->not_known);
   SessionCheck profile{};
   if (is_beyond) {
-    profile.text = phrase("SessionChecks", "%1; some stimuli exceed its capabilities.").with(age);
+    profile.text =
+        phrase("SessionChecks", "%1; some stimuli exceed the capabilities of the device.")
+            .with(age);
   } else if (breaks_limits) {
     const Phrase text = uncompared.empty()
                             ? phrase("SessionChecks",
-                                     "%1; every stimulus is within its capabilities, but it does "
-                                     "not meet the protocol's limits.")
+                                     "%1; every stimulus is within the capabilities of the device, "
+                                     "but it does not meet the protocol's limits.")
                             : phrase("SessionChecks",
-                                     "%1; every stimulus is within its known capabilities, but it "
-                                     "does not meet the protocol's limits.");
+                                     "%1; every stimulus is within the known capabilities of the "
+                                     "device, but it does not meet the protocol's limits.");
     profile.text = text.with(age);
   } else {
     const Phrase text =
         uncompared.empty()
-            ? phrase("SessionChecks", "%1; every stimulus is within its capabilities.")
-            : phrase("SessionChecks", "%1; every stimulus is within its known capabilities.");
+            ? phrase("SessionChecks",
+                     "%1; every stimulus is within the capabilities of the device.")
+            : phrase("SessionChecks",
+                     "%1; every stimulus is within the known capabilities of the device.");
     profile.text = text.with(age);
   }
   if (!uncompared.empty()) {
@@ -472,8 +477,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   });
   if (failed_item(unlimited, protocol) != nullptr) {
     profile.state = State::look;
-    profile.text =
-        phrase("SessionChecks", "%1 It failed an item of the measurement.").with(profile.text);
+    profile.text = phrase("SessionChecks", "%1 The device failed an item of the measurement.")
+                       .with(profile.text);
     profile.remedy = phrase("SessionChecks", "Check its profile, and measure it again.");
   }
   std::vector<SessionCheck> lines{profile};
@@ -508,7 +513,7 @@ struct LoopChecks {
 LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
                        const DriverRegistry& drivers) {
   if (inputs.pacing == RunPacing::stepped) {
-    return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
+    return {fine(phrase("SessionChecks", "Not needed: no handle is held in a fast simulation.")),
             fine(phrase("SessionChecks", "Not needed: a fast simulation has its own clock."))};
   }
   const TriedDevice trial =
@@ -534,14 +539,14 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
   SessionCheck rate{};
   const double measured_Hz = quality.period_mean_s > 0.0 ? 1.0 / quality.period_mean_s : 0.0;
   rate.text =
-      phrase("SessionChecks", "%1 of %2 Hz; period p99 %3, lateness p99 %4, %5 missed.")
+      phrase("SessionChecks", "%1 of %2 Hz; period p99 %3, lateness p99 %4, missed deadlines: %5.")
           .with(fixed(measured_Hz, 0), fixed(protocol.rate_Hz, 0), time_text(quality.period_p99_s),
                 time_text(quality.lateness_p99_s), std::to_string(quality.missed_deadlines));
   if (measured_Hz < kSlowestRate * protocol.rate_Hz) {
     rate.state = State::stop;
     rate.remedy =
         phrase("SessionChecks",
-               "This machine is too slow or too busy: close other programs, then check again.");
+               "This computer is too slow or too busy: close other programs, then check again.");
   } else if (quality.missed_deadlines > 0 || quality.lateness_p99_s > 0.5 / protocol.rate_Hz) {
     rate.state = State::look;
     rate.remedy =
@@ -612,10 +617,9 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.text =
         phrase("SessionChecks",
                "There is no sound output: the noise that the protocol requires cannot be heard.");
-    check.remedy = phrase(
-        "SessionChecks",
-        "Connect headphones, then check again; or play the noise from elsewhere, measure it at the "
-        "ear, and enter the level and your name.");
+    check.remedy = phrase("SessionChecks",
+                          "Connect headphones, then check again; or play the noise from another "
+                          "source, measure it at the ear, and enter the level and your name.");
     return check;
   }
   if (!inputs.noise.is_attested()) {
@@ -634,7 +638,7 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
       std::abs(*inputs.noise.measured_dBA - *declared.declared_dBA) > kNoiseTolerance_dBA) {
     check.state = when_wrong;
     check.text =
-        phrase("SessionChecks", "%1 dBA at the ear; the protocol requires %2 dBA within %3 dBA.")
+        phrase("SessionChecks", "%1 dB(A) at the ear; the protocol requires %2 ± %3 dB(A).")
             .with(measured_dBA, fixed(*declared.declared_dBA, 1), fixed(kNoiseTolerance_dBA, 0));
     check.remedy = phrase("SessionChecks", "Change the gain and measure again.");
     return check;
@@ -642,12 +646,12 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
   if (!inputs.sound_card) {
     check.state = State::look;
     check.text = phrase("SessionChecks",
-                        "There is no sound output here; the noise comes from elsewhere, %1 dBA at "
-                        "the ear, verified by %2.")
+                        "There is no sound output here; the noise comes from another source, %1 "
+                        "dB(A) at the ear, verified by %2.")
                      .with(measured_dBA, inputs.noise.verified_by);
     return check;
   }
-  check.text = phrase("SessionChecks", "%1 dBA at the ear, verified by %2.")
+  check.text = phrase("SessionChecks", "%1 dB(A) at the ear, verified by %2.")
                    .with(measured_dBA, inputs.noise.verified_by);
   return check;
 }
@@ -755,7 +759,7 @@ double recording_bytes(const Protocol& protocol) {
 
 SessionCheck disk_check(const DiskSpace& space) {
   SessionCheck check{};
-  check.text = phrase("SessionChecks", "%1 free; this session takes at most %2.")
+  check.text = phrase("SessionChecks", "%1 free; this session requires at most %2.")
                    .with(bytes_text(space.free_bytes), bytes_text(space.wanted_bytes));
   if (space.free_bytes < space.wanted_bytes) {
     check.state = State::stop;
@@ -774,8 +778,8 @@ void require_unchanged(const std::filesystem::path& protocol, const std::string&
   if (now == sha256) return;
   throw ProtocolChangedSinceCheck(
       phrase("SessionChecks",
-             "the protocol %1 has changed since it was checked: it was %2 and is %3 now; choose it "
-             "again to read and check the new version")
+             "the protocol %1 has changed since it was checked: its SHA-256 was %2 and is now %3; "
+             "choose it again to read and check the new version")
           .with(protocol.string(), short_hash(sha256), short_hash(now)));
 }
 

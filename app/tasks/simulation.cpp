@@ -269,9 +269,9 @@ void Simulation::prepare(Study& study) {
   const Batches there = batches_in(study, inputs_);
   if (!inputs_.resume && there.begun && is_interrupted(study, *there.begun)) {
     throw PhrasedError(phrase("Simulation",
-                              "the simulation of %1 participants with the seed %2 in %3 is not "
-                              "complete; to complete it, add --resume; to add further "
-                              "participants, use another --seed. No participant was added")
+                              "the simulation in %3 (participants: %1, seed: %2) is not complete; "
+                              "to complete it, add --resume; to add further participants, use "
+                              "another --seed. No participant was added")
                            .with(std::to_string(inputs_.participants), std::to_string(inputs_.seed),
                                  inputs_.study.string()));
   }
@@ -314,8 +314,8 @@ SimulationResult Simulation::run() {
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
     throw PhrasedError(phrase("Simulation",
-                              "stopped on request; every finished trial is stored, resume with the "
-                              "same arguments and --resume"));
+                              "stopped on request; every finished trial is stored; to resume, add "
+                              "--resume to the same arguments"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result_;
@@ -391,7 +391,7 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
       !stop_.stop_requested()) {
     throw PhrasedError(phrase("Simulation",
                               "the session of %1 with \"%2\" stopped: %3; every finished trial is "
-                              "stored, resume with --resume")
+                              "stored; resume with --resume")
                            .with(person.label, protocol.name, end.reason));
   }
   const std::lock_guard result_lock(mutex_);

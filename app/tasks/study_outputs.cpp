@@ -54,15 +54,16 @@ Phrase kind_words(OutputKind kind) {
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path) {
   if (study.schema_version() < Study::kSchemaVersion) {
-    return phrase("StudyOutputs",
-                  "The study is of an older version of Asperity and was not changed: it does not "
-                  "list %1 among its outputs. Keep a note of it in case a participant withdraws.")
+    return phrase(
+               "StudyOutputs",
+               "The study was made by an older version of Asperity and was not changed: it does "
+               "not list %1 among its outputs. Keep a note of it in case a participant withdraws.")
         .with(path.string());
   }
   if (!Study::can_be_written(study.folder())) {
     return phrase("StudyOutputs",
-                  "The study can only be read here: it does not list %1 among its outputs. Keep a "
-                  "note of it in case a participant withdraws.")
+                  "The study is read-only: it does not list %1 among its outputs. Keep a note of "
+                  "it in case a participant withdraws.")
         .with(path.string());
   }
   try {

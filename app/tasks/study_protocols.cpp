@@ -52,8 +52,8 @@ void require_never_run(const Study& study, const std::filesystem::path& file) {
   const int sessions = sessions_of_protocol(study, file);
   if (sessions == 0) return;
   throw PhrasedError(phrase("StudyProtocols",
-                            "Sessions of %1 are stored (%2), which refer to its name and its text. "
-                            "Duplicate the protocol, and change the copy.")
+                            "Stored sessions of %1 (%2) refer to its name and its text. Duplicate "
+                            "the protocol, and change the copy.")
                          .with(file.filename().string(), std::to_string(sessions)));
 }
 

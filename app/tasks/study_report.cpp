@@ -27,7 +27,7 @@ std::string mark_of(AnswerGroup group) {
     case AnswerGroup::pilot:
       return "PILOT: not study data";
     case AnswerGroup::virtual_participants:
-      return "SIMULATED: no person";
+      return "SIMULATED: no human participant";
   }
   return {};
 }
@@ -72,7 +72,7 @@ std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals
 
 ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                                const std::vector<WithdrawalRow>& withdrawals) {
-  ReportChapter chapter{"What is in this study", {}, AnswerGroup::people, {}};
+  ReportChapter chapter{"Contents of the study", {}, AnswerGroup::people, {}};
   ReportSection& section = chapter.sections.emplace_back(ReportSection{"Overview", {}});
   if (all.empty()) {
     if (withdrawals.empty()) {
@@ -104,15 +104,14 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                           reading_count(facts.sessions.size()), std::to_string(completed),
                           reading_count(facts.attempts), reading_count(facts.counted)});
   }
-  table.note = "Attempts and answers: of the main phase.";
+  table.note = "Attempts and answers are those of the main phase.";
   std::string text =
-      all.size() == 1
-          ? "The study has one set of sessions; its heading states where data are simulated or of "
-            "pilot sessions."
-          : "The study has " + count_in_words(all.size()) +
-                " sets of sessions, one for each version of a protocol and each group of "
-                "participants. They never mix: each has a separate chapter, whose heading states "
-                "where data are simulated or of pilot sessions.";
+      all.size() == 1 ? "The study has one set of sessions; its heading indicates simulated data "
+                        "and pilot sessions."
+                      : "The study has " + count_in_words(all.size()) +
+                            " sets of sessions, one for each version of a protocol and each group "
+                            "of participants. They are never pooled: each has a separate chapter, "
+                            "whose heading indicates simulated data and pilot sessions.";
   text += " Reference tables are in appendices at the end.";
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));
@@ -167,8 +166,8 @@ ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcom
   if (is_held_back(facts)) {
     chapter.sections.push_back(
         {"Results",
-         {ReportText{"A session of this protocol is running, and its experimenter is blind: the "
-                     "results by name are in a report that is made when it is over.",
+         {ReportText{"A session of this protocol is running, and its experimenter is blind: create "
+                     "the report again after the session to see the results by name.",
                      ReportText::Tone::notice}}});
   } else if (outcome != nullptr) {
     chapter.sections.push_back(results_section(*outcome, figures));

@@ -335,7 +335,7 @@ std::vector<double> usual_values(VariedQuantity varied) {
 std::vector<double> logarithmic_spacings(double from_m, double to_m, int count) {
   if (!(from_m > 0.0 && to_m > from_m && std::isfinite(to_m)) || count < 2) {
     throw std::invalid_argument(
-        "the first spacing must be positive, the last one longer, and there must be at least two");
+        "the first spacing must be positive, the last one larger, and there must be at least two");
   }
   std::vector<double> spacings_m{};
   for (int i = 0; i < count; ++i) {
@@ -433,7 +433,8 @@ void require_sweep(const SweepOrder& order) {
   if (order.varied == VariedQuantity::probe_diameter &&
       order.stroke.model->declaration.needs_bodies && !has_size) {
     throw std::invalid_argument(
-        "the diameter of a sphere or a disc can be varied; a point has none, and a mesh its own");
+        "only the diameter of a sphere or a disc can be varied: choose one of these tools, or vary "
+        "another quantity");
   }
   // Before hours of work: what the first and the last texture and their renderers refuse.
   for (const double spacing_m : {order.spacings_m.front(), order.spacings_m.back()}) {

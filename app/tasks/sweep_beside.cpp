@@ -375,7 +375,8 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
   if (!is_any) refuse_beside(protocol, both + ": there are none in common; change --spacings");
   if (is_alike(*first, *shortest, kSameNumber) && is_alike(*last, *longest, kSameNumber)) return;
   remarks.push_back(protocol.name + ' ' + both +
-                    ": the figure shows those in common, and the parabola's peak that of all");
+                    ": the figure shows the common spacings only, but the peak of the parabola is "
+                    "computed from all of them");
 }
 
 void compare_material(const SweepOrder& order, const Protocol& protocol,

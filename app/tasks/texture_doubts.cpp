@@ -115,7 +115,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
                 (motion_scale == 1.0 ? std::string()
                                      : ", which a motion scale of " + number_text(motion_scale) +
                                            " makes " + number_text(felt_m) + " m") +
-                "; a spacing_m of " + number_text(felt_m) + " or another file is correct"));
+                "; use a spacing_m of " + number_text(felt_m) + " or another file"));
       }
     }
     const HeightField::Grid grid = load_height_field(file).field->grid();

@@ -34,8 +34,8 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
   capability.buttons = gripper == Gripper::yes ? 2 : 1;
   capability.remarks =
       "Force and workspace are CHAI3D's figures for this model, not measured; resolution and "
-      "continuous force are unknown. The maker's software adds the force that supports the weight "
-      "of the handle." +
+      "continuous force are unknown. The manufacturer's software adds the force that supports the "
+      "weight of the handle." +
       more;
   model.has_wrist = turns != Turns::no;
   model.has_gripper = gripper == Gripper::yes;

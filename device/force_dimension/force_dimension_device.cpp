@@ -57,9 +57,8 @@ std::string cause_of(int cause) {
     case kByButton:
       return "its force button was pressed; press it again";
     case kByVelocityGuard:
-      return "its velocity guard has tripped: the handle was moved faster than its maker allows. "
-             "Press the force "
-             "button";
+      return "its velocity guard has tripped: the handle was moved faster than its manufacturer "
+             "allows. Press the force button";
     case 3:
       return "its watchdog has tripped: it received no force for too long. Press the force button";
     case 4:
@@ -122,7 +121,8 @@ Identity open_index(const DhdFunctions& sdk, int index) {
 
 std::string unknown_type(int type) {
   return "This device of Force Dimension is of the system type " + std::to_string(type) +
-         ", which this program does not know: its force limits are not known either.";
+         ", which is unknown to this program: its force limits are unknown, too. Use a device "
+         "whose type this program knows.";
 }
 
 // What its controller says, which is also what its lamp shows.
@@ -241,7 +241,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     throw std::runtime_error(
         who +
         " is not calibrated, and libdhd alone cannot calibrate it: install libdrd of the same SDK, "
-        "or calibrate the device with its maker's program.");
+        "or calibrate the device with its manufacturer's program.");
   }
   if (!may_move) {
     throw std::runtime_error(who +
@@ -251,7 +251,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
                              (identity.serial.empty() ? "" : ":" + identity.serial) +
                              sdk.library_option() +
                              "\", which asks before anything moves, or calibrate the device as its "
-                             "maker's manual describes.");
+                             "manufacturer's manual describes.");
   }
   const auto require_no_stop = [&] {
     if (!stop.stop_requested()) return;
@@ -271,7 +271,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     throw std::runtime_error(
         who +
         " has lost its zero and was not moved, because the movement was not confirmed. Open it "
-        "again and confirm, or calibrate it with its maker's program.");
+        "again and confirm, or calibrate it with its manufacturer's program.");
   }
   // By its index: the SDK's pages hand out the ID of a device that is open already.
   const int id = sdk.drdOpenID(identity.index);
@@ -304,7 +304,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     throw OpeningStopped(
         who +
         " was stopped on request while it moved to find its zero: its force is off, and its handle "
-        "sinks slowly. Open it again to repeat the movement; it asks first.");
+        "sinks slowly. Open it again to repeat the movement; confirmation is requested first.");
   }
   if (!found) {
     throw std::runtime_error(who + " did not find its zero: " + words +
@@ -553,8 +553,8 @@ std::string ForceDimensionDevice::trouble() const {
   };
   if (has_lost_zero_.load()) {
     tell(who +
-         " is back and has lost its zero: end the session, and let \"asperity device-test\" find "
-         "it, which asks before the device moves.");
+         " is back and has lost its zero: end the session, and run \"asperity device-test\", which "
+         "requests confirmation and then finds the zero.");
   } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);
     tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
@@ -599,10 +599,11 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
       device.serial = identity.serial;
       if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
         device.model = model->capability.model;
-        device.remark = sdk.has_robotics()
-                            ? "After it was switched off it has to move by itself, for some "
-                              "seconds, to find its zero; it asks before it moves."
-                            : "";
+        device.remark =
+            sdk.has_robotics()
+                ? "After it was switched off it has to move by itself, for some seconds, to find "
+                  "its zero; confirmation is requested before it moves."
+                : "";
       } else {
         device.hindrance = unknown_type(identity.type);
       }
@@ -639,7 +640,8 @@ bool agrees_now(const DriverOptions& options, const std::string& sentence) {
 Driver force_dimension_driver() {
   return {.id = "force_dimension",
           .name = "Force Dimension",
-          .summary = "delta, omega, sigma and lambda of Force Dimension, through the maker's SDK.",
+          .summary =
+              "delta, omega, sigma and lambda of Force Dimension, through the manufacturer's SDK.",
           .velocity = ForceDimensionDevice::kWindow,
           .find =
               [](const DriverOptions& options) {

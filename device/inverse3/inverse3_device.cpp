@@ -40,7 +40,7 @@ constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 void require_no_stop_at(const InverseServicePlace& place, const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
   throw OpeningStopped("The Inverse Service at " + place.text() +
-                       " was no longer waited for: opening the device was stopped on request.");
+                       " was not reached: opening the device was stopped on request.");
 }
 
 std::unique_ptr<WebSocket> connection_to(const InverseServicePlace& place,
@@ -61,7 +61,7 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
   require_no_stop_at(place, stop);
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
-    throw std::runtime_error("What answers at " + place.text() +
+    throw std::runtime_error("The program that answers at " + place.text() +
                              " is not Haply's Inverse Service: it does not list devices.");
   }
   return *std::move(inventory);
@@ -441,7 +441,7 @@ bool Inverse3Device::do_send(const Wrench& limited) noexcept {
 std::string Inverse3Device::trouble() const {
   const std::string who = "the Inverse3 " + capability().serial;
   if (!line_->knows_device.load()) {
-    return "The Inverse Service does not see " + who + " any more: check its power and its cable.";
+    return "The Inverse Service no longer detects " + who + ": check its power and its cable.";
   }
   if (line_->is_elsewhere.load()) {
     return "The Inverse Service is back and reports " + who +
@@ -457,7 +457,7 @@ std::string Inverse3Device::trouble() const {
            ". End the session and open the device again.";
   }
   if (has_fallen_silent()) {
-    return "The Inverse Service at " + line_->place.text() + " has reported nothing of " + who +
+    return "The Inverse Service at " + line_->place.text() + " has reported nothing about " + who +
            " for more than " + std::to_string(kLongestSilence_ns / 1'000'000) +
            " ms: check that the service runs, that no other program keeps this computer busy, and "
            "that the device has power.";
@@ -502,7 +502,7 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
 Driver inverse3_driver(const Inverse3Patience& patience) {
   return {.id = "inverse3",
           .name = "Haply Inverse3",
-          .summary = "Inverse3 of Haply, through the maker's local service.",
+          .summary = "Inverse3 of Haply, through the manufacturer's local service.",
           .velocity = kInverse3Window,
           .find = [patience](
                       const DriverOptions& options) { return inverse3_survey(options, patience); },

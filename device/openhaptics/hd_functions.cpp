@@ -59,7 +59,7 @@ HdFunctions::Error HdFunctions::take_errors() const noexcept {
 std::string HdFunctions::name_of(const Error& error) const {
   switch (error.code) {
     case 0x0200:
-      return "HD_WARM_MOTORS (its motors are warm: let it rest)";
+      return "HD_WARM_MOTORS (its motors are warm: let them cool)";
     case 0x0201:
       return "HD_EXCEEDED_MAX_FORCE (more force was requested than it can exert)";
     case 0x0202:

@@ -62,7 +62,7 @@ class HdFunctions final {
   /// The gravest error since the last call, with which the stack is emptied: one of the device before one about
   /// the force before any other; the latest of equals.
   Error take_errors() const noexcept;
-  /// "HD_WARM_MOTORS (its motors are warm: let it rest)", or what the library calls it.
+  /// "HD_WARM_MOTORS (its motors are warm: let them cool)", or what the library calls it.
   std::string name_of(const Error& error) const;
   const std::filesystem::path& file() const noexcept { return library_.file(); }
 

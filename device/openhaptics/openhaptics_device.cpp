@@ -157,7 +157,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   if (opened.handle == HdFunctions::kNoDevice || error.code != 0) {
     throw std::runtime_error(
         "Cannot open " + who + ": " + hd.name_of(error) +
-        ". Check that it is configured under this name with its maker's setup program.");
+        ". Check that it is configured under this name with its manufacturer's setup program.");
   }
   hd.hdMakeCurrentDevice(opened.handle);
   DeviceCapability& capability = opened.capability;
@@ -181,7 +181,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   capability.remarks =
       "Forces and workspace are those that the device reports; its resolution is unknown. The "
       "position is that of the gimbal's centre. Velocity is the slope of the last five positions. "
-      "The maker's scheduler keeps the time, and its clamping of forces is on.";
+      "The manufacturer's scheduler keeps the time, and its clamping of forces is on.";
 
   unsigned int calibration = hd.hdCheckCalibration();
   int styles = 0;
@@ -197,8 +197,8 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
     refusal = "it does not describe itself: " + hd.name_of(asked);
   } else if (calibration != HdFunctions::kCalibrated) {
     refusal =
-        "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its maker's "
-        "program";
+        "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its "
+        "manufacturer's program";
   } else if (!(std::isfinite(capability.peak_force_N) && capability.peak_force_N > 0.0)) {
     refusal = "it does not report its peak force, without which forces cannot be limited";
   }
@@ -334,8 +334,8 @@ std::string OpenHapticsDevice::trouble() const {
   if (has_fallen_silent()) {
     return "OpenHaptics' scheduler ran no frame of " + who + " for more than " +
            std::to_string(kLongestSilence_ns / 1'000'000) +
-           " ms: check its cable, and that no other program keeps this computer busy. If it stays "
-           "silent, end this program and start it again.";
+           " ms: check its cable, and that no other program keeps this computer busy. If it still "
+           "does not respond, end this program and start it again.";
   }
   return "";
 }

@@ -32,8 +32,8 @@ DeviceCapability spacemouse_capability(const spacemouse::LineSettings& which,
               rounded(motion.full_turn_rad_per_s) +
               " rad/s, with the square of the deflection beyond a dead zone of " +
               rounded(100.0 * motion.dead_zone) +
-              " %, in steps of a report (8 to 16 ms). The second button takes the probe "
-              "home. The workspace is the driver's own."};
+              " %, in steps of a report (8 to 16 ms). The second button returns the probe to its "
+              "home position. The workspace is set by the driver."};
 }
 
 }  // namespace

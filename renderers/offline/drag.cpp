@@ -201,7 +201,7 @@ double beginning_s(const HandModel& hand, std::optional<double> surface_N_per_m)
   const double decay_per_s = slowest_decay_per_s(hand, surface_N_per_m);
   if (!(decay_per_s > 0.0)) {
     throw std::invalid_argument(
-        "Drag::hand never forgets how the stroke began; give it a damping and a stiffness");
+        "the motion of Drag::hand never settles; give it a damping and a stiffness");
   }
   return kForgotten / decay_per_s;
 }

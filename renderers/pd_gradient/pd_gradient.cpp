@@ -262,13 +262,13 @@ std::vector<Parameter> parameters() {
        .choices = {"hard", "smooth"},
        .default_value = std::string("hard"),
        .meaning = "hard: the largest depth and central differences, as in the source; smooth: a "
-                  "soft maximum and its exact gradient, another force"},
+                  "soft maximum and its exact gradient, a different force"},
       number("step_m", "m", 1e-6, 5e-3, 1e-4,
              "Hard maximum only: how far the tool is moved either way for a difference; 1, 2, 4 or "
              "8 cells, and at most an eighth of the finest wavelength"),
       number("tau_m", "m", 1e-6, 1e-3, 2e-5,
-             "Smooth maximum only: heights within some tau of the highest push together"),
-      number("cell_m", "m", 1e-6, 5e-3, 1e-4, "Distance of the samples of a contact"),
+             "Smooth maximum only: heights within a few tau of the highest contribute together"),
+      number("cell_m", "m", 1e-6, 5e-3, 1e-4, "Spacing of the samples of a contact"),
       {.name = "most_samples",
        .kind = ParameterKind::integer,
        .unit = "1",
@@ -277,8 +277,10 @@ std::vector<Parameter> parameters() {
        .choices = {},
        .default_value = 256.0,
        .meaning = "Samples across the widest contact; wider ones get longer cells"},
-      number("texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the surface"),
-      number("tool_texture_gain", "1", 0.0, 10.0, 1.0, "Factor on the displacements of the tool"),
+      number("texture_gain", "1", 0.0, 10.0, 1.0,
+             "Factor applied to the displacements of the surface"),
+      number("tool_texture_gain", "1", 0.0, 10.0, 1.0,
+             "Factor applied to the displacements of the tool"),
       number("contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
              "Damping of a contact along its gradient; without a coupling the device itself needs "
              "as much damping, in addition to half the stiffness times the period"),
@@ -289,11 +291,13 @@ std::vector<Parameter> parameters() {
       number("coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
              "Virtual coupling only: damper between hand and tool; see its spring"),
       number("coupling_angular_stiffness_N_m_per_rad", "N m/rad", 1e-3, 100.0, 0.3,
-             "Virtual coupling only: spring that turns the tool as the hand"),
+             "Virtual coupling only: spring that aligns the orientation of the tool with that of "
+             "the hand"),
       number("coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
-             "Virtual coupling only: damper that turns the tool as the hand"),
+             "Virtual coupling only: damper of the rotation between hand and tool"),
       number("tool_mass_kg", "kg", 1e-4, 1.0, 0.002,
-             "Virtual coupling only: mass of the simulated tool; the hand also has the device's"),
+             "Virtual coupling only: mass of the simulated tool; the hand also moves that of the "
+             "device"),
       number("tool_inertia_kg_m2", "kg m2", 1e-8, 1e-2, 1e-6,
              "Virtual coupling only: moment of inertia of the simulated tool about every axis"),
       friction_speed_parameter()};

@@ -312,7 +312,7 @@ TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileAreDoubted) {
   replace_in_protocol(R"("spacing_m": 0.0016)", R"("spacing_m": 0.003)");
   EXPECT_THAT(said(), HasSubstr("/textures/grain/spacing_m the texture \"grain\""));
   EXPECT_THAT(said(), HasSubstr("a spacing of 0.003 m, but according to its sidecar the file was "
-                                "made with 0.0016 m; a spacing_m of 0.0016 or another file"));
+                                "made with 0.0016 m; use a spacing_m of 0.0016 or another file"));
 }
 
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {

@@ -163,7 +163,7 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
 // The friction of the defaults, 20 N s/m, at the latency and the velocity window of a Falcon. That its mass is unknown is
 // no reason to be silent, with a study and without one.
 TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
-  const auto buzz = HasSubstr("is a damper of 20.0 N s/m at 1.00 N");
+  const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at 1.00 N");
   const auto assumed = HasSubstr(
       "assumes a moving mass of 50.0 g, which was not measured, and a "
       "velocity 4.50 ms old");
@@ -187,10 +187,10 @@ TEST_F(ComparedDevice, IsComparedWithFrictionByItsOwnMassAndItsDriversVelocity) 
                        .items = {{.name = "moving_mass_kg", .status = Status::pass, .value = 0.06},
                                  {.name = "latency_s", .status = Status::pass, .value = 0.001}}};
   keep(falcon);
-  const auto buzz = HasSubstr("Near rest the friction of \"rendered_grain_height_map\"");
-  EXPECT_THAT(
-      warnings(compared("falcon:7")),
-      Contains(AllOf(buzz, HasSubstr("a moving mass of 60.0 g and a velocity 4.50 ms old"))));
+  const auto buzz = HasSubstr("Near rest, the friction of \"rendered_grain_height_map\"");
+  EXPECT_THAT(warnings(compared("falcon:7")),
+              Contains(AllOf(
+                  buzz, HasSubstr("a moving mass of 60.0 g and a velocity delayed by 4.50 ms"))));
   falcon.items.front().value = 0.07;
   keep(falcon);
   EXPECT_THAT(warnings(compared("falcon:7")), Each(Not(buzz))) << "21.9 N s/m";
@@ -249,7 +249,7 @@ TEST_F(ComparedDevice, IsRefusedWithoutAProfileWhereWarningsAreRefused) {
   sticky.items.front().value = 0.9;
   keep(sticky);
   EXPECT_THAT(compared("simulated").refusal,
-              HasSubstr("does not meet the requirements of the protocol in"));
+              HasSubstr("requirements of the protocol that the device does not meet:"));
   EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("0.900 N")));
 }
 
@@ -298,7 +298,7 @@ TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPoints) {
       const DeviceComparison comparison =
           compare_with(sought, protocol, "library.json", std::nullopt, kNow, models);
       for (const Diagnostic& warning : comparison.warnings) {
-        if (warning.message.find("Near rest the friction of") != std::string::npos) {
+        if (warning.message.find("Near rest, the friction of") != std::string::npos) {
           names.emplace(library.name);
         }
       }

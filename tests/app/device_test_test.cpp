@@ -185,21 +185,22 @@ TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
   EXPECT_FALSE(profile.has_open_limit());
   const DeviceItem open{.name = "workspace_reached", .limit = 0.8};
   profile.items.push_back(open);
-  EXPECT_EQ(verdict_on(profile).english(), "Limited, but not measured: workspace_reached.");
+  EXPECT_EQ(verdict_on(profile).english(),
+            "Not measured, although a limit applies: workspace_reached.");
   EXPECT_TRUE(profile.has_open_limit());
   profile.items = {{.name = "limiter", .status = Status::pass}, {.name = "latency_s"}};
   EXPECT_EQ(verdict_on(profile).english(), "The device met every limit.");
   EXPECT_FALSE(profile.has_open_limit()) << "latency has none";
   profile.items.push_back(open);
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device met every limit that was measured. Limited, but not measured: "
+            "The device met every limit that was measured. Not measured, although a limit applies: "
             "workspace_reached.");
   EXPECT_EQ(verdict_on(profile, [](const std::string& item) { return '<' + item + '>'; }).english(),
-            "The device met every limit that was measured. Limited, but not measured: "
+            "The device met every limit that was measured. Not measured, although a limit applies: "
             "<workspace_reached>.");
   profile.items.front().status = Status::fail;
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device did not meet every limit: limiter. Limited, but not measured: "
+            "The device did not meet every limit: limiter. Not measured, although a limit applies: "
             "workspace_reached.");
 }
 
@@ -322,15 +323,15 @@ TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
   ScriptedDevice device(kStuck);
   device.at_read = [&device](ProbeState&) { device.answers = device.reads <= 3000; };
   EXPECT_EQ(loss_of(device),
-            "the device was lost while it was measured: it did not answer, and its driver reports "
-            "no cause. Check its cable and its power, close other programs that keep this computer "
-            "busy, and measure it again.");
+            "the connection to the device was lost during the measurement: the device did not "
+            "respond, and its driver reports no cause. Check its cable and its power supply, close "
+            "other programs that keep this computer busy, and measure it again.");
   ScriptedDevice unplugged(kStuck);
   unplugged.at_read = [&unplugged](ProbeState&) { unplugged.answers = unplugged.reads <= 3000; };
   unplugged.trouble_text = "The Stuck 7 is unplugged: plug it in again.";
   EXPECT_EQ(loss_of(unplugged),
-            "the device was lost while it was measured: The Stuck 7 is unplugged: plug it in "
-            "again. Fix that, then measure it again.");
+            "the connection to the device was lost during the measurement: The Stuck 7 is "
+            "unplugged: plug it in again. Fix the problem, then measure the device again.");
 }
 
 TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
@@ -338,7 +339,7 @@ TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
   device.probe.velocity_m_per_s.x = 0.1;
   const std::string loss = loss_of(device);
   EXPECT_NE(loss.find("reports the same position repeatedly"), std::string::npos) << loss;
-  EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("measure the device again"), std::string::npos) << loss;
 }
 
 TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
@@ -346,7 +347,7 @@ TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
   device.readings_left = 100;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   // A busy machine may keep its thread from calling before it is lost.
-  EXPECT_TRUE(loss.find("The Calling 7 is too warm. Fix that") != std::string::npos ||
+  EXPECT_TRUE(loss.find("The Calling 7 is too warm. Fix the problem") != std::string::npos ||
               loss.find("made no call for 50 ms") != std::string::npos)
       << loss;
 }
@@ -356,7 +357,7 @@ TEST(DeviceTest, SaysOfADeviceThatDoesNotCallThatItDoesNot) {
   device.is_silent = true;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   EXPECT_NE(loss.find("made no call for 50 ms"), std::string::npos) << loss;
-  EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("measure the device again"), std::string::npos) << loss;
 }
 
 TEST(DeviceTest, LeavesZeroForceWhereItIsStopped) {

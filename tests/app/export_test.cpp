@@ -555,7 +555,7 @@ TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
   EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("named")), 9);
   EXPECT_EQ(cells_that_are("777", made.beside("named")), 0);
   EXPECT_THAT(read_file(made.beside("named") / "README.txt"),
-              HasSubstr("answers to questionnaires, but for hand, pain. "));
+              HasSubstr("answers to questionnaires, except for hand, pain. "));
 }
 
 // What becomes of a column stands with the column alone: README.txt and --help are made of it.
@@ -569,7 +569,7 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
   export_to(made, made.beside("out"), options);
   std::string readme = read_file(made.beside("out") / "README.txt");
   std::replace(readme.begin(), readme.end(), '\n', ' ');
-  EXPECT_THAT(readme, HasSubstr("Kept of each participant: participant, virtual, mode, age_years, "
+  EXPECT_THAT(readme, HasSubstr("Kept for each participant: participant, virtual, mode, age_years, "
                                 "sex, handedness, withdrawn, answer_hand (participants.tsv)."));
   EXPECT_THAT(table_in(made.beside("out"), "participants.tsv").columns,
               ElementsAre("participant", "virtual", "mode", "age_years", "sex", "handedness",
@@ -617,8 +617,8 @@ TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
             "; those that can: hand, pain, scars");
   };
   refused("comment", "they are free text");
-  refused("pian", "no questionnaire of the study asks this question");
-  refused("which", "no questionnaire of the study asks this question");
+  refused("pian", "no questionnaire of the study contains this question");
+  refused("which", "no questionnaire of the study contains this question");
   EXPECT_FALSE(std::filesystem::exists(made.beside("out")));
 }
 

@@ -133,13 +133,13 @@ TEST(SceneOfSurface, SaysWhenItIsEnough) {
   const Trial trial = make_plan(library_protocol("chapter_selection"), {1, 0}).trials.front();
   const ParticipantScene scene = scene_of_lifting(trial, {1}, 2);
   EXPECT_EQ(scene.kind, ParticipantScene::Kind::feel);
-  EXPECT_EQ(scene.text, "That is enough of surface B. Please lift the handle.");
+  EXPECT_EQ(scene.text, "You have finished with surface B. Please lift the handle.");
   EXPECT_TRUE(scene.surfaces[1].now);
 }
 
 TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {
   EXPECT_EQ(scene_of_feedback(true, "3").text, "Correct.");
-  EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct answer: 3");
+  EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct answer is 3.");
   EXPECT_EQ(scene_of_feedback(false, "").text, "Incorrect.");
   EXPECT_EQ(scene_of_feedback(false, "3").text_saying.what, Saying::What::was_wrong);
 }

@@ -195,7 +195,7 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
   const std::vector<EventRow> refused = events("refused");
   ASSERT_EQ(refused.size(), 3U);
   for (const EventRow& event : refused) {
-    EXPECT_EQ(event.text, "A number above 0 is needed, such as 7 or 0.5.");
+    EXPECT_EQ(event.text, "Please enter a number above 0, such as 7 or 0.5.");
   }
 }
 

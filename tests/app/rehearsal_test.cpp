@@ -453,7 +453,7 @@ TEST_F(DeviceRehearsalTest, ComparesTheSpringAndTheDamperOfACouplingWithTheDevic
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, 1.5, 1e-9);
   EXPECT_NEAR(found->device, 1.4, 1e-9);
-  EXPECT_NE(found->text.english().find("needs a device with 1.50 N s/m of damping at 1000 Hz"),
+  EXPECT_NE(found->text.english().find("requires a device with a damping of 1.50 N s/m at 1000 Hz"),
             std::string::npos)
       << found->text.english();
   EXPECT_FALSE(one(bodies(coupled), damped(1.6), "coupling"));
@@ -495,9 +495,10 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionThatIsTooSteepADamperAndNamesTheSpeed
   EXPECT_EQ(found->pointer, "/stimuli/rendered");
   const std::string text = found->text.english();
   for (const char* const part :
-       {"a damper of 120 N s/m at 3.00 N", "at 1000 Hz the device vibrates on more than 100 N s/m",
+       {"a damper of 120 N s/m at 3.00 N",
+        "at 1000 Hz the device vibrates if the damping exceeds 100 N s/m",
         "a moving mass of 50.0 g", "Set friction_speed_m_per_s to 0.00600 or more",
-        "at most 2.50 N"}) {
+        "limit the pressing force to 2.50 N"}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
   // The remedies that it names.
@@ -527,8 +528,9 @@ TEST_F(DeviceRehearsalTest, SaysThatNoFrictionSpeedWouldDoWhereNoneDoes) {
   const auto found = one(pressed_with(R"("target": 3)", R"("amplitude_m": 1e-5)"),
                          with_item(of_50_grams(), "latency_s", 0.1), "friction_damping");
   ASSERT_TRUE(found);
-  EXPECT_NE(found->text.english().find("lower its friction; no friction_speed_m_per_s"),
-            std::string::npos)
+  EXPECT_NE(
+      found->text.english().find("lower the friction of the surface; no friction_speed_m_per_s"),
+      std::string::npos)
       << found->text.english();
 }
 
@@ -560,7 +562,7 @@ TEST_F(DeviceRehearsalTest, ForetellsThatAStiffGratingOfFixedDirectionIsOutOfCon
   const auto found = one(at("2000"), device, "contact");
   ASSERT_TRUE(found);
   EXPECT_GT(found->asked, 0.1);
-  EXPECT_NE(found->text.english().find("50.0 g with 10.0 N s/m"), std::string::npos)
+  EXPECT_NE(found->text.english().find("50.0 g with a damping of 10.0 N s/m"), std::string::npos)
       << found->text.english();
   EXPECT_FALSE(one(at("500"), device, "contact"));
 }
@@ -660,13 +662,15 @@ TEST_F(DeviceRehearsalTest, WarnsOfAnItemOnTheWrongSideOfTheProtocolsLimitWithBo
   ASSERT_TRUE(late);
   EXPECT_EQ(late->asked, 0.003);
   EXPECT_EQ(late->device, 0.0031);
-  EXPECT_NE(late->text.english().find("latency_s is at most 0.00300; measured was 0.00310"),
-            std::string::npos)
+  EXPECT_NE(
+      late->text.english().find("latency_s is at most 0.00300; the measured value is 0.00310"),
+      std::string::npos)
       << late->text.english();
   const auto small =
       one(protocol, with_item(device, "workspace_reached", 0.89), "limit_workspace_reached");
   ASSERT_TRUE(small);
-  EXPECT_NE(small->text.english().find("at least 0.900; measured was 0.890"), std::string::npos)
+  EXPECT_NE(small->text.english().find("at least 0.900; the measured value is 0.890"),
+            std::string::npos)
       << small->text.english();
 }
 

@@ -56,8 +56,8 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   EXPECT_EQ(session.device, "simulated in place of Novint Falcon");
   EXPECT_THAT(session.device_json, testing::HasSubstr("\"position_resolution_m\":3.8e-05"));
   EXPECT_THAT(session.device_json,
-              testing::HasSubstr("Unknown to this program of the real device: continuous force, "
-                                 "position noise, friction"));
+              testing::HasSubstr("Properties of the real device that are unknown to this program: "
+                                 "continuous force, position noise, friction"));
   inputs_.device = "simulated:gamma.3";
   EXPECT_THROW(run(), std::runtime_error);
 }
@@ -101,7 +101,7 @@ TEST_F(RunSession, ResumesWhatAnEarlierVersionBeganOnTheSimulatedDevice) {
   inputs_.resumed = [&](const Phrase& circumstance) { told.push_back(circumstance.english()); };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_THAT(told, testing::ElementsAre(testing::StartsWith(
-                        "the session began on a device with which no participant feels")));
+                        "the session began on a device with which no participant can feel")));
 }
 
 TEST_F(RunSession, StoresThatNothingSounded) {
@@ -167,7 +167,7 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
   ask_for(R"("profile_maximum_age_days": 30)");
   EXPECT_THAT(refusal(), testing::HasSubstr("asperity device-test simulated"));
   measure("2025-11-01T10:00:00.000Z");  // sessions on a simulated clock begin on 2026-01-01
-  EXPECT_THAT(refusal(), testing::HasSubstr("days old, and the protocol allows 30"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("days old, and the protocol allows at most 30"));
   measure("2025-12-20T10:00:00.000Z");
   EXPECT_EQ(run().state, SessionState::completed);
   std::string kinds{};
@@ -180,7 +180,7 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
   EXPECT_THAT(kinds, testing::HasSubstr("device_profile rehearsal"));
   inputs_.participant = "p2";
   ask_for(R"("refuse_rehearsal_warnings": true)");
-  EXPECT_THAT(refusal(), testing::HasSubstr("does not meet the requirements"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("that the device does not meet: "));
   EXPECT_EQ(study().sessions().size(), 1U);
 }
 

@@ -163,7 +163,7 @@ TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
   const auto row = std::find_if(tests.table.rows.begin(), tests.table.rows.end(),
                                 [](const auto& each) { return each[0] == Cell{"preference"}; });
   ASSERT_NE(row, tests.table.rows.end());
-  EXPECT_EQ(row->back(), Cell{"not every trial presents every model"});
+  EXPECT_EQ(row->back(), Cell{"not every model is presented in every trial"});
 }
 
 // Of three the third does not matter to the pair: it was chosen, and neither of the two.
@@ -242,7 +242,7 @@ TEST(SelectionTies, AnswerOfTwoModelsAndOfTheirOnlyPairInTheSingular) {
   });
   EXPECT_THAT(answer_of(outcome, "preference"),
               AllOf(StartsWith("Both were chosen equally often: each in 50 %"),
-                    HasSubstr("where the chance level is 50 %")));
+                    HasSubstr("compared with a chance level of 50 %")));
   EXPECT_THAT(answer_of(outcome, "pairs"), StartsWith("a / b do not differ significantly (p "));
 }
 
@@ -281,8 +281,8 @@ TEST(Pilots, AreAnalysedApart) {
   made.add_session("p", made.add_protocol("pairs", "selection"), {trial_of({"a", "b"}, "a")},
                    SessionMode::pilot);
   EXPECT_THAT(words_of(analyze_study(made.study()).at(0)),
-              HasSubstr("These sessions are pilots: they are analysed apart from sessions of mode "
-                        "\"run\"."));
+              HasSubstr("These sessions are pilots: they are analysed separately from sessions of "
+                        "mode \"run\"."));
 }
 
 constexpr const char* kNobodyFelt = "on a device on which no participant can feel the surfaces";

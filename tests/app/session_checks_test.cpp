@@ -180,7 +180,7 @@ TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
     store.end_session(id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
     EXPECT_FALSE(unfinished_of(unfinished_sessions(store, protocol), "P001", {}));
   }
-  EXPECT_NE(check("participant").text.english().find("has done 1 of 1"), std::string::npos)
+  EXPECT_NE(check("participant").text.english().find("has completed 1 of 1"), std::string::npos)
       << check("participant").text.english();
   inputs.resume = true;
   EXPECT_NE(check("participant").text.english().find("no unfinished session"), std::string::npos);
@@ -353,7 +353,7 @@ TEST_F(SessionChecks, ResumeASessionThatBeganWhereNobodyFelt) {
   inputs.mode = SessionMode::run;
   inputs.resume = true;
   EXPECT_EQ(check("device").state, State::look) << check("device").text.english();
-  EXPECT_NE(check("device").text.english().find("is resumed this way"), std::string::npos);
+  EXPECT_NE(check("device").text.english().find("is resumed in the same way"), std::string::npos);
 }
 
 /// As when somebody has pressed "Try this device".
@@ -418,7 +418,7 @@ TEST_F(SessionChecks, SayThatAnAttachedDeviceWithoutMotorsGivesNoForce) {
   EXPECT_EQ(check("device").state, State::fine) << "whatever force the protocol asks for";
   EXPECT_NE(check("device").text.english().find("the participant feels nothing"),
             std::string::npos);
-  EXPECT_EQ(check("calibration").text.english(), "Not needed: it exerts no force.");
+  EXPECT_EQ(check("calibration").text.english(), "Not needed: the device exerts no force.");
   inputs.mode = SessionMode::run;
   EXPECT_EQ(check("device").state, State::stop);
   EXPECT_NE(check("device").remedy.english().find("device.input_only"), std::string::npos);
@@ -487,10 +487,10 @@ TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
   measure(12.0, 0.0);
   EXPECT_EQ(check("calibration").state, State::fine);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured 12 days ago; every stimulus is within its capabilities.");
+            "Measured 12 days ago; every stimulus is within the capabilities of the device.");
   measure(0.1, 0.9);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured 2 hours ago; some stimuli exceed its capabilities.");
+            "Measured 2 hours ago; some stimuli exceed the capabilities of the device.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 1U) << "one kind of warning is one line";
   EXPECT_EQ(lines.front().state, State::look);
@@ -509,7 +509,7 @@ TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor)
   measure(0.1, 0.9, "in place of delta.3", {DeviceTrait::friction, DeviceTrait::damping});
   EXPECT_EQ(check("calibration").state, State::look);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured 2 hours ago; every stimulus is within its known capabilities. "
+            "Measured 2 hours ago; every stimulus is within the known capabilities of the device. "
             "Unknown for delta.3 and not compared: friction, damping.");
   ask_for(R"("limits": {"friction_N": 0.1})");
   const std::string limited = check("calibration").text.english();
@@ -528,7 +528,7 @@ TEST_F(RehearsedChecks, CallNothingUncomparedThatWasCompared) {
   inputs.tried = nullptr;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::peak_force});
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured 2 hours ago; every stimulus is within its capabilities.");
+            "Measured 2 hours ago; every stimulus is within the capabilities of the device.");
   EXPECT_EQ(check("calibration").state, State::fine);
   reach_m = 0.001;
   measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::friction});
@@ -557,15 +557,14 @@ TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {
 TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   ask_for(R"("limits": {"friction_N": 0.0001, "latency_s": 0.01})");
   measure(1.0, 0.0002);
-  EXPECT_EQ(
-      check("calibration").text.english(),
-      "Measured 24 hours ago; every stimulus is within its capabilities, but it does not meet "
-      "the protocol's limits.");
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured 24 hours ago; every stimulus is within the capabilities of the device, but "
+            "it does not meet the protocol's limits.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
   EXPECT_EQ(lines[0].text.english(),
-            "The protocol requires a device whose friction_N is at most 0.000100; measured was "
-            "0.000200.");
+            "The protocol requires a device whose friction_N is at most 0.000100; the measured "
+            "value is 0.000200.");
   EXPECT_NE(lines[1].text.english().find("latency_s"), std::string::npos);
   ask_for(R"("limits": {"friction_N": 0.0001}, "refuse_rehearsal_warnings": true)");
   EXPECT_EQ(check("calibration").state, State::stop);
@@ -622,7 +621,7 @@ TEST_F(SessionChecks, WantRoomForTwoSessions) {
   EXPECT_EQ(disk_check({.wanted_bytes = 1e9, .free_bytes = 1.9e9}).state, State::look);
   const SessionCheck full = disk_check({.wanted_bytes = 1e9, .free_bytes = 3e8});
   EXPECT_EQ(full.state, State::stop);
-  EXPECT_EQ(full.text.english(), "300 MB free; this session takes at most 1.0 GB.");
+  EXPECT_EQ(full.text.english(), "300 MB free; this session requires at most 1.0 GB.");
 }
 
 TEST_F(SessionChecks, ExpectTheBytesThatAWholeSessionWouldRecord) {
@@ -641,17 +640,17 @@ TEST_F(SessionChecks, SayThatOneScreenShowsBothWindows) {
 
 TEST_F(SessionChecks, HoldTheNoiseToTheDeclaredLevelInARun) {
   ask_for_noise();
-  // Nobody hears it: a run has to get it from elsewhere, and somebody to answer for that.
+  // Nobody hears it: a run has to get it from another source, and somebody to answer for that.
   EXPECT_EQ(check("masking_noise").state, State::stop);
   EXPECT_NE(check("masking_noise").text.english().find("no sound output"), std::string::npos);
-  EXPECT_NE(check("masking_noise").remedy.english().find("from elsewhere"), std::string::npos);
+  EXPECT_NE(check("masking_noise").remedy.english().find("from another source"), std::string::npos);
   inputs.noise.measured_dBA = 65.0;
   EXPECT_EQ(check("masking_noise").state, State::stop);
   inputs.noise.verified_by = "MW";
   EXPECT_EQ(check("masking_noise").state, State::look);
   EXPECT_EQ(check("masking_noise").text.english(),
-            "There is no sound output here; the noise comes from elsewhere, 65.0 dBA at the ear, "
-            "verified by MW.");
+            "There is no sound output here; the noise comes from another source, 65.0 dB(A) at the "
+            "ear, verified by MW.");
   inputs.noise.measured_dBA = 70.0;
   EXPECT_EQ(check("masking_noise").state, State::stop);
   inputs.noise = {};

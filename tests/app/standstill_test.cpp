@@ -54,7 +54,7 @@ TEST_F(Standstill, InvalidatesTheAttemptAndRepeatsTheTrialByItself) {
   EXPECT_FALSE(rows[0].valid);
   EXPECT_EQ(codes_of(rows[0].invalid_reason.value()), "standstill");
   EXPECT_EQ(rows[0].servo->fault, "standstill");
-  EXPECT_EQ(rows[0].invalid_reason->text, "the servo loop stood still for more than 50 ms");
+  EXPECT_EQ(rows[0].invalid_reason->text, "the servo loop stalled for more than 50 ms");
   EXPECT_EQ(rows[1].trial, rows[0].trial);
   EXPECT_EQ(rows[1].attempt, 2);
   EXPECT_TRUE(rows[1].valid);
@@ -96,7 +96,7 @@ TEST_F(Standstill, EndsTheSessionTheThirdTimeAndItCanBeResumed) {
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_THAT(end.reason.english(),
-              HasSubstr("the servo loop stood still for more than 50 ms, 3 times"));
+              HasSubstr("the servo loop stalled for more than 50 ms, 3 times"));
   ASSERT_EQ(attempts().size(), 4U);
   EXPECT_TRUE(attempts()[2].valid);
   EXPECT_THAT(kinds_of_events(),
@@ -134,7 +134,7 @@ TEST_F(Standstill, WaitsForAPersonWhereTheDeviceDoesNotComeThroughIt) {
     return run();
   }();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not answer"));
+  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not respond"));
 }
 
 TEST_F(Standstill, WhileNothingIsFeltIsNone) {

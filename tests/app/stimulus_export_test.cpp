@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "no participant has choices at two levels of a factor that has numbers as "
                      "levels."},
         NothingToFit{R"({"spacing_m": 0.01})", SessionState::stopped,
-                     "no completed session has choices that analyses count."}));
+                     "no completed session has choices that count in analyses."}));
 
 TEST(Export, StatesThatAStudyWithoutSessionsHasNoFilesForOtherPrograms) {
   MadeUpStudy made;

@@ -92,8 +92,9 @@ TEST(Equivalence, IsTestedWithTheMarginThatTheProtocolDeclares) {
 TEST(Equivalence, HasNoVerdictWithoutADeclaredMargin) {
   const AnalysisOutcome outcome = analyze_repetitions(kSimilarGroups, "{}");
   const std::string answer = answer_of(outcome, kSexesEquivalence);
-  EXPECT_THAT(answer, StartsWith("The protocol declares no margin of equivalence, so that there is "
-                                 "no verdict: "));
+  EXPECT_THAT(
+      answer,
+      StartsWith("The protocol declares no equivalence margin, so equivalence is not assessed: "));
   EXPECT_THAT(answer, HasSubstr("The data would support equivalence within ±"));
   EXPECT_TRUE(std::none_of(outcome.findings.begin(), outcome.findings.end(),
                            [](const Finding& one) { return one.quantity == "tost.p"; }));
@@ -121,10 +122,11 @@ TEST(ReliabilityOverRepetitions, TellsConsistencyFromAgreement) {
   // MSB = 10/3/16·2, MSJ = 2·4/4/16: in sixteenths 10/3 and 2, MSE 0.
   EXPECT_NEAR(value_in(outcome, "reliability", "icc", "ICC2"), (10.0 / 3.0) / (10.0 / 3.0 + 1.0),
               1e-12);
-  EXPECT_THAT(answer_of(outcome, "reliability"),
-              StartsWith("Of one repetition ICC(3,1) = 1.00 (consistency), ICC(2,1) = .77 "
-                         "(agreement); of the mean of the 2 repetitions ICC(3,k) = 1.00. N = 4 "
-                         "participants."));
+  EXPECT_THAT(
+      answer_of(outcome, "reliability"),
+      StartsWith(
+          "For a single repetition, ICC(3,1) = 1.00 (consistency) and ICC(2,1) = .77 (agreement); "
+          "for the mean of the 2 repetitions, ICC(3,k) = 1.00; N = 4 participants."));
 }
 
 TEST(ReliabilityOverRepetitions, IsNotAskedWithoutRepetitions) {

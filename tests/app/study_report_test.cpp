@@ -157,7 +157,7 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
   EXPECT_THAT(words, HasSubstr("Age: M = 24.0 years, SD = 4.0, range 20 to 28 (3 of 4 reported)."));
   EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not reported."));
-  EXPECT_THAT(words, HasSubstr("No consent is stored of p1, p2, p3 and p4."));
+  EXPECT_THAT(words, HasSubstr("No consent is stored for p1, p2, p3 and p4."));
 }
 
 TEST(StudyReport, SaysOfOneParticipantWhatItCan) {
@@ -224,7 +224,8 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
               HasSubstr("3 attempts at trials of the main phase are stored, of which 2 count. Not "
                         "counted: one was answered, but not valid. One attempt that counts is "
                         "flagged."));
-  EXPECT_THAT(words, HasSubstr("One attempt belongs to practice and is in no result."));
+  EXPECT_THAT(words,
+              HasSubstr("One attempt belongs to practice and is not included in the results."));
   EXPECT_THAT(words, HasSubstr("1 | answered, but not valid | made up to be invalid"));
   EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
 }
@@ -244,7 +245,8 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
               HasSubstr("2 attempts at trials of the main phase are stored, both of which count."));
-  EXPECT_THAT(words, HasSubstr("One attempt belongs to anchors and is in no result."));
+  EXPECT_THAT(words,
+              HasSubstr("One attempt belongs to anchors and is not included in the results."));
   EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
               HasSubstr("A session was planned with 2 experimental trials, and with 3 in total "
                         "including anchors."));
@@ -261,8 +263,8 @@ TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("There are no responses yet."));
   EXPECT_THAT(words_of(report.chapters.at(1)),
               HasSubstr("No attempt at a trial of the main phase is stored. One attempt belongs to "
-                        "practice and is in no result."));
-  EXPECT_THAT(words_of(report.chapters.at(2)), HasSubstr("The analysis has come to no numbers."));
+                        "practice and is not included in the results."));
+  EXPECT_THAT(words_of(report.chapters.at(2)), HasSubstr("The analysis yielded no results."));
 }
 
 TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
@@ -279,11 +281,11 @@ TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
   for (const ReportChapter& chapter : report.chapters) marks.push_back(chapter.mark);
   // The appendices follow in the same order.
   EXPECT_THAT(marks, ElementsAre("includes SIMULATED data", "", "PILOT: not study data",
-                                 "SIMULATED: no person", "", "PILOT: not study data",
-                                 "SIMULATED: no person"));
+                                 "SIMULATED: no human participant", "", "PILOT: not study data",
+                                 "SIMULATED: no human participant"));
   EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("virtual")));
   EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("p2")));
-  EXPECT_THAT(words_of(report.chapters.at(3)), HasSubstr("No person took part."));
+  EXPECT_THAT(words_of(report.chapters.at(3)), HasSubstr("No human participant took part."));
 }
 
 TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
@@ -368,12 +370,12 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
   }
   const Report report = study_report(made.study(), {});
   const std::string words = words_of(section(report.chapters.at(1), "Presentation"));
-  EXPECT_THAT(words, HasSubstr("at most 30 µs late, in the worst 40 µs"));
+  EXPECT_THAT(words, HasSubstr("at most 30 µs late; in the worst attempt, 40 µs"));
   EXPECT_THAT(words, AllOf(HasSubstr("The servo loop was set to 1000 Hz; it ran 12"),
                            HasSubstr(" ticks in 2 attempts. In the median")));
   EXPECT_THAT(words, HasSubstr("3 deadlines were missed in one attempt (one in contact) and 1 tick "
                                "record was lost in one attempt."));
-  EXPECT_THAT(words, HasSubstr("The limiter shortened the force in 12 ticks of one attempt."));
+  EXPECT_THAT(words, HasSubstr("The limiter reduced the force in 12 ticks of one attempt."));
   EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
   EXPECT_THAT(
       words,
@@ -523,15 +525,15 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
   add_session(kFalcon, {began()});  // asperity 0.1.0 at a terminal
   add_session(kFalcon, {began(), noise(R"({"output": "unknown"})")});
   const std::string words = conditions();
-  EXPECT_THAT(words, HasSubstr("The protocol requests pink noise of 65 dBA at the ear to mask the "
-                               "sound of the device. The program played masking noise in 2 of 6 "
-                               "sessions (level at the ear, as measured in 1 of 6 sessions: 64.5 "
-                               "dBA). Masking noise came from another source in 1 of 6 sessions: "
-                               "A. Keller measured 66 dBA at the ear. No masking noise was played "
-                               "in 1 of 6 sessions. Whether masking noise was played is not "
-                               "recorded in 1 of 6 sessions. No masking noise is recorded in 1 of "
-                               "6 sessions; the program that ran them stored nothing of it at a "
-                               "terminal, which plays none."));
+  EXPECT_THAT(
+      words,
+      HasSubstr("The protocol requests pink noise of 65 dB(A) at the ear to mask the sound of the "
+                "device. The program played masking noise in 2 of 6 sessions (level at the ear, as "
+                "measured in 1 of 6 sessions: 64.5 dB(A)). Masking noise came from another source "
+                "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
+                "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
+                "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the program "
+                "version used stored nothing about it at a terminal, where none is played."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -544,10 +546,9 @@ TEST_F(Conditions, TellThePartsOfAResumedSessionApart) {
   add_session(kFalcon, {began(), played("65"), resumed_on("falcon Novint Falcon"),
                         noise(R"({"kind": "none", "heard": false})")});
   add_session(kFalcon, {began(), played("65")});
-  EXPECT_THAT(conditions(),
-              HasSubstr("The program played masking noise in 1 of 2 sessions and in part of one "
-                        "more (level at the ear, as measured: 65 dBA). No masking noise was played "
-                        "in part of 1 of 2 sessions."));
+  EXPECT_THAT(conditions(), HasSubstr("The program played masking noise in 1 of 2 sessions and in "
+                                      "part of one more (level at the ear, as measured: 65 dB(A)). "
+                                      "No masking noise was played in part of 1 of 2 sessions."));
 }
 
 TEST_F(Conditions, StateWhereAnEyeMaskWasConfirmed) {
@@ -596,8 +597,8 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
                         "resumed on mouse pointer of a window."));
   add_session(kFalcon, {began(), resumed()});
   EXPECT_THAT(conditions(),
-              HasSubstr("The device is not recorded in part of 1 of 2 sessions, after "
-                        "resuming: the program that ran them stored the first device alone."));
+              HasSubstr("The device is not recorded in part of 1 of 2 sessions, after resuming: "
+                        "the program version used stored only the first device."));
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
@@ -607,7 +608,7 @@ TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
   add_session(kFalcon, {began(), {.kind = "session_resumed", .data_json = R"({"segment": 2,
       "program_version": "0.2.0", "program_commit": "71cf3affd4dd", "os": "Linux 6.12",
       "device": "falcon Novint Falcon"})"}});
-  const std::string words = words_of(section(chapter(), "What it was made with"));
+  const std::string words = words_of(section(chapter(), "Provenance"));
   EXPECT_THAT(words, HasSubstr("operating system | Linux 6.1 (in part of the only session); Linux "
                                "6.12 (in part of the only session)"));
   EXPECT_THAT(words,
@@ -629,7 +630,7 @@ TEST_F(Conditions, SayThatNoSurfaceWasPresented) {
   presented_[0].onset_ns.reset();
   add_session(kFalcon, {began()});
   EXPECT_THAT(words_of(section(chapter(), "Design")),
-              HasSubstr("No surface was presented. By the "));
+              HasSubstr("No surface was presented. According to the "));
 }
 
 TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
@@ -638,10 +639,11 @@ TEST_F(Conditions, ClaimNothingOfABandThatNothingHasToLieIn) {
   explored_ = {measured("normal_force_N", 1.0, 0.77), measured("speed_m_per_s", 0.0, {})};
   add_session(kFalcon, {began()});
   const std::string words = words_of(section(chapter(), "Exploration"));
-  EXPECT_THAT(words, HasSubstr("The protocol requires no proportion of the contact time or of the "
-                               "strokes to lie in these bands. On average, normal force was in its "
-                               "band (0.5 N to 2 N) for 76 % of the contact time and speed was in "
-                               "its band (500 mm/s to 2 m/s) for 100 % of the strokes."));
+  EXPECT_THAT(words,
+              HasSubstr("The protocol requires no minimum proportion of the contact time or of the "
+                        "strokes to be within these bands. On average, normal force was in its "
+                        "band (0.5 N to 2 N) for 76 % of the contact time and speed was in its "
+                        "band (500 mm/s to 2 m/s) for 100 % of the strokes."));
   EXPECT_THAT(words, Not(HasSubstr("of 2 surfaces")));
   EXPECT_THAT(words,
               HasSubstr("speed | 500 mm/s to 2 m/s | 1 | 1 m/s | 1 m/s to 1 m/s | 100 % | – |"))
@@ -758,15 +760,15 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   EXPECT_EQ(report.subtitle, "Data of a simulated clock, which has no date");
   const std::string design = words_of(section(report.chapters[1], "Design"));
   EXPECT_THAT(design, HasSubstr("A few short trials"));
-  EXPECT_THAT(design, HasSubstr("Task: each trial presents several surfaces, and one is to be "
-                                "chosen: “Which felt more like the picture?”"));
+  EXPECT_THAT(design, HasSubstr("Task: in each trial, several surfaces are presented, and one is "
+                                "to be chosen: “Which felt more like the picture?”"));
   EXPECT_THAT(
       design,
       HasSubstr("A session was planned with 3 experimental trials. Two surfaces were presented "
                 "in each answered trial."));
   EXPECT_THAT(design, HasSubstr("“Which felt more like the picture?”"));
   EXPECT_THAT(design, HasSubstr("explored for 500 ms to 2 s"));
-  const std::string made = words_of(section(report.chapters[1], "What it was made with"));
+  const std::string made = words_of(section(report.chapters[1], "Provenance"));
   EXPECT_THAT(made, HasSubstr(study.protocols().front().source_sha256));
   EXPECT_THAT(made, HasSubstr(study.sessions().front().program_commit));
   EXPECT_THAT(words_of(section(report.chapters[1], "Apparatus and conditions")),
@@ -874,13 +876,12 @@ TEST(ReportResults, SaysRefusalsAsSentences) {
   Finding refused{};
   refused.quantity = "p";
   refused.key = "item=a";
-  refused.status = "chance differs between the trials, so that one test of all would be wrong";
+  refused.status =
+      "the chance level differs between the trials, so that one test of all would be incorrect";
   outcome.findings = {refused};
-  EXPECT_THAT(
-      words_of(results_section(outcome, {})),
-      HasSubstr(
-          "The test of a: chance differs between the trials, so that one test of all would be "
-          "wrong."));
+  EXPECT_THAT(words_of(results_section(outcome, {})),
+              HasSubstr("The test of a: the chance level differs between the trials, so that one "
+                        "test of all would be incorrect."));
 }
 
 TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) {
@@ -903,13 +904,13 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
                       without("dprime.lower", "", "recognition", "every response is correct"),
                       without("replicates", "", "anova", "A has 2 rows")};
   const std::string words = words_of(results_section(outcome, {}));
-  EXPECT_THAT(words, HasSubstr("Whether the first of two is preferred, on the scale of preference: "
+  EXPECT_THAT(words, HasSubstr("Whether the first of two is preferred, on the preference scale: "
                                "nobody felt both orders.\n"));
   EXPECT_THAT(words, HasSubstr("Cochran’s Q of position 1: nobody differs.\n"));
   EXPECT_THAT(words, HasSubstr("The sensitivity d′ and the CI of the sensitivity d′: every "
                                "response is correct.\n"));
   EXPECT_THAT(words, HasSubstr("2 numbers of the appendix or of tables are not defined for these "
-                               "data; asperity analyze STUDY --json has each by its name.\n"));
+                               "data; asperity analyze STUDY --json lists each by its name.\n"));
   EXPECT_THAT(words, Not(HasSubstr("pooledOLS")));
   EXPECT_THAT(words, Not(HasSubstr("A has 2 rows")));
 }

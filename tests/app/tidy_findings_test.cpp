@@ -53,7 +53,7 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   options.add("conf", "95");
   options.add("target", "wood");
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.texts("items"); }),
-            "the option \"items\" is missing, and there is no default for it");
+            "the option \"items\" is missing and has no default; give it a value");
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.number("target"); }),
             "the option \"target\" must be a number");
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
@@ -182,9 +182,8 @@ TEST(TableFindings, HaveTheIntervalsThatTheirMethodsPromise) {
       "paired", input_of("subject,first,second,winner\nx,a,b,a\nx,b,a,b\ny,a,b,a\ny,b,a,a\n",
                          R"({"items": ["a", "b"]})"));
   EXPECT_THAT(pairs, HasSubstr("bt.ability interval"));
-  EXPECT_THAT(pairs,
-              HasSubstr("bt.ability: Bradley–Terry, ties left out, relative to a, judgements "
-                        "taken as independent; interval of Wald"));
+  EXPECT_THAT(pairs, HasSubstr("bt.ability: Bradley–Terry, ties left out, relative to a, "
+                               "judgements treated as independent; Wald interval"));
   EXPECT_LT(pairs.find("bt.ability.sumzero.cluster"), pairs.find("bt.ability.sumzero "));
   EXPECT_LT(pairs.find("bt.worth"), pairs.find("bt.ability interval"));
 }

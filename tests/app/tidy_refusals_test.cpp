@@ -94,7 +94,7 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
                            "A,2,x,x,M\nA,2,y,y,M\n",
                            "[]"),
             "t.csv:4:5: A is in two groups");
-  const std::string times = "the rows of a trial must stand for as many trials";
+  const std::string times = "all rows of a trial must stand for the same number of trials";
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
             "t.csv:3:5: " + times);
@@ -162,7 +162,7 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
 TEST(TidyRefusals, NameATrialThatStandsTwice) {
   const std::string columns = "subject,trial,time_s\n";
   EXPECT_EQ(family_refusal("learning", columns + "A,2,1.5\nB,2,1\nA,2,3\n", "{}"),
-            "t.csv:4:2: A has a trial 2 already; number the trials of a participant through");
+            "t.csv:4:2: A has a trial 2 already; number the trials of a participant consecutively");
   EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
             "t.csv:2:2: trials are numbered from 1");
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
@@ -259,7 +259,7 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
   const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
   EXPECT_EQ(
       why(findings_of("selection", "subject,sample,choice\nA,1,a\n", choices), "subj.t.p.two"),
-      "NA: differences between participants need at least two participants: run more");
+      "NA: differences between participants require at least two participants: add participants");
   EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
                 "subj.t.p.two"),
             "NA: all participants have the same proportion");
@@ -296,7 +296,7 @@ TEST(TidyRefusals, TakeNoNameTwice) {
               HasSubstr("names \"tie\""));
   EXPECT_THAT(
       family_refusal("recognition", "subject,stimulus,response\nA,x,x\n", R"({"labels": "x"})"),
-      HasSubstr("two stimuli at least"));
+      HasSubstr("at least two stimuli"));
 }
 
 TEST(TidyRefusals, TakeWholeRanksFromOne) {

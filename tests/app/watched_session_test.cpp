@@ -262,10 +262,10 @@ TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {
     if (said.empty() || said.back() != now.scene->text) said.push_back(now.scene->text);
   };
   run();  // nobody asks for the end of a surface
-  EXPECT_THAT(
-      said,
-      ElementsAre("Feel surface A now.", "That is enough of surface A. Please lift the handle.",
-                  "Feel surface B now.", "That is enough of surface B. Please lift the handle."));
+  EXPECT_THAT(said, ElementsAre("Feel surface A now.",
+                                "You have finished with surface A. Please lift the handle.",
+                                "Feel surface B now.",
+                                "You have finished with surface B. Please lift the handle."));
 }
 
 TEST_F(WatchedSession, FollowsTheContactWithTheSurfaceUnderTheHand) {
@@ -660,7 +660,7 @@ TEST_F(WatchedSession, EndsAfterAFaultWhenWhoeverAnswersWantsThat) {
   person_.at_fault = [] { return Respondent::AfterFault::end; };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not answer"));
+  EXPECT_THAT(end.reason.english(), HasSubstr("the device does not respond"));
   EXPECT_EQ(attempts().size(), 1U);
 }
 
@@ -825,7 +825,7 @@ TEST_F(WatchedSession, SaysThatTheEmergencyStopWasPressedWhileTheDeviceWasChecke
       requests_.emergency_stop();
       step = Step::told;
     } else if (now.trouble->what.english().ends_with(
-                   " The emergency stop was pressed meanwhile.")) {
+                   " The emergency stop was pressed in the meantime.")) {
       requests_.abort("enough");
     }
   };

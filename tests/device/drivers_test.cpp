@@ -39,8 +39,9 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   EXPECT_EQ(falcon->capability().peak_force_N, falcon_capability().peak_force_N);
   EXPECT_EQ(falcon->capability().position_resolution_m, falcon_capability().position_resolution_m);
   EXPECT_EQ(falcon->capability().maximum_rate_Hz, 1000.0);
-  EXPECT_THAT(falcon->capability().remarks,
-              HasSubstr("Unknown to this program of the real device: continuous"));
+  EXPECT_THAT(
+      falcon->capability().remarks,
+      HasSubstr("Properties of the real device that are unknown to this program: continuous"));
   const auto delta = drivers.open("simulated:delta.3", {.hand = &hand});
   EXPECT_EQ(delta->capability().peak_force_N, 20.0);
   EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));

@@ -97,7 +97,7 @@ TEST_F(ForceDimension, FindsTwoAlikeByTheirSerialNumbers) {
   EXPECT_EQ(survey.attached[1].model, "omega.3");
   EXPECT_EQ(survey.attached[1].serial, "202");
   EXPECT_EQ(survey.attached[1].place, "dhd 1");
-  EXPECT_THAT(survey.attached[1].remark, HasSubstr("it asks before it moves"));
+  EXPECT_THAT(survey.attached[1].remark, HasSubstr("confirmation is requested before it moves"));
   EXPECT_FALSE(bench->units[0].is_open);
   EXPECT_FALSE(bench->units[1].is_open);
 

@@ -50,7 +50,8 @@ bool is_incomplete(const DeviceProfile& profile) {
 }
 
 bool is_of_a_loss(const std::runtime_error& error) {
-  return std::string(error.what()).starts_with("the device was lost while it was measured");
+  return std::string(error.what())
+      .starts_with("the connection to the device was lost during the measurement");
 }
 
 // A busy machine may keep the other side of a wire from answering for 50 ms, which is a loss like another: only what
@@ -97,7 +98,8 @@ TEST(TestedDriver, IsMeasuredAgainOnlyWhereItWasNotMeasured) {
   EXPECT_EQ(trials_until([] { return with_safety(Status::fail); }, Status::fail), 1);
   EXPECT_EQ(trials_until([] { return with_safety(Status::not_measured); }, Status::pass), 2);
   const auto lost = []() -> DeviceProfile {
-    throw std::runtime_error("the device was lost while it was measured: it does not answer");
+    throw std::runtime_error(
+        "the connection to the device was lost during the measurement: it does not answer");
   };
   EXPECT_EQ(trials_until(lost, Status::pass), 2);
   const auto refused = []() -> DeviceProfile { throw std::runtime_error("cannot be opened"); };

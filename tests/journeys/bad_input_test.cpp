@@ -573,9 +573,9 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
   expect_wrong(rendering, {"--hardness=5"},
                "asperity: render has no option --hardness; see asperity render --help\n");
   expect_wrong(rendering, {"--stiffness-n-per-m", "-5"},
-               "asperity: --stiffness-n-per-m is -5; a stiffness is above 0 N/m\n");
+               "asperity: --stiffness-n-per-m is -5; it must be above 0 N/m\n");
   expect_wrong(rendering, {"--friction", "-0.1"},
-               "asperity: --friction is -0.1; a coefficient of friction is 0 or above\n");
+               "asperity: --friction is -0.1; it must be 0 or above\n");
   expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
                "--for: there is no \"hand\"; write surface or tool\n");
 }

@@ -92,7 +92,8 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
   const std::tuple<std::string, std::string, std::string, std::string> all[] = {
       {"empty.obj", "", "200", "empty"},
       {"torn.ply", ply_of(original()).substr(0, 9000), "200", "truncated"},
-      {"garbage.stl", std::string(300, '\x9c'), "200", "none of OBJ, PLY, STL and OFF"},
+      {"garbage.stl", std::string(300, '\x9c'), "200",
+       "in none of the formats OBJ, PLY, STL and OFF"},
       {"garbage.ply", "ply\nformat binary_little_endian 1.0\n\x1b\x02\xff\n", "200",
        "garbage.ply:3: \"???\" is not a keyword of a PLY header"},
       {"nan.obj", "v nan 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n", "200", "number 1"},

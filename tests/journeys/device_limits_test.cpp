@@ -61,7 +61,7 @@ TEST_F(DeviceLimits, JudgeTheDeviceAreKeptWithItAndComparedByCheck) {
       asperity({"check", small.selection(), "--study", small.study(), "--device", "simulated"});
   EXPECT_EQ(compared.status, 0) << compared.err;
   EXPECT_NE(compared.err.find("warning: The protocol requires a device whose moving_mass_kg is at "
-                              "most 0.0100; measured was 0.0"),
+                              "most 0.0100; the measured value is 0.0"),
             std::string::npos)
       << compared.err;
   EXPECT_EQ(compared.err.find("lateness_p99_s"), std::string::npos) << compared.err;
@@ -100,8 +100,8 @@ TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
   EXPECT_NE(line_of("friction_N").find("not measured"), std::string::npos) << test.out;
   EXPECT_NE(line_of("friction_N").find("Unknown for delta.3"), std::string::npos) << test.out;
   EXPECT_NE(line_of("latency_s").find("pass"), std::string::npos) << test.out;
-  EXPECT_NE(test.out.find("\nThe device met every limit that was measured. Limited, but not "
-                          "measured: friction_N, workspace_reached.\n"),
+  EXPECT_NE(test.out.find("\nThe device met every limit that was measured. Not measured, although "
+                          "a limit applies: friction_N, workspace_reached.\n"),
             std::string::npos)
       << test.out;
 }

@@ -198,7 +198,7 @@ TEST(StoppedProgram, RepeatsTheTrialInWhoseContactItStoodStill) {
                           "--participant", "standin1",        "--virtual", "--realtime"};
   Program program(invocation);
   const auto is_repeated = [](const std::string&, const std::string& err) {
-    return err.find("is repeated: the servo loop stood still for more than 50 ms.\n") !=
+    return err.find("is repeated: the servo loop stalled for more than 50 ms.\n") !=
            std::string::npos;
   };
   ASSERT_TRUE(program.read_until([](const std::string&, const std::string& err) {

@@ -39,7 +39,8 @@ TEST_F(MovingDevice, IsNotMovedByALookAtWhatIsAttached) {
   const Outcome outcome = run(invocation({"devices"}));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("omega.3, serial 101"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("it asks before it moves"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("confirmation is requested before it moves"), std::string::npos)
+      << outcome.out;
   EXPECT_FALSE(has_moved());
 }
 

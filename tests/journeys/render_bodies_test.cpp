@@ -174,7 +174,7 @@ TEST_F(RenderBodies, SaysWhatIsMissingOrWrong) {
     EXPECT_FALSE(fs::exists(place_ / "forces.tsv"));
     for (const std::string& word : words) EXPECT_THAT(outcome.err, HasSubstr(word));
   };
-  refused({}, {"needs something to touch", "--stimulus"});
+  refused({}, {"needs a surface", "--stimulus"});
   refused({"--stimulus", "plane:0.02,0.02"}, {"needs a tool", "sphere:D_m"});
   refused({"--stimulus", "sphere", "--tool", "sphere:0.01"},
           {"--stimulus sphere states no size", "sphere:[FILE.png,]D_m", "metres"});

@@ -33,9 +33,10 @@ TEST_F(Report, IsAFileThatSaysWhatIsInTheStudy) {
   EXPECT_NE(html.err.find("100 %"), std::string::npos) << "how far it is";
   EXPECT_EQ(html.err.find("XDG_RUNTIME_DIR"), std::string::npos) << html.err;
   const std::string text = text_of(file("report.html"));
-  for (const char* words : {"small_selection 1.0.0: virtual participants", "SIMULATED: no person",
-                            "Two virtual participants were simulated by a virtual hand",
-                            "small_recognition", "Further tests and numbers"}) {
+  for (const char* words :
+       {"small_selection 1.0.0: virtual participants", "SIMULATED: no human participant",
+        "Two virtual participants were simulated by a virtual hand", "small_recognition",
+        "Further tests and numbers"}) {
     EXPECT_NE(text.find(words), std::string::npos) << words;
   }
   ASSERT_EQ(report(file("again.html")).status, 0);

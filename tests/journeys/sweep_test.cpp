@@ -183,7 +183,7 @@ TEST(Sweep, DrawsACurveForEveryValue) {
   ASSERT_EQ(asperity(order).status, 0);
   const std::string svg = text_of(place / "sweep.svg");
   EXPECT_THAT(svg, HasSubstr("<svg"));
-  EXPECT_THAT(svg, HasSubstr("greatest acceleration"));
+  EXPECT_THAT(svg, HasSubstr("maximum acceleration"));
   EXPECT_EQ(asperity(order).status, 1);  // the figure is there
   // Another measure of the rows that are there.
   order.back() = place / "powers.svg";
@@ -272,8 +272,8 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   EXPECT_THAT(drawn.err, HasSubstr("warning: the surface of the sweep has 1000 N/m"));
   EXPECT_THAT(drawn.err, testing::Not(HasSubstr("--friction")));
   const std::string svg = text_of(place / "sweep.svg");
-  EXPECT_THAT(svg, HasSubstr("pd_gradient predicts: force 0.5 N"));
-  EXPECT_THAT(svg, HasSubstr("pd_gradient predicts: force 2 N"));
+  EXPECT_THAT(svg, HasSubstr("predicted by pd_gradient: force 0.5 N"));
+  EXPECT_THAT(svg, HasSubstr("predicted by pd_gradient: force 2 N"));
 
   add_estimates(made, "roughness_speed", "speed", {"slow", "fast"});
   std::vector<std::string> again = right;

@@ -136,7 +136,7 @@ TEST_F(Verify, WhoeverReadsAChangedStudyIsToldAndWhatTheyReadSaysSo) {
   for (const auto& [name, arguments] : readers()) {
     const Outcome outcome = asperity(arguments);
     EXPECT_EQ(outcome.status, 0) << name << outcome.err;
-    const std::size_t said = outcome.err.find("Run \"asperity verify\" for the errors");
+    const std::size_t said = outcome.err.find("Run \"asperity verify\" to list the errors");
     EXPECT_NE(said, std::string::npos) << name << outcome.err;
     EXPECT_EQ(outcome.err.find("asperity verify", said + 6), std::string::npos) << name;  // once
     if (name == "analyze") {

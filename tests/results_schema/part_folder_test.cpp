@@ -60,7 +60,7 @@ TEST(PartFolder, RemovesWhatAKilledProgramLeft) {
   const TemporaryFolder folder;
   WaitingChild maker = maker_of(folder / "out");
   const std::string refusal = refusal_of<ResultsError>([&] { PartFolder(folder / "out", 0700); });
-  EXPECT_THAT(refusal, AllOf(HasSubstr((folder / "out").string() + " is being made by process " +
+  EXPECT_THAT(refusal, AllOf(HasSubstr((folder / "out").string() + " is being written by process " +
                                        std::to_string(maker.process())),
                              HasSubstr("wait until it has finished")));
   EXPECT_TRUE(std::filesystem::exists(folder / "out.part/content/half.txt"));

@@ -356,8 +356,8 @@ TEST(StudyOpening, RefusesAStudyOfANewerProgram) {
   run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 99");
   for (const Access access : {Access::read_only, Access::read_write}) {
     EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
-                HasSubstr("made by a newer Asperity: its schema is version 99, this program knows "
-                          "versions up to " +
+                HasSubstr("made by a newer version of Asperity: its schema is version 99, and this "
+                          "program reads versions up to " +
                           std::to_string(Study::kSchemaVersion)));
   }
 }

@@ -435,11 +435,10 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
     const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
     EXPECT_THAT(
         findings,
-        Contains(
-            "study.sqlite: 3 rows of trial contrary to the rule CHECK (json_valid(plan_json))"));
-    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt contrary to the rule CHECK "
+        Contains("study.sqlite: 3 rows of trial violating the rule CHECK (json_valid(plan_json))"));
+    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt violating the rule CHECK "
                                    "((valid = 1) = (invalid_reason IS NULL))"));
-    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation contrary to the rule"),
+    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation violating the rule"),
                                          HasSubstr("length(surface_sha256) = 64"))));
   }
 }
@@ -461,12 +460,16 @@ TEST(StudyVerify, FindsRulesThatAreGoneOrAreNotTheProgramsOwn) {
   };
   EXPECT_THAT(findings_after("SELECT 1"), IsEmpty());
   EXPECT_THAT(findings_after("ANALYZE"), IsEmpty()) << "what SQLite keeps for itself";
-  EXPECT_THAT(findings_after("DROP TRIGGER attempt_no_update"),
-              ElementsAre("study.sqlite: the trigger attempt_no_update of every study is missing"));
-  EXPECT_THAT(findings_after("DROP INDEX decision_attempt"),
-              ElementsAre("study.sqlite: the index decision_attempt of every study is missing"));
-  EXPECT_THAT(findings_after("DROP VIEW tidy_response"),
-              ElementsAre("study.sqlite: the view tidy_response of every study is missing"));
+  EXPECT_THAT(
+      findings_after("DROP TRIGGER attempt_no_update"),
+      ElementsAre(
+          "study.sqlite: the trigger attempt_no_update, which every study has, is missing"));
+  EXPECT_THAT(
+      findings_after("DROP INDEX decision_attempt"),
+      ElementsAre("study.sqlite: the index decision_attempt, which every study has, is missing"));
+  EXPECT_THAT(
+      findings_after("DROP VIEW tidy_response"),
+      ElementsAre("study.sqlite: the view tidy_response, which every study has, is missing"));
   EXPECT_THAT(findings_after("DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update "
                              "BEFORE UPDATE ON attempt WHEN 0 BEGIN SELECT 1; END"),
               ElementsAre(HasSubstr(

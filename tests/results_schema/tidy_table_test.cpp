@@ -81,7 +81,7 @@ TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" occurs twice");
   EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name");
   EXPECT_EQ(table_refusal("a,b\n1,2\n1\n"),
-            "file.csv:3:2: the row has 1 cells, the header names 2 columns");
+            "file.csv:3:2: the row has 1 cells, the header has 2 columns");
   EXPECT_EQ(table_refusal("a,b\n\"1,2\n"),
             "file.csv:2:1: the quote that opens this cell is not closed");
   EXPECT_EQ(table_refusal("a,b\n\"1\"x,2\n"),
@@ -97,7 +97,7 @@ TEST(TidyTable, SaysWhatADecimalCommaIs) {
       "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
       "tabs) and decimal points");
   EXPECT_EQ(table_refusal("id,k\na,1,5\n"),
-            "file.csv:2:3: the row has 3 cells, the header names 2 columns; is there a comma in a "
+            "file.csv:2:3: the row has 3 cells, the header has 2 columns; is there a comma in a "
             "number or in a text without quotes?");
   EXPECT_EQ(table_refusal("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
             "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");

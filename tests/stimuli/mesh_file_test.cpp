@@ -182,13 +182,15 @@ TEST(MeshFile, ThatIsWrongIsRefusedInASentence) {
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   const std::tuple<std::string, std::string, std::vector<std::string>> all[] = {
       {"empty", "", {"empty"}},
-      {"blank", "\n\n", {"none of OBJ, PLY, STL and OFF"}},
-      {"prose", "It was a dark night.\n", {"none of OBJ, PLY, STL and OFF"}},
+      {"blank", "\n\n", {"in none of the formats OBJ, PLY, STL and OFF"}},
+      {"prose", "It was a dark night.\n", {"in none of the formats OBJ, PLY, STL and OFF"}},
       {"zeros", std::string(500, '\0'), {"none of", "0 triangles, which take 84 bytes", "500"}},
       {"points", "v 0 0 0\nv 1 0 0\n", {"2 vertices and no faces"}},
       {"word", "v 0 0 zero\n", {"thing:1", "\"zero\"", "number"}},
       {"short line", "v 0 0\n", {"thing:1", "ends"}},
-      {"no such vertex", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", {"to vertex 4 ", "has only 3 vertices"}},
+      {"no such vertex",
+       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+       {"to vertex 4 ", "has only 3 vertices"}},
       {"vertex 0", "v 0 0 0\nf 0 1 1\n", {"thing:2", "first vertex is number 1"}},
       {"too far back", "v 0 0 0\nf -1 -2 -1\n", {"thing:2", "-2", "only 1"}},
       {"half an index", "v 0 0 0\nf 1.5 1 1\n", {"thing:2", "\"1.5\"", "whole number"}},

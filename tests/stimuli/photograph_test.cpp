@@ -204,7 +204,8 @@ TEST(Photograph, RefusesWhatIsNoPictureWithTheNameAndWhatWouldBeRight) {
   EXPECT_EQ(photograph_refusal({}),
             "wall.png is empty; a picture (PNG, JPEG, TIFF, BMP or WebP) is needed.");
   EXPECT_EQ(photograph_refusal(bytes_of("{\"format\": 1}")),
-            "wall.png is not a picture that is read here; PNG, JPEG, TIFF, BMP or WebP is needed.");
+            "wall.png is not a picture in a format that is read; save it as PNG, JPEG, TIFF, BMP "
+            "or WebP.");
   EXPECT_THAT(photograph_refusal(bytes_of("BM")), StartsWith("wall.png is truncated"));
 }
 

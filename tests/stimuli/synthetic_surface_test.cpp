@@ -111,7 +111,7 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
   };
   EXPECT_EQ(said(0.001, 80),
             "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 for each spacing, so "
-            "that heights and shape differ from those requested; 160 samples a side or more "
+            "that heights and shape differ from those requested; 160 samples per side or more "
             "(--pixels) have eight for each");
   EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 for each spacing"));
   EXPECT_EQ(said(0.001, 160), "enough");

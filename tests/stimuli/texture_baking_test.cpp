@@ -144,7 +144,7 @@ TEST(Baking, SaysWhereATextureMakesAMeshWorse) {
             "without: there the texture makes it worse. More triangles would help.");
   EXPECT_EQ(said({1e-4, 4e-4}, {2e-4, 5e-4}),
             "The mesh lies 200.0 µm from the original with its texture and 100.0 µm without (RMS): "
-            "the texture makes it worse. Take more triangles.");
+            "the texture makes it worse. Increase the number of triangles.");
 }
 
 TEST(Baking, HoldsTheSameDisplacementOnBothSidesOfEveryEdge) {

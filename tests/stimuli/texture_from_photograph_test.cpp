@@ -200,9 +200,9 @@ TEST(TextureFromPhotograph, RefusesAWidthThatNoHandExplores) {
     return texture_refusal(image, recipe);
   };
   EXPECT_THAT(refusal_of_width(4.0, 8000),
-              HasSubstr("width_m is 4 m; it must be a number from 0.001 to 1 m. It is the length "
-                        "that wall.png shows of the surface, from its left to its right edge, in "
-                        "metres: 4 mm are 0.004, and 4 cm 0.04."));
+              HasSubstr("width_m is 4 m; it must be a number from 0.001 to 1 m. It is the width of "
+                        "the surface in wall.png, from its left to its right edge, in metres: 4 mm "
+                        "are 0.004, and 4 cm 0.04."));
   EXPECT_THAT(refusal_of_width(100.0, 8000), HasSubstr("100 mm are 0.1, and 100 cm 1."));
   EXPECT_THAT(refusal_of_width(0.0009, 8000), HasSubstr("it must be a number from 0.001 to 1 m"));
   EXPECT_THAT(

@@ -61,8 +61,8 @@ ComparedMeans one_sample(const std::vector<double>& sample, std::string method, 
       .p = t.test->p,
       .pooled = {.t = t.test->t, .df = t.test->df, .n = n}};
   const double d = t.mean / *t.sd;
-  made.effects = {
-      {"dz", "mean over the standard deviation", d, standardised_mean_interval(d, n, confidence)}};
+  made.effects = {{"dz", "mean divided by the standard deviation", d,
+                   standardised_mean_interval(d, n, confidence)}};
   return made;
 }
 
@@ -101,7 +101,7 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
   ComparedMeans made{.comparison = {.method = names[0] + " − " + names[1] + ", Welch"}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "a participant needs a group");
+      table.refuse(row, "group", "every participant needs a group");
     }
     if (!values[row]) {
       ++made.comparison.incomplete;
@@ -130,8 +130,8 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
                                          .n = effective}};
   const auto limits = standardised_difference_interval(welch->d, sizes, confidence);
   made.effects = {
-      {"cohen.d", "difference over the pooled standard deviation", welch->d, limits},
-      {"hedges.g", "d without its bias, exact J", welch->g, bias_corrected(*welch, limits)}};
+      {"cohen.d", "difference divided by the pooled standard deviation", welch->d, limits},
+      {"hedges.g", "d corrected for bias, exact J", welch->g, bias_corrected(*welch, limits)}};
   return made;
 }
 

@@ -134,7 +134,7 @@ const OptionValue* FamilyOptions::find(const std::string& name) const {
 
 const OptionValue& FamilyOptions::at(const std::string& name) const {
   const OptionValue* option = find(name);
-  if (option == nullptr) refuse_option(name, "is missing, and there is no default for it");
+  if (option == nullptr) refuse_option(name, "is missing and has no default; give it a value");
   return *option;
 }
 

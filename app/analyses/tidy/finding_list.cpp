@@ -106,7 +106,7 @@ void add_no_interval(const std::string& quantity, const std::string& key, std::s
   const bool is_alone = n < 2;
   findings.word(quantity + ".status", key, is_alone ? "too_few" : "undefined_zero_variance",
                 is_alone ? "an interval over participants needs at least 2 participants"
-                         : "all participants have the same value, which gives no interval",
+                         : "all participants have the same value, so there is no interval",
                 {.n = n, .method = "interval of a mean over participants"});
 }
 
@@ -126,7 +126,7 @@ void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
 void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
                 std::size_t n, FindingList& findings) {
   findings.count(name + ".draws", key, test.exact ? 0 : kRandomSplits,
-                 {.n = n, .method = "random splits of the participants; 0 where all were counted"});
+                 {.n = n, .method = "random splits of the participants; 0 if all were enumerated"});
 }
 
 void add_mean_of_group(const std::string& quantity, const std::string& key,
@@ -134,7 +134,7 @@ void add_mean_of_group(const std::string& quantity, const std::string& key,
                        FindingList& findings) {
   const OneSampleT t = one_sample_t(of_participants, {.confidence = scale.confidence});
   Basis basis{.n = t.n, .method = scale.of + "; t interval"};
-  if (scale.possible) basis.method += ", cut where no mean can be";
+  if (scale.possible) basis.method += ", truncated to possible values";
   if (t.test) {
     basis.interval = scale.possible ? within(*scale.possible, t.test->interval) : t.test->interval;
     basis.confidence = scale.confidence;
@@ -147,7 +147,7 @@ void add_difference_of_means(const std::string& quantity, const std::string& key
                              FindingList& findings) {
   Basis basis{.n = samples.first.size() + samples.second.size(),
               .method = "difference of the participants' means, first − second; Welch's interval"};
-  if (scale.possible) basis.method += ", cut where no difference can be";
+  if (scale.possible) basis.method += ", truncated to possible differences";
   const std::optional<WelchT> welch = welch_t(samples, scale.confidence);
   if (welch) {
     basis.interval = welch->interval;

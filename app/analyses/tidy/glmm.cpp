@@ -72,7 +72,7 @@ CrossedTable crossed_table(const TidyInput& input) {
   for (auto& [name, levels] : input.options.levels("fixed")) {
     if (levels.size() < 2) {
       throw std::runtime_error("the option \"fixed\" gives " + name +
-                               " one level; a factor has two at least");
+                               " one level; a factor needs at least two");
     }
     codes.push_back(table.labels(name, levels));
     read.factors.push_back({.name = name, .levels = levels, .first_column = columns});
@@ -138,7 +138,7 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
     case CrossedProblem::no_variance:
       return {"no_variance",
               "both standard deviations are estimated as 0: neither participants nor items differ "
-              "more than chance explains"};
+              "more than expected by chance"};
   }
   return {"", ""};
 }
@@ -149,7 +149,7 @@ class CrossedFindings final {
       : table_(table),
         confidence_(input.options.confidence()),
         method_(std::string(table.model.link == BinomialLink::logit ? "logit" : "probit") +
-                " mixed model, maximum likelihood by Laplace's approximation") {
+                " mixed model, maximum likelihood with the Laplace approximation") {
     if (const std::optional<double> chance = input.options.number_if("chance")) {
       if (!(*chance > 0.0 && *chance < 1.0)) {
         throw std::runtime_error("the option \"chance\" is " + number_text(*chance) +

@@ -44,7 +44,7 @@ Groups read_groups(const TidyInput& input) {
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (group.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "a participant needs a group");
+      table.refuse(row, "group", "every participant needs a group");
     }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
@@ -77,9 +77,9 @@ StatusText status_text(NoMixedLogit reason) {
       break;
     case NoMixedLogit::unbounded_spread:
       return {"no_maximum",
-              "no participant has both correct and incorrect responses: the likelihood grows with "
-              "the SD of the random intercepts without end, so that there is no estimate and no p; "
-              "compare the participants' proportions (welch.t, perm.p.two)"};
+              "no participant has both correct and incorrect responses: the likelihood increases "
+              "without bound with the SD of the random intercepts, so that there is no estimate "
+              "and no p; compare the participants' proportions (welch.t, perm.p.two)"};
     case NoMixedLogit::flat:
       return {"flat",
               "the likelihood does not determine the SD of the random intercepts, so that there is "
@@ -160,15 +160,15 @@ class GroupComparison final {
         "½ added to every cell; Wald interval of the logarithm" + independent);
     number("or.haldane.selog", haldane.log_standard_error, "of the logarithm");
     const ShareDifference difference = newcombe_difference(table, confidence_);
-    Basis newcombe = basis("first − second; interval of Newcombe" + independent);
+    Basis newcombe = basis("first − second; Newcombe interval" + independent);
     newcombe.interval = difference.interval;
     newcombe.confidence = confidence_;
     list_.number("diff", "", difference.difference, newcombe);
     const ArcsineDifference arcsine = cohen_h(table.first, table.second, confidence_);
     effect("cohen.h", arcsine.h, arcsine.interval,
            "Cohen's h, difference of arcsines" + independent);
-    number("diff.newcombe.lower", difference.interval.low, "interval of Newcombe");
-    number("diff.newcombe.upper", difference.interval.high, "interval of Newcombe");
+    number("diff.newcombe.lower", difference.interval.low, "Newcombe interval");
+    number("diff.newcombe.upper", difference.interval.high, "Newcombe interval");
   }
 
   void participants() {
@@ -201,9 +201,9 @@ class GroupComparison final {
                                             .second = static_cast<double>(samples.second.size())},
                                            confidence_);
       effect("cohen.d", welch->d, limits,
-             "difference over the pooled standard deviation; interval by the noncentral t");
+             "difference divided by the pooled standard deviation; interval by the noncentral t");
       effect("hedges.g", welch->g, bias_corrected(*welch, limits),
-             "d without its bias, exact J; interval by the noncentral t");
+             "d corrected for bias, exact J; interval by the noncentral t");
     } else {
       list_.word("welch.t", "", "undefined_zero_variance",
                  "a group has a single participant, or the participants of a group do not differ: "
@@ -216,12 +216,15 @@ class GroupComparison final {
                " splits of the participants, difference of means");
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
-    number("mannwhitney.U", groups_.names[0], ranks.U, "pairs of participants won, ties half");
+    number("mannwhitney.U", groups_.names[0], ranks.U,
+           "Mann–Whitney U: pairs of participants won, ties counted as half");
     if (ranks.p_exact) {
-      number("mannwhitney.exact.p.two", *ranks.p_exact, "exact with midranks, two-sided");
+      number("mannwhitney.exact.p.two", *ranks.p_exact,
+             "exact Mann–Whitney U test with midranks, two-sided");
     } else {
       number("mannwhitney.p.two", ranks.p_normal.value_or(kUndefined),
-             "normal approximation with midranks, two-sided: too many participants for the exact");
+             "Mann–Whitney U test, normal approximation with midranks, two-sided: too many "
+             "participants for the exact test");
     }
   }
 

@@ -51,7 +51,7 @@ OrderedTrials ordered_trials(const TidyTable& table, const std::vector<bool>& ha
     if (same == own.end()) continue;
     table.refuse(*(same + 1), "trial",
                  ordered.participants[person] + " has a trial " + std::to_string(trial(*same)) +
-                     " already; number the trials of a participant through");
+                     " already; number the trials of a participant consecutively");
   }
   return ordered;
 }
@@ -232,8 +232,8 @@ void add_difference(const std::vector<double>& differences, double confidence,
   const OneSampleT t = one_sample_t(differences, {.confidence = confidence});
   Basis basis{.n = t.n,
               .method =
-                  "mean of the participants' differences of proportions correct, second half "
-                  "minus first half; t interval, cut where no difference can be"};
+                  "mean of the participants' differences of proportions correct, second half minus "
+                  "first half; t interval, truncated to possible differences"};
   if (t.test) {
     basis.interval = within(kDifferences, t.test->interval);
     basis.confidence = confidence;

@@ -157,8 +157,8 @@ class MagnitudeList final {
     means(normalised);
     if (n_ < 2) {
       list_.word("status", "", "one_participant",
-                 "differences between participants need at least two participants: run more for "
-                 "intervals and tests",
+                 "differences between participants require at least two participants: add "
+                 "participants for intervals and tests",
                  basis("complete participants"));
       return list_.take();
     }
@@ -288,9 +288,9 @@ class MagnitudeList final {
         const auto limit = [&](const char* quantity, double value, std::string method) {
           Basis of_limit = basis(std::move(method));
           of_limit.undefined =
-              cell.half_width
-                  ? "with a single cell all normalised estimates are the grand mean"
-                  : "differences between participants need at least two participants: run more";
+              cell.half_width ? "with a single cell all normalised estimates are the grand mean"
+                              : "differences between participants require at least two "
+                                "participants: add participants";
           list_.number(quantity, key, value, of_limit);
         };
         limit("geomean.ci.lower", ends.low, "t interval of logarithms");
@@ -363,7 +363,7 @@ class MagnitudeList final {
     number("pooled.linear.r2", probe, law.pooled_r2, "line through the means");
     number(
         "pooled.linear.se", probe, law.pooled_slope_se,
-        "from the residuals of the means; does not contain the differences between participants");
+        "from the residuals of the means; does not include the differences between participants");
   }
 
   void curve(const std::string& probe, const QuadraticFit& fit) {
@@ -378,12 +378,13 @@ class MagnitudeList final {
       }
     }
     number("pooled.quad.r2", probe, fit.pooled_r2, "curve through the means");
-    number("pooled.quad.vs.linear.F", probe, fit.F, "curve against line, through the means");
+    number("pooled.quad.vs.linear.F", probe, fit.F, "parabola against line, through the means");
     number("pooled.quad.vs.linear.p", probe, fit.p, "parabola against line, through the means: F");
     if (const auto& test = fit.curvature.test) {
-      number("quad.c.t", probe, test->t, "bend of the parabola against 0, t over participants");
+      number("quad.c.t", probe, test->t,
+             "curvature of the parabola against 0, t over participants");
       number("quad.c.p", probe, test->p,
-             "bend of the parabola against 0, two-sided t over participants");
+             "curvature of the parabola against 0, two-sided t over participants");
     } else {
       list_.word("quad.c.t", probe, "undefined_zero_variance",
                  "all participants have the same curvature, so there is no t",
@@ -404,7 +405,7 @@ class MagnitudeList final {
                 basis("whether the mean curve has a significant interior maximum"));
     peak(probe, fit);
     list_.count("peak.subjects.concave", probe, fit.concave_participants,
-                basis("participants whose curve bends down"));
+                basis("participants whose parabola opens downwards"));
     list_.count("peak.subjects.inrange", probe, fit.participant_peaks.size(),
                 basis("participants whose peak was tested"));
     if (!fit.participant_peaks.empty()) {
@@ -429,7 +430,7 @@ class MagnitudeList final {
   void peak(const std::string& probe, const QuadraticFit& fit) {
     switch (fit.status) {
       case PeakStatus::no_maximum:
-        list_.word("peak.status", probe, "no_maximum", "the mean curve does not bend down",
+        list_.word("peak.status", probe, "no_maximum", "the mean parabola opens upwards",
                    basis("peak"));
         return;
       case PeakStatus::outside_range:
@@ -458,7 +459,9 @@ class MagnitudeList final {
              "from the residuals of the means; a check only");
     }
     list_.word("peak.fieller", probe, fit.fieller ? "bounded" : "unbounded",
-               fit.fieller ? "ok" : "the curve is not clearly bent: its peak has no interval",
+               fit.fieller ? "ok"
+                           : "the curvature is not significantly different from 0: the peak has no "
+                             "finite interval",
                basis("Fieller's set"));
     if (fit.peak && fit.fieller) {
       number("peak.fieller.lower", probe, std::pow(10.0, fit.fieller->low), "Fieller's interval");

@@ -102,7 +102,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     MatchedItem& item = read.matched[trial.first_item + trial.items++];
     item.felt = felt.codes[row];
     if (trial.items > 1 && trial.times != times[row]) {
-      table.refuse(row, "times", "the rows of a trial must stand for as many trials");
+      table.refuse(row, "times", "all rows of a trial must stand for the same number of trials");
     }
     trial.times = times[row];
     if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
@@ -250,7 +250,7 @@ void add_whole(const Matching& read, FindingList& findings) {
   }
   findings.count("perfect.trials", "", whole.hits, {.n = whole.trials, .method = basis.method});
   if (whole.trials == 0) return;
-  const Basis wilson{.n = whole.trials, .method = "interval of Wilson, of permutation trials"};
+  const Basis wilson{.n = whole.trials, .method = "Wilson interval, of permutation trials"};
   findings.number("perfect.wilson.lower", "", basis.interval->low, wilson);
   findings.number("perfect.wilson.upper", "", basis.interval->high, wilson);
   std::vector<HitCount> own(read.participants.size());
@@ -266,7 +266,7 @@ void add_whole(const Matching& read, FindingList& findings) {
   findings.number(
       "perfect.p.greater", "", binomial_upper_tail(whole, whole_chance(read.items)),
       {.n = whole.trials,
-       .method = "exact binomial, one-sided against 1/" + std::to_string(read.items) + "!"});
+       .method = "exact binomial test, one-sided against 1/" + std::to_string(read.items) + "!"});
   add_cohen_h("perfect.h", "", whole,
               {.chance = whole_chance(read.items), .confidence = read.confidence}, findings);
 }
@@ -340,7 +340,7 @@ void add_relabelled_items(const Matching& read, FindingList& findings) {
   const CountInterval usual = central_interval(chance, read.confidence);
   const Basis basis{.n = own.size(),
                     .method =
-                        "the narrowest totals that hold the confidence of the permutation "
+                        "the narrowest range of totals with this probability in the permutation "
                         "distribution, one relabelling per participant"};
   findings.count("relabel.null.lower", "", usual.low, basis);
   findings.count("relabel.null.upper", "", usual.high, basis);
@@ -400,7 +400,7 @@ void add_textures(const Matching& read, FindingList& findings) {
                    {.n = count.trials, .method = "permutation trials only"});
     findings.number("texture.prop", name, proportion(count),
                     {.n = count.trials,
-                     .method = "permutation trials only; interval of Wilson",
+                     .method = "permutation trials only; Wilson interval",
                      .interval = wilson_interval(count, read.confidence),
                      .confidence = read.confidence});
     IntegerDistribution chance{};
@@ -531,7 +531,8 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
       "subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
       {.n = t.n,
        .method = "of the participants' proportions",
-       .undefined = "differences between participants need at least two participants: run more"});
+       .undefined =
+           "differences between participants require at least two participants: add participants"});
   add_spread("", shares, findings);
 }
 

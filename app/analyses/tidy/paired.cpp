@@ -33,7 +33,7 @@ Paired paired_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Paired read{.items = input.options.texts("items")};
   if (read.items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name two items at least");
+    throw std::runtime_error("the option \"items\" must name at least two items");
   }
   if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
     throw std::runtime_error("the option \"items\" names \"tie\", which as a winner means neither");
@@ -134,7 +134,7 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
       number("bt.pij", key, 1.0 / (1.0 + std::exp(-difference)), method);
     }
   }
-  const std::string order = "log odds that the item presented first gains";
+  const std::string order = "advantage of the item presented first, in log odds";
   if (fit.order) {
     number("bt.order.beta", "first", fit.order->advantage, order);
     number("bt.order.se", "first", fit.order->standard_error, order);
@@ -144,7 +144,8 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
            "likelihood ratio against none");
   } else {
     findings.word("bt.order.status", "first", "not_estimable",
-                  "the order of presentation is confounded with the items, or decides completely",
+                  "the order of presentation is confounded with the items, or determines the "
+                  "winner completely",
                   {.n = n, .method = order});
   }
 }
@@ -236,15 +237,14 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
   }
   findings.number("ties", "", read.counts.ties.sum() / 2.0, {.n = n});
   findings.truth("strongly.connected", "", strongly_connected(read.counts.wins),
-                 {.n = n, .method = "whether chains of wins join all items in both directions"});
+                 {.n = n, .method = "whether chains of wins connect all items in both directions"});
   if (const auto fit = bradley_terry(read.comparisons, read.items.size())) {
     add_bradley_terry(read, *fit, findings);
   } else {
-    findings.word(
-        "bt.status", "", "not_estimable",
-        "some items never lost to the rest, or were never compared with it: no finite scale "
-        "fits best; see bt.firth",
-        {.n = n, .method = "Bradley–Terry"});
+    findings.word("bt.status", "", "not_estimable",
+                  "some items never lost to the others, or were never compared with them, so that "
+                  "the scale has no finite estimate; see bt.firth",
+                  {.n = n, .method = "Bradley–Terry"});
   }
   if (const auto firth = firth_bradley_terry(read.counts)) {
     add_scale(
@@ -254,7 +254,7 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
         findings);
   } else {
     findings.word("bt.firth.status", "", "not_estimable",
-                  "the comparisons do not join all items: there is no common scale",
+                  "the comparisons do not connect all items: there is no common scale",
                   {.n = n, .method = "Bradley–Terry with Firth's bias reduction"});
   }
   add_thurstone(read, findings);

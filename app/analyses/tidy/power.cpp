@@ -77,16 +77,18 @@ class PowerList final {
     list_.number(quantity, id_, value, {.n = n_, .method = method});
   }
   void critical(const ExactPower& power) {
-    const Basis basis{.n = n_, .method = "least count that the test rejects"};
+    const Basis basis{.n = n_,
+                      .method = "smallest count at which the test rejects the null hypothesis"};
     if (power.critical) {
       list_.count("critical", id_, *power.critical, basis);
     } else {
-      list_.word("critical", id_, "NA", "this test can reject nothing: plan more trials", basis);
+      list_.word("critical", id_, "NA",
+                 "this test can never reject the null hypothesis: plan more trials", basis);
     }
   }
   void exact(const ExactPower& power, const std::string& method) {
     number("alpha.actual", power.actual_error,
-           "size: how often the test rejects where the null hypothesis is true");
+           "size: probability that the test rejects a true null hypothesis");
     number("power", power.power, method);
   }
   std::vector<Finding> take() { return list_.take(); }
@@ -101,7 +103,7 @@ void uniform(const Scenario& plan, double error, PowerList& list) {
   const UniformPower power =
       uniform_power({.choices = plan.whole("n"), .truth = plan.numbers("probs"), .error = error});
   list.number("alpha.actual", power.actual_error,
-              "size: how often the χ² test rejects where the null hypothesis is true");
+              "size: probability that the χ² test rejects a true null hypothesis");
   list.number("power", power.power, "exact power of Pearson's X² against equal proportions");
   list.number("power.noncentral", power.noncentral_power, "by the noncentral χ²");
 }

@@ -73,19 +73,20 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     const ConfidenceInterval wilson = wilson_interval(count, confidence);
     findings.number("phat", id, proportion(count),
                     {.n = count.trials,
-                     .method = "hits of trials; interval of Wilson",
+                     .method = "hits of trials; Wilson interval",
                      .interval = wilson,
                      .confidence = confidence});
-    interval("wilson", wilson, "interval of Wilson");
-    interval("cp", clopper_pearson_interval(count, confidence), "interval of Clopper and Pearson");
-    interval("jeffreys", jeffreys_interval(count, confidence), "interval of Jeffreys");
-    interval("agresticoull", agresti_coull_interval(count, confidence),
-             "interval of Agresti and Coull");
+    interval("wilson", wilson, "Wilson interval");
+    interval("cp", clopper_pearson_interval(count, confidence), "Clopper–Pearson interval");
+    interval("jeffreys", jeffreys_interval(count, confidence), "Jeffreys interval");
+    interval("agresticoull", agresti_coull_interval(count, confidence), "Agresti–Coull interval");
     const std::string against = "against chance " + number_text(chance);
-    number("p.greater", binomial_upper_tail(count, chance), "exact binomial, one-sided " + against);
-    number("p.less", binomial_lower_tail(count, chance), "exact binomial, one-sided " + against);
+    number("p.greater", binomial_upper_tail(count, chance),
+           "exact binomial test, one-sided " + against);
+    number("p.less", binomial_lower_tail(count, chance),
+           "exact binomial test, one-sided " + against);
     const double two_sided = binomial_test(count, chance);
-    number("p.two", two_sided, "exact binomial, two-sided " + against);
+    number("p.two", two_sided, "exact binomial test, two-sided " + against);
     number("midp.greater", binomial_upper_mid_tail(count, chance),
            "exact binomial mid-p, one-sided " + against);
     number("midp.two", binomial_mid_test(count, chance),
@@ -106,9 +107,10 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
   const std::vector<double> bh = benjamini_hochberg_adjusted(p);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     findings.number("p.two.holm", keys[i], holm[i],
-                    {.n = keys.size(), .method = "p.two, Holm over all rows"});
-    findings.number("p.two.bh", keys[i], bh[i],
-                    {.n = keys.size(), .method = "p.two, Benjamini and Hochberg over all rows"});
+                    {.n = keys.size(), .method = "p.two, Holm-corrected over all rows"});
+    findings.number(
+        "p.two.bh", keys[i], bh[i],
+        {.n = keys.size(), .method = "p.two, Benjamini–Hochberg-corrected over all rows"});
   }
   return findings.take();
 }

@@ -108,7 +108,9 @@ Word word_of(PsychometricStatus status) {
     case PsychometricStatus::one_level:
       return {"one_level", "a slope needs more than one level: present more"};
     case PsychometricStatus::separated:
-      return {"separated", "a step fits perfectly: present levels within the bracket"};
+      return {"separated",
+              "a step function fits perfectly: present levels between those on either side of the "
+              "step"};
     case PsychometricStatus::quasi_separated:
       return {"quasi_separated",
               "all levels but one have only correct or only incorrect responses: present levels "
@@ -225,7 +227,7 @@ class PsychometricList final {
                 basis("whether the slope is at its bound: steeper than the levels can resolve"));
     number("loglik", fit.log_likelihood, "binomial coefficients included");
     number("deviance", fit.deviance, "against one proportion per block");
-    number("deviance.df", fit.deviance_df, "blocks less parameters");
+    number("deviance.df", fit.deviance_df, "number of blocks minus number of parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
     number(
         "deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
@@ -257,7 +259,7 @@ class PsychometricList final {
     number("lapse.free.lambda", free.lambda, method);
     number("lapse.free.alpha", free.alpha, method);
     number("lapse.free.threshold", free.threshold, method);
-    number("lapse.free.shift", shift, method + "; threshold less that with the fixed λ");
+    number("lapse.free.shift", shift, method + "; threshold minus that with the fixed λ");
     number("lapse.free.lr", free.likelihood_ratio, method + "; likelihood ratio against it");
     if (!fit.precision) return;
     const bool moves = std::abs(shift) > fit.precision->threshold_se ||
@@ -265,8 +267,8 @@ class PsychometricList final {
     if (!moves) return;
     list_.word("lapse.status", key_, "sensitive",
                "with lambda fitted instead of fixed, alpha or the threshold moves by more than its "
-               "standard error, for which the intervals do not allow: present levels at which only "
-               "lapses cause misses, or fit lambda (free)",
+               "standard error, which the intervals do not take into account: present levels at "
+               "which only lapses cause misses, or fit lambda (free)",
                basis(method));
   }
 

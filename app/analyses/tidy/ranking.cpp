@@ -58,7 +58,7 @@ Rankings rankings_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Rankings read{.items = input.options.texts("items")};
   if (read.items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name two items at least");
+    throw std::runtime_error("the option \"items\" must name at least two items");
   }
   read.confidence = input.options.confidence();
   const LabelColumn participants = table.all_labels("subject");
@@ -90,7 +90,8 @@ Rankings rankings_in(const TidyInput& input) {
     read.rankings.back().times = times[offered.front().row];
     for (const OfferedItem& one : offered) {
       if (times[one.row] == read.rankings.back().times) continue;
-      table.refuse(one.row, "times", "the rows of a trial must stand for as many trials");
+      table.refuse(one.row, "times",
+                   "all rows of a trial must stand for the same number of trials");
     }
     trials_in_all += read.rankings.back().times;
     whole = whole && read.rankings.back().ranked.size() == read.items.size();
@@ -154,15 +155,16 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
   const std::size_t n = read.participants.size();
   FindingList findings{};
   const RankingCounts counts = count_stages(read.rankings, read.items.size());
-  findings.count("n.stages", "", counts.stages, {.n = n, .method = "choices among what was left"});
+  findings.count("n.stages", "", counts.stages,
+                 {.n = n, .method = "choices among the remaining items"});
   findings.truth("strongly.connected", "", strongly_connected(counts.wins),
-                 {.n = n, .method = "whether chains of wins join all items in both directions"});
+                 {.n = n, .method = "whether chains of wins connect all items in both directions"});
   if (const auto fit = plackett_luce(read.rankings, read.items.size())) {
     add_plackett_luce(read, *fit, findings);
   } else {
     findings.word("pl.status", "", "not_estimable",
-                  "some items were never ranked behind the rest, or were never ranked with it: no "
-                  "finite scale fits best",
+                  "some items were never ranked behind the others, or never ranked with them, so "
+                  "that the scale has no finite estimate",
                   {.n = n, .method = "Plackett–Luce"});
   }
   if (read.ranks.rows() > 0) {
@@ -170,7 +172,7 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
     add_friedman(friedman_test(read.ranks),
                  {.n = rows,
                   .none = {},
-                  .one = "one ranking agrees with no other: gather more",
+                  .one = "a single ranking has no agreement with others: collect more",
                   // Rankings of one participant are not independent.
                   .concordance =
                       rows == n ? concordance_interval(read.ranks, read.confidence) : std::nullopt,

@@ -69,7 +69,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
                FindingList& findings) {
   std::vector<std::string> pairs{};
   std::vector<double> p{};
-  const std::string method = "signed-rank test of Wilcoxon, equal scores dropped";
+  const std::string method = "Wilcoxon signed-rank test, equal scores dropped";
   for (Eigen::Index a = 0; a < scores.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < scores.cols(); ++b) {
       const std::string key =
@@ -92,7 +92,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
   const std::vector<double> adjusted = holm_adjusted(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     findings.number("wilcoxon.exact.p.holm", pairs[i], adjusted[i],
-                    {.n = pairs.size(), .method = method + "; Holm over the pairs"});
+                    {.n = pairs.size(), .method = method + "; Holm-corrected over the pairs"});
   }
 }
 
@@ -101,7 +101,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
 std::vector<Finding> rating_findings(const TidyInput& input) {
   const std::vector<std::string> items = input.options.texts("items");
   if (items.size() < 2) {
-    throw std::runtime_error("the option \"items\" must name two items at least");
+    throw std::runtime_error("the option \"items\" must name at least two items");
   }
   const Scores given = scores_of(input.table(), items);
   const Eigen::MatrixXd& scores = given.complete;
@@ -113,7 +113,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   add_friedman(test,
                {.n = n,
                 .none = "no participant rated every item",
-                .one = "agreement needs two participants: run more",
+                .one = "agreement requires two participants: add participants",
                 .concordance = concordance_interval(scores, input.options.confidence()),
                 .confidence = input.options.confidence()},
                findings);

@@ -35,7 +35,7 @@ struct Trials {
 Trials read_trials(const TidyInput& input) {
   Trials trials{.labels = input.options.texts("labels")};
   if (trials.labels.size() < 2) {
-    throw std::runtime_error("the option \"labels\" must name two stimuli at least");
+    throw std::runtime_error("the option \"labels\" must name at least two stimuli");
   }
   const TidyTable& table = input.table();
   const LabelColumn subjects = table.all_labels("subject");
@@ -45,7 +45,7 @@ Trials read_trials(const TidyInput& input) {
   std::vector<HitCount> participants(subjects.names.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (stimuli.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "stimulus", "a trial needs its stimulus");
+      table.refuse(row, "stimulus", "every trial needs a stimulus");
     }
     if (responses.codes[row] == LabelColumn::kMissing) {
       ++trials.missing;
@@ -134,13 +134,13 @@ class Recognition final {
     pooled.interval = wilson;
     pooled.confidence = confidence_;
     list_.number("pc", "", proportion(right_), pooled);
-    number("pc.wilson.lower", "", wilson.low, "interval of Wilson");
-    number("pc.wilson.upper", "", wilson.high, "interval of Wilson");
-    number("pc.cp.lower", "", exact.low, "interval of Clopper and Pearson");
-    number("pc.cp.upper", "", exact.high, "interval of Clopper and Pearson");
-    list_.number(
-        "pc.p.greater", "", binomial_upper_tail(right_, chance()),
-        of_trials("exact binomial, one-sided against chance 1/m, trials treated as independent"));
+    number("pc.wilson.lower", "", wilson.low, "Wilson interval");
+    number("pc.wilson.upper", "", wilson.high, "Wilson interval");
+    number("pc.cp.lower", "", exact.low, "Clopper–Pearson interval");
+    number("pc.cp.upper", "", exact.high, "Clopper–Pearson interval");
+    list_.number("pc.p.greater", "", binomial_upper_tail(right_, chance()),
+                 of_trials("exact binomial test, one-sided against the chance level 1/m, trials "
+                           "treated as independent"));
     list_.count("pc.k", "", right_.hits, of_trials("correct responses"));
     add_cohen_h("pc.h", "", right_, {.chance = chance(), .confidence = confidence_}, list_);
   }
@@ -157,29 +157,34 @@ class Recognition final {
                    "mean of the participants' own proportions", {.confidence = confidence_}, list_);
     const auto of_spread = [this](const char* method) {
       Basis made = basis(method);
-      made.undefined = "differences between participants need at least two participants: run more";
+      made.undefined =
+          "differences between participants require at least two participants: add participants";
       return made;
     };
     list_.number("subj.sd", "", t.sd.value_or(kUndefined),
                  of_spread("SD of the participants' proportions"));
     add_spread("", shares, list_);
     if (t.test) {
-      number("subj.t", "", t.test->t, "t over participants against chance 1/m");
+      number("subj.t", "", t.test->t, "t over participants against the chance level 1/m");
       number("subj.t.df", "", t.test->df, "degrees of freedom of t");
       const double d = (t.mean - chance()) / *t.sd;
       Basis effect = basis(
-          "Cohen's d of the participants' proportions against chance 1/m; interval by the "
-          "noncentral t distribution");
+          "Cohen's d of the participants' proportions against the chance level 1/m; interval by "
+          "the noncentral t distribution");
       effect.interval = standardised_mean_interval(d, static_cast<double>(t.n), confidence_);
       effect.confidence = confidence_;
       list_.number("subj.d", "", d, effect);
-      number("subj.t.p.two", "", t.test->p, "two-sided t over participants against chance 1/m");
-      number("subj.ci.lower", "", t.test->interval.low, "t interval over participants, uncut");
-      number("subj.ci.upper", "", t.test->interval.high, "t interval over participants, uncut");
+      number("subj.t.p.two", "", t.test->p,
+             "two-sided t over participants against the chance level 1/m");
+      number("subj.ci.lower", "", t.test->interval.low,
+             "t interval over participants, not truncated");
+      number("subj.ci.upper", "", t.test->interval.high,
+             "t interval over participants, not truncated");
     } else if (t.n < 2) {
-      list_.word("subj.t", "", "undefined_one_participant",
-                 "differences between participants need at least two participants: run more",
-                 basis("t over participants"));
+      list_.word(
+          "subj.t", "", "undefined_one_participant",
+          "differences between participants require at least two participants: add participants",
+          basis("t over participants"));
     } else {
       list_.word("subj.t", "", "undefined_zero_variance",
                  "all participants have the same proportion, so there is no t",
@@ -205,8 +210,8 @@ class Recognition final {
       shown.interval = wilson;
       shown.confidence = confidence_;
       list_.number("recall", key, proportion(*hits), shown);
-      number("recall.wilson.lower", key, wilson.low, "interval of Wilson");
-      number("recall.wilson.upper", key, wilson.high, "interval of Wilson");
+      number("recall.wilson.lower", key, wilson.low, "Wilson interval");
+      number("recall.wilson.upper", key, wilson.high, "Wilson interval");
       const std::optional<HitCount> precise = precision(trials_.counts, i);
       number("precision", key, precise ? proportion(*precise) : kUndefined,
              "correct of the trials with this response");
@@ -236,7 +241,7 @@ class Recognition final {
     } else {
       const double end = 1.0 / (2.0 * n);
       number("dprime.corrected", "", choice.dprime(right_.hits == 0 ? end : 1.0 - end),
-             "half a trial moved from the end: a proportion of 1/(2N) or 1 − 1/(2N)");
+             "an extreme proportion replaced by 1/(2N) or 1 − 1/(2N)");
     }
     number("dprime.lower", "", limits.low, "d′ at the Wilson limit");
     number("dprime.upper", "", limits.high, "d′ at the Wilson limit");
@@ -252,13 +257,13 @@ class Recognition final {
     const InformationTransfer it = information_transfer(trials_.counts);
     bits("H.stimulus", it.stimulus_bits, "entropy of the stimuli");
     bits("H.response", it.answer_bits, "entropy of the responses");
-    bits("IT.plugin", it.plug_in_bits, "transmitted information, too large in small samples");
+    bits("IT.plugin", it.plug_in_bits, "transmitted information, biased upwards in small samples");
     number("IT.relative", "", it.relative.value_or(kUndefined), "of the stimuli's entropy");
     number("IT.items", "", std::exp2(it.plug_in_bits),
            "discriminable items: 2 to the power of the transmitted bits");
-    bits("IT.millermadow", it.miller_madow_bits, "Miller and Madow, occupied cells");
-    bits("IT.miller1955", it.miller_bits, "less (r−1)(c−1)/(2N ln 2)");
-    bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "leaving out each trial");
+    bits("IT.millermadow", it.miller_madow_bits, "Miller–Madow correction, occupied cells");
+    bits("IT.miller1955", it.miller_bits, "minus (r−1)(c−1)/(2N ln 2)");
+    bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "jackknife over the trials");
     number("G", "", it.G, "likelihood ratio against no transfer");
     number("G.df", "", it.df, "degrees of freedom of G");
     list_.number("G.p", "", it.p.value_or(kUndefined),
@@ -334,8 +339,10 @@ class Recognition final {
     number((mds + ".gof2").c_str(), "", map.fit_of_positive.value_or(kUndefined),
            "two dimensions of the sum of positive eigenvalues");
     for (Eigen::Index i = 0; i < map.points.rows(); ++i) {
-      number((mds + ".x").c_str(), label(i), map.points(i, 0), "first coordinate of the map");
-      number((mds + ".y").c_str(), label(i), map.points(i, 1), "second coordinate of the map");
+      number((mds + ".x").c_str(), label(i), map.points(i, 0),
+             "first coordinate of the MDS configuration");
+      number((mds + ".y").c_str(), label(i), map.points(i, 1),
+             "second coordinate of the MDS configuration");
     }
     if (map.plane_is_unique) {
       Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(d.rows(), d.cols());

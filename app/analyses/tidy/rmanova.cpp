@@ -190,9 +190,10 @@ class AnovaList final {
     for (std::size_t group = 0; group < design_.data.groups; ++group) {
       const auto& of = design_.data.group;
       if (std::count(of.begin(), of.end(), group) == 0) {
-        list_.word("status", design_.between.front().second[group], "empty_group",
-                   "no participant of this group has all cells: run more, or leave the group out",
-                   basis("participants with all cells"));
+        list_.word(
+            "status", design_.between.front().second[group], "empty_group",
+            "no participant of this group has all cells: add participants, or leave the group out",
+            basis("participants with all cells"));
         return list_.take();
       }
     }
@@ -282,13 +283,13 @@ class AnovaList final {
   }
 
   void sphericity(const std::string& key, const AnovaEffect::Sphericity& of) {
-    number("eps.GG", key, of.gg, "ε of Greenhouse and Geisser");
-    number("eps.lower", key, of.lower_bound, "least possible ε");
-    number("eps.HF.lecoutre", key, of.hf_lecoutre, "ε of Huynh and Feldt, Lecoutre's correction");
-    number("eps.HF.original", key, of.hf_original, "ε of Huynh and Feldt, as published");
-    number("p.GG", key, of.p_gg, "F corrected by Greenhouse and Geisser");
-    number("p.HF", key, of.p_hf, "F corrected by Huynh and Feldt (Lecoutre), at most 1");
-    number("p.lower", key, of.p_lower_bound, "F corrected by the least ε");
+    number("eps.GG", key, of.gg, "Greenhouse–Geisser ε");
+    number("eps.lower", key, of.lower_bound, "lower bound of ε");
+    number("eps.HF.lecoutre", key, of.hf_lecoutre, "Huynh–Feldt ε, Lecoutre's correction");
+    number("eps.HF.original", key, of.hf_original, "Huynh–Feldt ε, as published");
+    number("p.GG", key, of.p_gg, "F, Greenhouse–Geisser-corrected");
+    number("p.HF", key, of.p_hf, "F, Huynh–Feldt-corrected (Lecoutre), ε at most 1");
+    number("p.lower", key, of.p_lower_bound, "F, corrected with the lower bound of ε");
     if (!of.mauchly) {
       list_.word("mauchly.W", key, "undefined",
                  "there are fewer participants than contrasts: use the corrected p",
@@ -405,7 +406,7 @@ class AnovaList final {
         const double dz = t.mean / *t.sd;
         effect_size("pair.dz", key, dz,
                     standardised_mean_interval(dz, static_cast<double>(t.n), confidence_),
-                    "mean over the standard deviation of the differences; interval by the "
+                    "mean divided by the standard deviation of the differences; interval by the "
                     "noncentral t");
         keys.push_back(key);
         p.push_back(t.test->p);
@@ -413,7 +414,7 @@ class AnovaList final {
     }
     const std::vector<double> holm = holm_adjusted(p);
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      number("pair.p.holm", keys[i], holm[i], "Holm over the pairs of this factor");
+      number("pair.p.holm", keys[i], holm[i], "Holm-corrected over the pairs of this factor");
     }
   }
 

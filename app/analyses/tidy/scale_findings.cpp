@@ -62,8 +62,8 @@ void add_scale(std::span<const std::string> items, const Abilities& scale, const
     const auto index = static_cast<Eigen::Index>(i);
     const double value = scale.value(index);
     const double error = errors(index);
-    const std::string method = names.method + ", judgements taken as independent";
-    Basis basis{.n = names.n, .method = method + "; interval of Wald"};
+    const std::string method = names.method + ", judgements treated as independent";
+    Basis basis{.n = names.n, .method = method + "; Wald interval"};
     if (error > 0.0) {
       basis.interval = {.low = value - z * error, .high = value + z * error};
       basis.confidence = names.confidence;
@@ -90,8 +90,8 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     return basis;
   };
   const Basis iman = with_method(
-      "F of Iman and Davenport; in simulations without differences p was at most .05 in up to 6 % "
-      "of the tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
+      "Iman–Davenport F; in simulations without differences p was at most .05 in up to 6 % of the "
+      "tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);
   findings.number("friedman.p", "", test.p, friedman);

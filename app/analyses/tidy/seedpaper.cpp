@@ -42,9 +42,9 @@ void add_share(const std::string& table, const std::string& key, const HitCount&
   const auto n = static_cast<std::size_t>(count.trials);
   findings.number(
       table + ".prop", key, proportion(count),
-      {.n = n, .method = "interval of Wilson", .interval = wilson, .confidence = kConfidence});
-  const Basis of_wilson{.n = n, .method = "interval of Wilson"};
-  const Basis of_cp{.n = n, .method = "interval of Clopper and Pearson"};
+      {.n = n, .method = "Wilson interval", .interval = wilson, .confidence = kConfidence});
+  const Basis of_wilson{.n = n, .method = "Wilson interval"};
+  const Basis of_cp{.n = n, .method = "Clopper–Pearson interval"};
   findings.number(table + ".wilson.lower", key, wilson.low, of_wilson);
   findings.number(table + ".wilson.upper", key, wilson.high, of_wilson);
   findings.number(table + ".cp.lower", key, cp.low, of_cp);
@@ -107,7 +107,8 @@ void add_choices(const ChoiceTable& table, const std::string& block,
         "t1.image.p.greater", block,
         binomial_upper_tail({.hits = counts[static_cast<std::size_t>(table.target)], .trials = n},
                             1.0 / static_cast<double>(renderers)),
-        {.n = n, .method = "exact binomial, one-sided against 1/" + std::to_string(renderers)});
+        {.n = n,
+         .method = "exact binomial test, one-sided against 1/" + std::to_string(renderers)});
   }
   for (std::size_t a = 0; a < renderers; ++a) {
     for (std::size_t b = a + 1; b < renderers; ++b) {
@@ -172,7 +173,7 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
   findings.number(
       "t1.homogeneity.fisher.p", "",
       exact_independence_test(table.counts).value_or(std::numeric_limits<double>::quiet_NaN()),
-      {.n = n, .method = "exact test of Freeman and Halton, experiments as independent"});
+      {.n = n, .method = "Freeman–Halton exact test, experiments treated as independent"});
   add_most_consistent(table, findings);
   // The rendering that came nearest to the target.
   Eigen::Index rival = table.target == 0 ? 1 : 0;
@@ -253,13 +254,13 @@ void add_right_answers(const std::string& table, const RightAnswers& right,
     if (sexes.first.trials == 0 || sexes.second.trials == 0) continue;
     const ShareDifference difference = newcombe_difference(sexes, kConfidence);
     findings.number(table + ".sex.fisher.p", block, fisher_test(sexes, kConfidence).p_two_sided,
-                    {.n = n, .method = "exact test of Fisher, two-sided"});
+                    {.n = n, .method = "Fisher's exact test, two-sided"});
     findings.number(table + ".sex.diff", block, difference.difference,
                     {.n = n,
-                     .method = "difference (F − M); interval of Newcombe",
+                     .method = "difference (F − M); Newcombe interval",
                      .interval = difference.interval,
                      .confidence = kConfidence});
-    const Basis newcombe{.n = n, .method = "interval of Newcombe"};
+    const Basis newcombe{.n = n, .method = "Newcombe interval"};
     findings.number(table + ".sex.newcombe.lower", block, difference.interval.low, newcombe);
     findings.number(table + ".sex.newcombe.upper", block, difference.interval.high, newcombe);
   }
@@ -312,7 +313,7 @@ void add_matching_against_recognition(const RightAnswers& matching, const RightA
     findings.number("t2t3.mcnemar.p.max", block, bounds.high, {.n = n, .method = method});
     findings.number("t2t3.fisher.p", block,
                     fisher_test({.first = first, .second = second}, kConfidence).p_two_sided,
-                    {.n = n, .method = "exact test of Fisher, as if of different participants"});
+                    {.n = n, .method = "Fisher's exact test, as if of different participants"});
   }
 }
 

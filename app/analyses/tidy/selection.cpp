@@ -51,7 +51,7 @@ Choices choices_in(const TidyInput& input) {
   return read;
 }
 
-constexpr const char* kNothingChosen = "nothing was chosen here: nothing can be estimated";
+constexpr const char* kNothingChosen = "no choices were made: nothing can be estimated";
 
 /// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
 /// of the target.
@@ -78,24 +78,23 @@ double add_block(const Choices& read, const std::string& block,
     const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
     findings.count("count", key, counts[j], {.n = n});
     Basis basis{.n = n,
-                .method = "chosen of all choices; interval of Wilson" + independent,
+                .method = "chosen of all choices; Wilson interval" + independent,
                 .undefined = n == 0 ? kNothingChosen : ""};
     if (n > 0) {
       basis.interval = wilson;
       basis.confidence = read.confidence;
     }
     findings.number("prop", key, n > 0 ? proportion(count) : kNoNumber, basis);
-    number("wilson.lower", key, wilson.low, "interval of Wilson" + independent);
-    number("wilson.upper", key, wilson.high, "interval of Wilson" + independent);
-    number("cp.lower", key, cp.low, "interval of Clopper and Pearson" + independent);
-    number("cp.upper", key, cp.high, "interval of Clopper and Pearson" + independent);
+    number("wilson.lower", key, wilson.low, "Wilson interval" + independent);
+    number("wilson.upper", key, wilson.high, "Wilson interval" + independent);
+    number("cp.lower", key, cp.low, "Clopper–Pearson interval" + independent);
+    number("cp.upper", key, cp.high, "Clopper–Pearson interval" + independent);
   }
   const std::vector<ConfidenceInterval> goodman = goodman_intervals(counts, read.confidence);
   for (std::size_t j = 0; j < counts.size(); ++j) {
     const std::string key = both(block, read.renderers[j]);
-    number("goodman.lower", key, goodman[j].low, "simultaneous intervals of Goodman" + independent);
-    number("goodman.upper", key, goodman[j].high,
-           "simultaneous intervals of Goodman" + independent);
+    number("goodman.lower", key, goodman[j].low, "Goodman's simultaneous intervals" + independent);
+    number("goodman.upper", key, goodman[j].high, "Goodman's simultaneous intervals" + independent);
   }
   const UniformTest test = uniform_test(counts);
   number("chisq", block, test.pearson, "Pearson's X² against equal proportions" + independent);
@@ -118,8 +117,9 @@ double add_block(const Choices& read, const std::string& block,
                                                1.0 / static_cast<double>(counts.size()))
                          : kNoNumber;
   number("target.p.greater", block, p,
-         "exact binomial of " + read.renderers[read.target] + ", one-sided against chance 1/" +
-             std::to_string(counts.size()) + independent);
+         "exact binomial test of " + read.renderers[read.target] +
+             ", one-sided against the chance level 1/" + std::to_string(counts.size()) +
+             independent);
   const LuceWorths luce = luce_worths(counts, read.target);
   findings.truth("luce.addhalf", block, luce.half_added,
                  {.n = n, .method = "whether ½ was added to every count because one is 0"});
@@ -127,7 +127,7 @@ double add_block(const Choices& read, const std::string& block,
     if (j == read.target) continue;
     const std::string key = both(block, read.renderers[j]);
     number("luce.logworth", key, n > 0 ? luce.log_worth[j] : kNoNumber,
-           "Luce's log worth relative to " + read.renderers[read.target]);
+           "Luce's log-worth relative to " + read.renderers[read.target]);
     number("luce.se", key, n > 0 ? luce.standard_error[j] : kNoNumber, "");
   }
   const std::vector<double> means = first_choice_means(luce.share);
@@ -159,8 +159,9 @@ void add_blocks(const Choices& read, FindingList& findings) {
   add_block(read, "POOLED", pooled, true, findings);
   const std::vector<double> adjusted = holm_adjusted(p);
   for (std::size_t i = 0; i < tested.size(); ++i) {
-    findings.number("target.p.greater.holm", tested[i], adjusted[i],
-                    {.n = tested.size(), .method = "target.p.greater, Holm over the samples"});
+    findings.number(
+        "target.p.greater.holm", tested[i], adjusted[i],
+        {.n = tested.size(), .method = "target.p.greater, Holm-corrected over the samples"});
   }
 }
 
@@ -194,9 +195,10 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
   const std::string undefined =
-      n == 0   ? "there are no choices"
-      : n == 1 ? "differences between participants need at least two participants: run more"
-               : "all participants have the same proportion";
+      n == 0 ? "there are no choices"
+      : n == 1
+          ? "differences between participants require at least two participants: add participants"
+          : "all participants have the same proportion";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
@@ -216,16 +218,18 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   add_mean_share("subj.mean", target, own, "mean of the participants' own proportions",
                  {.confidence = read.confidence}, findings);
   number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' proportions");
-  const std::string method =
-      "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());
+  const std::string method = "Student's t over participants, against the chance level 1/" +
+                             std::to_string(read.renderers.size());
   number("subj.t", target, t.test ? t.test->t : kNoNumber, method);
   number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNoNumber, method);
   number("subj.t.p.two", target, t.test ? t.test->p : kNoNumber,
          method +
              "; in simulations without a preferred alternative p was at most .05 in up to 6 % of "
              "the tables of 12 or 20 participants who differ, and in up to 8 % of those of 2 to 6");
-  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNoNumber, "Student's t, uncut");
-  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNoNumber, "Student's t, uncut");
+  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNoNumber,
+         "Student's t, not truncated");
+  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNoNumber,
+         "Student's t, not truncated");
   add_spread(target, shares, findings);
   const PooledShare pooled =
       n > 0 ? pooled_share(own) : PooledShare{kNoNumber, kNoNumber, kNoNumber, kNoNumber};
@@ -256,14 +260,13 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
                         double confidence, FindingList& findings) {
   const std::vector<double> numbers(differences.begin(), differences.end());
   const OneSampleT t = one_sample_t(numbers);
-  Basis basis{
-      .n = numbers.size(),
-      .method =
-          "Cohen's d_z of the participants' differences of counts; interval by the "
-          "noncentral t distribution",
-      .undefined = numbers.size() < 2
-                       ? "differences between participants need at least two participants: run more"
-                       : "all participants have the same difference"};
+  Basis basis{.n = numbers.size(),
+              .method =
+                  "Cohen's d_z of the participants' differences of counts; interval by the "
+                  "noncentral t distribution",
+              .undefined = numbers.size() < 2 ? "differences between participants require at least "
+                                                "two participants: add participants"
+                                              : "all participants have the same difference"};
   if (!t.test) {
     findings.number("signflip.d", key, kNoNumber, basis);
     return;
@@ -281,8 +284,9 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   const Eigen::MatrixXd judgements = counts.cast<double>();
   Basis basis{.n = static_cast<std::size_t>(counts.rows()),
               .method = "Kendall's W of the participants' counts, ties corrected",
-              .undefined = counts.rows() < 2 ? "agreement needs two participants: run more"
-                                             : "no participant prefers one to another"};
+              .undefined = counts.rows() < 2
+                               ? "agreement requires two participants: add participants"
+                               : "no participant prefers one to another"};
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
     basis.confidence = confidence;
@@ -317,7 +321,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       findings.number("signflip.smallest", key, flips.smallest,
                       {.n = n, .method = "smallest attainable p: all differences of one sign"});
       findings.count("signflip.draws", key, flips.drawn,
-                     {.n = n, .method = "random patterns of signs; 0 where all were counted"});
+                     {.n = n, .method = "random patterns of signs; 0 if all were enumerated"});
       add_effect_of_pair(key, differences, read.confidence, findings);
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
@@ -329,7 +333,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const std::vector<double> adjusted = holm_adjusted(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     findings.number("signflip.p.two.holm", pairs[i], adjusted[i],
-                    {.n = n, .method = method + ", Holm over the pairs"});
+                    {.n = n, .method = method + ", Holm-corrected over the pairs"});
   }
   const RelabellingTest relabelling = relabelling_test(counts);
   findings.number("relabel.exact.p", "", relabelling.p,
@@ -340,7 +344,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       "relabel.exact.smallest", "", relabelling.smallest,
       {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
   findings.count("relabel.draws", "", relabelling.drawn,
-                 {.n = n, .method = "random relabellings; 0 where all were counted"});
+                 {.n = n, .method = "random relabellings; 0 if all were enumerated"});
   const Eigen::ArrayXd totals = counts.colwise().sum().cast<double>().array();
   findings.number("relabel.X2", "", (totals - totals.mean()).square().sum() / totals.mean(),
                   {.n = n,
@@ -400,7 +404,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
   const std::string& target = read.renderers[read.target];
   // It takes one choice of everybody with each sample; a relabelling takes them all.
   const std::string first_only =
-      repeated > 0 ? ", of several choices with a sample the first one alone" : "";
+      repeated > 0 ? ", of several choices with a sample, only the first is used" : "";
   const Basis basis{
       .n = first.size(),
       .method = "Cochran's Q over samples, participants who answered all" + first_only};

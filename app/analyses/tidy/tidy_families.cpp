@@ -19,7 +19,7 @@ constexpr std::array kFamilies{
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
                "lower, upper: differences between them count as equivalent, both or neither; alpha "
-               "of either one-sided test; groups: two names, in order, of two samples; conf",
+               "of each one-sided test; groups: two names, in order, of two samples; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"glmm",
                "subject,item,correct,trials and one column per factor: the responses of a "
@@ -74,9 +74,9 @@ constexpr std::array kFamilies{
                "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
     TidyFamily{"ranking",
-               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and is "
-               "behind all that were ranked; an item that was not offered has no row; and, where a "
-               "trial stands for several, times",
+               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
+               "ranks behind all that were ranked; an item that was not offered has no row; and, "
+               "where a trial stands for several, times",
                "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
     TidyFamily{
         "rating",

@@ -43,13 +43,14 @@ QString incomplete_text(const std::vector<Phrase>& incomplete) {
   const int more = static_cast<int>(incomplete.size()) - 1;
   const QString first = ' ' + words_of(incomplete.front());
   if (more == 0) return first;
-  return first + ' ' + AnalysisPage::tr("README.txt states %n further warning(s).", nullptr, more);
+  return first + ' ' +
+         AnalysisPage::tr("README.txt contains %n further warning(s).", nullptr, more);
 }
 
 QString group_text(AnswerGroup group) {
   switch (group) {
     case AnswerGroup::people:
-      return AnalysisPage::tr("people");
+      return AnalysisPage::tr("human participants");
     case AnswerGroup::pilot:
       return AnalysisPage::tr("pilot sessions");
     case AnswerGroup::virtual_participants:
@@ -88,8 +89,8 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   layout->addWidget(stack_, 1);
   stack_->addWidget(
       new EmptyState(tr("No answers yet"),
-                     tr("When a session has been run or simulated, its answers are "
-                        "counted and tested here. Start one from the page Protocols."),
+                     tr("When a session has been run or simulated, its answers are counted and "
+                        "tested here. Start a session on the Protocols page."),
                      stack_));
   auto* both = new QWidget(stack_);
   auto* columns = new QHBoxLayout(both);
@@ -110,7 +111,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
     banner_->show_news(State::look,
-                       tr("The answers were not counted; what is shown is from before."),
+                       tr("The answers were not counted; the previous results are shown."),
                        tr("Count again"), [this] { refresh(); });
   });
   connect(writing_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
@@ -189,7 +190,7 @@ void AnalysisPage::show_outcome(int index) {
   if (outcome.group == AnswerGroup::people && running_.contains(outcome.protocol)) {
     area_->setWidget(new EmptyState(
         tr("Blind while a session runs"),
-        tr("A session of %1 is running. Its counts by name are shown when it is over.")
+        tr("A session of %1 is running. Its results by name are shown once it has ended.")
             .arg(QString::fromStdString(outcome.protocol))));
     return;
   }
@@ -205,16 +206,16 @@ void AnalysisPage::show_outcome(int index) {
 }
 
 void AnalysisPage::ask_where_to_export() {
-  auto* dialog = new QFileDialog(this, tr("A new folder for the tables"));
+  auto* dialog = new QFileDialog(this, tr("New folder for the tables"));
   dialog->setObjectName("export_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   dialog->selectFile("tables");
   auto* for_public =
-      new QCheckBox(tr("For the public: without dates, free text and questionnaires"), dialog);
+      new QCheckBox(tr("For publication: without dates, free text and questionnaires"), dialog);
   for_public->setObjectName("export_public");
-  auto* recordings = new QCheckBox(tr("With the recordings, tick by tick; they are large"), dialog);
+  auto* recordings = new QCheckBox(tr("With tick-by-tick recordings (large files)"), dialog);
   recordings->setObjectName("export_recordings");
   if (auto* grid = qobject_cast<QGridLayout*>(dialog->layout())) {
     for (QCheckBox* const option : {for_public, recordings}) {
@@ -252,10 +253,10 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
       },
       [this, folder](const Exported& exported) {
         if (exported.files == 0) {
-          banner_->show_news(State::look,
-                             tr("The tables were not written: you cancelled it. Nothing of them is "
-                                "left in %1.")
-                                 .arg(folder));
+          banner_->show_news(
+              State::look,
+              tr("The tables were not written: was cancelled. No part of them remains in %1.")
+                  .arg(folder));
           return;
         }
         banner_->show_news(

@@ -107,8 +107,9 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   connect(reading_line_, &TaskLine::cancelWanted, this, [this] {
     reading_.abandon();
     recording_of_.reset();
-    recording_->show_reason(State::look, tr("The recording was not read: you cancelled it. It is "
-                                            "read when the attempt is opened again."));
+    recording_->show_reason(
+        State::look,
+        tr("Reading the recording was cancelled. It is read when the attempt is opened again."));
   });
   connect(writing_line_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
 }
@@ -167,9 +168,8 @@ void AttemptPage::show_blind(const AttemptDetail& detail) {
   summary_->clear();
   names_->hide();
   tabs_->hide();
-  standing_->set_state(State::look,
-                       tr("The session is running, and who runs it is blind: what was felt and "
-                          "answered is shown here once it has ended."));
+  standing_->set_state(State::look, tr("The session is running, and its experimenter is blind: "
+                                       "stimuli and answers are shown here once it has ended."));
   why_not_->clear();
   for (QPushButton* button : {previous_, next_, flag_, exclude_}) button->setEnabled(false);
 }
@@ -201,9 +201,9 @@ void AttemptPage::show_actions() {
   exclude_->setText(excluded ? tr("Include again…") : tr("Exclude…"));
   QString why_not{};
   if (!excluded && detail.session.excluded) {
-    why_not = tr("The whole session is excluded; its page includes it again.");
+    why_not = tr("The whole session is excluded; it can be included again on its page.");
   } else if (!excluded && !detail.attempt.valid) {
-    why_not = tr("There is nothing to exclude: it does not count.");
+    why_not = tr("There is nothing to exclude: the attempt does not count.");
   }
   exclude_->setEnabled(why_not.isEmpty());
   why_not_->setText(why_not);
@@ -237,11 +237,10 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
       },
       [this, id = attempt.id](const QString& what) {
         if (recording_of_ != id) return;
-        recording_->show_reason(
-            State::stop,
-            tr("The recording cannot be shown: %1. The answers and measures of the attempt are in "
-               "the store and not touched by that.")
-                .arg(what));
+        recording_->show_reason(State::stop,
+                                tr("The recording cannot be shown: %1. The answers and measures of "
+                                   "the attempt are stored and not affected.")
+                                    .arg(what));
       });
 }
 
@@ -267,13 +266,13 @@ void AttemptPage::ask_to_exclude() {
                     .attempt = detail_->attempt.attempt,
                     .verdict = excluded ? Verdict::include : Verdict::exclude};
   if (excluded) {
-    question.text = tr("Why do analyses count this attempt again?");
+    question.text = tr("Reason for including the attempt in the analyses again");
     question.offered = offered_reasons(ReasonFor::including);
     question.verb = tr("Include attempt");
   } else {
     question.text =
-        tr("Why do analyses leave this attempt out? It stays in the study and can be included "
-           "again.");
+        tr("Reason for excluding the attempt from the analyses. It remains in the study and can be "
+           "included again.");
     question.offered = offered_reasons(ReasonFor::excluding_attempt);
     question.verb = tr("Exclude attempt");
   }
@@ -281,7 +280,7 @@ void AttemptPage::ask_to_exclude() {
 }
 
 void AttemptPage::ask_where_to_export() {
-  auto* dialog = new QFileDialog(this, tr("A file for the table"));
+  auto* dialog = new QFileDialog(this, tr("File for the table"));
   dialog->setObjectName("recording_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -311,7 +310,7 @@ void AttemptPage::export_to(const QString& file) {
       },
       [this, file](const std::optional<std::size_t>& ticks) {
         if (!ticks) {
-          banner().show_news(State::look, tr("%1 was not written: you cancelled it.").arg(file));
+          banner().show_news(State::look, tr("Writing %1 was cancelled.").arg(file));
           return;
         }
         banner().show_news(

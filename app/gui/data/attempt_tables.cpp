@@ -52,11 +52,11 @@ QString asked_of(const ComplianceRow& row, const Quantity& quantity) {
   }
   if (row.minimum) return MeasureTables::tr("%1 or more").arg(number(*row.minimum));
   if (row.maximum) return MeasureTables::tr("%1 or less").arg(number(*row.maximum));
-  return MeasureTables::tr("nothing");
+  return MeasureTables::tr("none");
 }
 
 QStandardItem* passed_cell(const std::optional<bool>& passed) {
-  if (!passed) return state_cell(State::unknown, MeasureTables::tr("not judged"));
+  if (!passed) return state_cell(State::unknown, MeasureTables::tr("not assessed"));
   return *passed ? state_cell(State::fine, MeasureTables::tr("met"))
                  : state_cell(State::stop, MeasureTables::tr("not met"));
 }
@@ -93,8 +93,8 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
       {MeasureTables::tr("ticks, at %1 Hz").arg(shown_number(servo.rate_Hz, 'f', 0)),
        count(servo.ticks)},
       {MeasureTables::tr("period: mean"), us(servo.period_mean_s)},
-      {MeasureTables::tr("period: 99 of 100 below"), us(servo.period_p99_s)},
-      {MeasureTables::tr("period: longest"), us(servo.period_maximum_s)},
+      {MeasureTables::tr("period: 99th percentile"), us(servo.period_p99_s)},
+      {MeasureTables::tr("period: maximum"), us(servo.period_maximum_s)},
       {MeasureTables::tr("lateness: 99th percentile"), us(servo.lateness_p99_s)},
       {MeasureTables::tr("lateness: maximum"), us(servo.lateness_maximum_s)},
       // Judged in contact alone, where these are counted apart.
@@ -104,9 +104,9 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
        in_contact ? count(*in_contact) : MeasureTables::tr("not counted"),
        in_contact ? none(*in_contact) : State::unknown},
       {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
-      {MeasureTables::tr("ticks at the limit of force"), count(servo.saturated_ticks),
+      {MeasureTables::tr("ticks with the force at its limit"), count(servo.saturated_ticks),
        none(servo.saturated_ticks)},
-      {MeasureTables::tr("ticks whose change of force was shortened"),
+      {MeasureTables::tr("ticks with the rate of change of the force limited"),
        count(servo.slew_limited_ticks), none(servo.slew_limited_ticks)},
       {MeasureTables::tr("ticks without a finite force"), count(servo.not_finite_ticks),
        none(servo.not_finite_ticks)},
@@ -117,34 +117,35 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
 
 /// What a force model counts (docs/models.md), in words.
 QString limit_words(const std::string& kind) {
-  if (kind == "contact") return MeasureTables::tr("anything was touched");
+  if (kind == "contact") return MeasureTables::tr("a surface was touched");
   if (kind == "folded") {
     return MeasureTables::tr(
         "viewed along the contact, a surface folds over itself; part of it is omitted");
   }
   if (kind == "window_border") {
-    return MeasureTables::tr("the deepest place lay at the border of what is looked at");
+    return MeasureTables::tr("the deepest point lay at the border of the region searched");
   }
   if (kind == "fine_detail") {
-    return MeasureTables::tr("the finest detail of the texture was too fine for the samples");
+    return MeasureTables::tr("the finest detail of the texture was too fine for the sampling");
   }
   if (kind == "fast") {
-    return MeasureTables::tr("the tool moved more than half of the finest wave in a tick");
+    return MeasureTables::tr(
+        "the tool moved by more than half of the finest wavelength in one tick");
   }
   if (kind == "coarse_window") {
-    return MeasureTables::tr("a contact was too wide for the step that was asked for");
+    return MeasureTables::tr("a contact was too wide for the requested step");
   }
   if (kind == "left_out") {
-    return MeasureTables::tr("there were more contacts than there is room for");
+    return MeasureTables::tr("there were more contacts than can be held");
   }
-  if (kind == "kept") return MeasureTables::tr("a contact went on although nothing was cut");
+  if (kind == "kept") return MeasureTables::tr("a contact persisted although nothing intersected");
   if (kind == "wholly_inside") {
     return MeasureTables::tr(
         "the tool lay completely inside the surface, where no force is rendered");
   }
   if (kind == "too_deep") {
     return MeasureTables::tr(
-        "a contact was deeper or steeper than the bodies bear out, and was bounded");
+        "a contact was deeper or steeper than the bodies support, and was limited");
   }
   return text(kind).replace('_', ' ');
 }
@@ -176,7 +177,7 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                   {tr("Question"), 0, CellAlign::text},
                   {tr("Answer"), 0, CellAlign::text},
                   {tr("Correct"), 88, CellAlign::text},
-                  {tr("Choices"), 0, CellAlign::text},
+                  {tr("Options"), 0, CellAlign::text},
                   {AttemptWords::after_contact(), 152, CellAlign::number},
                   {AttemptWords::after_cue(), 120, CellAlign::number},
                   {tr("Given by"), 136, CellAlign::text}});
@@ -195,19 +196,19 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
   compliance_ = add(tr("Exploration: instructed and observed"), "attempt_compliance",
                     {{tr("Surface"), 88, CellAlign::number},
                      {tr("Quantity"), 0, CellAlign::text},
-                     {tr("Asked"), 128, CellAlign::text},
+                     {tr("Requested"), 128, CellAlign::text},
                      {tr("Median"), 96, CellAlign::number},
                      {tr("5 %"), 80, CellAlign::number},
                      {tr("95 %"), 80, CellAlign::number},
                      {tr("In band"), 96, CellAlign::number},
                      {tr("Met"), 136, CellAlign::text}});
-  loop_ = add(tr("How the servo loop ran"), "attempt_loop",
+  loop_ = add(tr("Timing of the servo loop"), "attempt_loop",
               {{tr("Measure"), 0, CellAlign::text},
                {tr("Value"), 160, CellAlign::number},
                {tr("Assessment"), 160, CellAlign::text}});
-  limits_ = add(tr("What the force model counted, in ticks"), "attempt_limits",
+  limits_ = add(tr("Counts of the force model, in ticks"), "attempt_limits",
                 {{tr("Surface"), 88, CellAlign::number},
-                 {tr("What"), 0, CellAlign::text},
+                 {tr("Event"), 0, CellAlign::text},
                  {tr("Ticks"), 160, CellAlign::number},
                  {tr("Assessment"), 160, CellAlign::text}});
   limits_heading_ = page->findChild<QLabel*>("attempt_limits_heading");
@@ -262,7 +263,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
       add({text_cell(row.name, static_cast<int>(rows.size())), number_cell(row.value, 0.0),
            row.state == State::unknown
                ? text_cell({})
-               : state_cell(row.state, row.state == State::fine ? tr("fine") : tr("look at it"))});
+               : state_cell(row.state, row.state == State::fine ? tr("fine") : tr("check"))});
     }
   }
   loop_->fill(rows);
@@ -276,7 +277,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
            number_cell(QString::number(limit.ticks), static_cast<double>(limit.ticks)),
            !is_limit          ? text_cell({})
            : limit.ticks == 0 ? state_cell(State::fine, tr("fine"))
-                              : state_cell(State::look, tr("look at it"))});
+                              : state_cell(State::look, tr("check"))});
     }
   }
   limits_->fill(rows);
@@ -292,17 +293,17 @@ HistoryTables::HistoryTables(QWidget* parent) : QWidget(parent) {
   rows->addWidget(make_heading(tr("Decisions about the attempt or its session"), this));
   decisions_ = new StudyTable({{tr("No."), 56, CellAlign::number},
                                {tr("When"), 192, CellAlign::text},
-                               {tr("About"), 144, CellAlign::text},
+                               {tr("Applies to"), 144, CellAlign::text},
                                {tr("Decision"), 208, CellAlign::text},
                                {tr("Reason"), 0, CellAlign::text},
-                               {tr("Who"), 160, CellAlign::text}},
+                               {tr("Decided by"), 160, CellAlign::text}},
                               this);
   decisions_->setObjectName("attempt_decisions");
   rows->addWidget(decisions_, 1);
   rows->addSpacing(kMargin);
-  rows->addWidget(make_heading(tr("What happened during the attempt"), this));
+  rows->addWidget(make_heading(tr("Events during the attempt"), this));
   events_ = new StudyTable({{tr("Time, s"), 96, CellAlign::number},
-                            {tr("What"), 200, CellAlign::text},
+                            {tr("Event"), 200, CellAlign::text},
                             {tr("Text"), 0, CellAlign::text}},
                            this);
   events_->setObjectName("attempt_events");

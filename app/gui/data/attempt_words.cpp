@@ -28,14 +28,13 @@ QString AttemptWords::after_cue() { return tr("After cue, s"); }
 
 void AttemptWords::explain_times(QAbstractItemModel& table, int contact_column, int cue_column) {
   table.setHeaderData(contact_column, Qt::Horizontal,
-                      tr("When the answer was given, in seconds after the first contact of the "
-                         "attempt with a surface: all of the feeling is in it."),
+                      tr("Time of the answer, in seconds after the first contact with a surface in "
+                         "this attempt; it includes the whole exploration."),
                       Qt::ToolTipRole);
   table.setHeaderData(
       cue_column, Qt::Horizontal,
-      tr("When the answer was given, in seconds after the cue, with which the question "
-         "was put first: surfaces that were felt again before the answer are in "
-         "it."),
+      tr("Time of the answer, in seconds after the cue, when the question was first asked; it "
+         "includes surfaces that were felt again before the answer."),
       Qt::ToolTipRole);
 }
 
@@ -83,13 +82,13 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   if (said.isEmpty()) {
     switch (use_in_analyses(detail.planned, attempt)) {
       case AnalysisUse::practice:
-        said << tr("Practice: takes no part in analyses");
+        said << tr("Practice: not included in analyses");
         break;
       case AnalysisUse::anchor:
-        said << tr("Anchor: takes no part in analyses");
+        said << tr("Anchor: not included in analyses");
         break;
       case AnalysisUse::unanswered:
-        said << tr("Does not count: there is no answer");
+        said << tr("Does not count: no answer");
         break;
       case AnalysisUse::invalid:
       case AnalysisUse::excluded:

@@ -29,8 +29,8 @@ DecisionForm::DecisionForm(OpenStudy& study, QWidget* parent) : QFrame(parent), 
   reason_->setAccessibleName(tr("Reason"));
   by_ = new QLineEdit(this);
   by_->setObjectName("decision_by");
-  by_->setPlaceholderText(tr("Who decides"));
-  by_->setAccessibleName(tr("Who decides"));
+  by_->setPlaceholderText(tr("Decided by"));
+  by_->setAccessibleName(tr("Decided by"));
   by_->setFixedWidth(200);
   write_ = make_button({}, ButtonRole::primary, this);
   write_->setObjectName("decision_write");
@@ -81,14 +81,14 @@ void DecisionForm::keyPressEvent(QKeyEvent* event) {
 void DecisionForm::show_what_is_missing() {
   if (!study_.can_be_written()) {
     write_->setEnabled(false);
-    note_->set_state(State::look, tr("This study can only be read here: nothing can be decided."));
+    note_->set_state(State::look, tr("This study is read-only: no decision can be stored."));
     return;
   }
   const bool given = !reason_->currentText().trimmed().isEmpty();
   write_->setEnabled(given);
   note_->set_state(State::unknown,
                    given
-                       ? tr("It is written with the time; the data stay as they are.")
+                       ? tr("The decision is stored with the time; the data remain unchanged.")
                        : tr("A reason is required, so that the decision can be understood later."));
 }
 
@@ -109,7 +109,7 @@ void DecisionForm::write() {
       },
       [this](const QString& what) {
         write_->setEnabled(true);
-        note_->set_state(State::stop, tr("It could not be written: %1").arg(what));
+        note_->set_state(State::stop, tr("The decision could not be stored: %1").arg(what));
       });
 }
 

@@ -33,7 +33,7 @@ FigureSaver::FigureSaver(Banner& banner, QWidget& page)
 
 void FigureSaver::ask_where_to_save(const Figure& figure, double width_mm,
                                     const std::string& name) {
-  auto* dialog = new QFileDialog(&page_, tr("A file for the figure"));
+  auto* dialog = new QFileDialog(&page_, tr("File for the figure"));
   dialog->setObjectName("figure_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -71,7 +71,7 @@ void FigureSaver::save(const Figure& figure, double width_mm, const std::filesys
   std::error_code error{};
   if (overwrite == Overwrite::refuse && std::filesystem::exists(file, error)) {
     banner_.show_news(
-        State::look, tr("There is a file %1 already.").arg(shown),
+        State::look, tr("The file %1 already exists.").arg(shown),
         tr("Replace “%1”").arg(QString::fromStdString(file.filename().string())),
         [this, figure, width_mm, file] { save(figure, width_mm, file, Overwrite::allow); });
     return;

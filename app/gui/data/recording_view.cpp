@@ -40,7 +40,7 @@ RecordingView::RecordingView(QWidget* parent) : QWidget(parent) {
   tools->setSpacing(kGrid);
   choice_ = new ChoiceBox(with);
   choice_->setObjectName("recording_choice");
-  choice_->setAccessibleName(tr("What of the recording is seen"));
+  choice_->setAccessibleName(tr("Visible part of the recording"));
   choice_->setMinimumWidth(280);
   QPushButton* nearer = make_button(tr("Zoom in"), ButtonRole::plain, with);
   nearer->setObjectName("recording_zoom_in");

@@ -57,7 +57,7 @@ void ReportSaving::show_whether_possible() {
 }
 
 void ReportSaving::ask_where() {
-  auto* dialog = new QFileDialog(this, tr("A file for the report"));
+  auto* dialog = new QFileDialog(this, tr("File for the report"));
   dialog->setObjectName("report_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -84,7 +84,7 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
   if (saving_.is_running()) return;
   const std::filesystem::path path = path_of_text(file);
   if (overwrite == Overwrite::refuse && std::filesystem::exists(path)) {
-    banner_.show_news(State::look, tr("%1 exists already. Nothing was written.").arg(file),
+    banner_.show_news(State::look, tr("%1 already exists. Nothing was written.").arg(file),
                       tr("Replace it"), [this, file] { save_to(file, Overwrite::allow); });
     return;
   }
@@ -99,7 +99,7 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
       },
       [this, file](const Saved& saved) {
         if (!saved.is_written) {
-          banner_.show_news(State::look, tr("The report was not written: you cancelled it."));
+          banner_.show_news(State::look, tr("Writing the report was cancelled."));
           return;
         }
         banner_.show_news(saved.unrecorded ? State::look : State::fine,

@@ -195,7 +195,7 @@ void TimePlots::write_headings() {
     }
     // In the force's there is no room for all of them.
     if (&strip == &strips_[1]) text += area_key(contact_color(), tr("in contact"));
-    if (strip.band->visible()) text += area_key(band_color(), tr("asked"));
+    if (strip.band->visible()) text += area_key(band_color(), tr("requested"));
     if (strip.missed != nullptr) {
       text += mark_key(theme().stop, "▼", tr("%1 missed").arg(curves_->missed_s.size()));
       text += mark_key(theme().look, "■", tr("%1 limited").arg(curves_->limited_s.size()));

@@ -76,7 +76,7 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   connect_run();
   stop_->hide();
   auto* empty = new EmptyState(tr("No device is chosen"),
-                               tr("The page of devices lists those that can be tested."), this);
+                               tr("The Devices page lists the devices that can be tested."), this);
   empty->add_action(tr("Show devices"), ButtonRole::primary, [this] { emit back_wanted(); });
   set_empty_state(empty);
   show_empty(true);
@@ -153,7 +153,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
     form->addWidget(label, row, 0);
     form->addWidget(field, row, 1);
   };
-  add_row(tr("Held to the limits of"), limits_);
+  add_row(tr("Limits of"), limits_);
   add_row(tr("No force above"), force_);
   layout->addLayout(form);
   limits_text_ = make_text({}, card, true);
@@ -230,9 +230,9 @@ QWidget* DeviceTestPage::make_course() {
   question_text_ = new StateLabel(question_);
   question_text_->setObjectName("device_test_question");
   question_text_->setWordWrap(true);
-  QPushButton* yes = make_button(tr("It may move"), ButtonRole::danger, question_);
+  QPushButton* yes = make_button(tr("Allow motion"), ButtonRole::danger, question_);
   yes->setObjectName("device_test_yes");
-  QPushButton* no = make_button(tr("Do not move it"), ButtonRole::plain, question_);
+  QPushButton* no = make_button(tr("Do not allow motion"), ButtonRole::plain, question_);
   no->setObjectName("device_test_no");
   asked->addWidget(question_text_, 1);
   asked->addWidget(yes);
@@ -251,8 +251,8 @@ QWidget* DeviceTestPage::make_course() {
   connect(yes, &QPushButton::clicked, this, [this] {
     drop_question();
     do_now_->setText(
-        tr("Keep hands away: it moves by itself until it has found its zero. Stop, or its power "
-           "switch, stops it."));
+        tr("Keep hands away: the device moves by itself until it has found its zero position. Stop "
+           "or its power switch stops it."));
     run_.answer(true);
   });
   connect(no, &QPushButton::clicked, this, [this] {
@@ -273,8 +273,8 @@ void DeviceTestPage::connect_run() {
   connect(&run_, &DeviceTestRun::measured, this, &DeviceTestPage::show_measured);
   connect(&run_, &DeviceTestRun::stopped, this, [this](const QString& last_words) {
     end(State::look, last_words.isEmpty()
-                         ? tr("Stopped: the force is zero, and nothing was kept.")
-                         : tr("Stopped, and nothing was kept: %1").arg(last_words));
+                         ? tr("Stopped: the force is zero, and nothing was stored.")
+                         : tr("Stopped, and nothing was stored: %1").arg(last_words));
   });
   connect(&run_, &DeviceTestRun::failed, this, [this](const QString& sentence) {
     end(State::stop, tr("Nothing was measured: %1").arg(sentence));
@@ -325,7 +325,7 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
   begin_->setEnabled(can_be_kept);
   not_now_->setVisible(!device.is_simulated);
   reason_->setText(can_be_kept ? QString()
-                               : tr("This study can only be read here: no profile could be kept."));
+                               : tr("This study is read-only: no profile can be stored."));
   write_what_it_does();
   stack_->setCurrentIndex(0);
   area_->ensureVisible(0, 0);
@@ -341,21 +341,21 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
 void DeviceTestPage::write_what_it_does() {
   if (device_.is_simulated) {
     what_->set_state(State::fine,
-                     tr("Nothing moves: a virtual hand holds it, and its mechanics are measured "
-                        "faster than real time. Its timing is that of this computer."));
+                     tr("Nothing moves: a virtual hand holds the device, and its mechanics are "
+                        "measured faster than real time. Its timing is that of this computer."));
     return;
   }
   if (!device_.has_motors) {
     what_->set_state(State::fine,
-                     tr("It has no motors: nothing moves by itself, and no force is given. The "
-                        "loop is timed; then you move the probe along the borders of its "
-                        "workspace."));
+                     tr("The device has no motors: it does not move by itself and exerts no force. "
+                        "The timing of the servo loop is measured; then the probe has to be moved "
+                        "by hand along the borders of its workspace."));
     return;
   }
-  QString said =
-      words_of(what_measuring_does(device_.handle, force_->value()).as_sentence()) + ' ' +
-      tr("Esc, F12 and the red button take the force away at once. At the end you move the "
-         "handle along the borders of its workspace.");
+  QString said = words_of(what_measuring_does(device_.handle, force_->value()).as_sentence()) +
+                 ' ' +
+                 tr("Esc, F12 and the red button set the force to zero at once. At the end, move "
+                    "the handle along the borders of its workspace.");
   if (!device_.remark.empty()) said += ' ' + text(device_.remark);
   what_->set_state(State::look, said);
 }
@@ -380,7 +380,9 @@ void DeviceTestPage::show_found(const Found& found) {
   profiles_->setVisible(!rows.empty());
   QStringList beside{};
   if (rows.empty()) {
-    beside << tr("The study has none yet. A session compares its plan with the latest one.");
+    beside << tr(
+        "The study has no profile of this device yet. Before a session, its plan is compared with "
+        "the latest profile.");
   }
   for (const std::string& complaint : found.kept.complaints) {
     beside << tr("Not listed: %1").arg(text(complaint));
@@ -393,7 +395,7 @@ void DeviceTestPage::show_found(const Found& found) {
   const QSignalBlocker silent(limits_);
   const QString chosen = limits_->currentText();
   limits_->clear();
-  limits_->addItem(tr("Asperity, the usual ones"));
+  limits_->addItem(tr("Asperity (defaults)"));
   for (const Limits& limits : found.limits) limits_->addItem(limits.name);
   limits_->setCurrentIndex(std::max(0, limits_->findText(chosen)));
   show_limits();
@@ -410,9 +412,9 @@ void DeviceTestPage::show_limits() {
   if (chosen == nullptr) {
     limits_text_->setText(
         found_.limits.empty()
-            ? tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of "
-                 "the study that has “limits” in its “device” would be listed here.")
-            : tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms."));
+            ? tr("Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols of "
+                 "the study with “limits” in their “device” are listed here; there are none.")
+            : tr("Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms."));
     return;
   }
   QStringList parts{};
@@ -441,7 +443,7 @@ void DeviceTestPage::begin() {
   back_->hide();
   offer_stop();
   qApp->installEventFilter(this);
-  const QString reason = tr("A device is being measured. Stop that first.");
+  const QString reason = tr("A device is being measured. Stop the measurement first.");
   setProperty("keep", reason);
   setProperty("uncovered", reason);
   steps_->begin({.by_motors = device_.has_motors,
@@ -502,7 +504,7 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
       measured.file ? text_of_path(measured.file->lexically_relative(study().folder())) : QString();
   const auto title = [](const std::string& item) { return title_of_item(item).toStdString(); };
   end(verdict_of(profile).state,
-      words_of(verdict_on(profile, title)) + ' ' + tr("The profile is kept as %1.").arg(file));
+      words_of(verdict_on(profile, title)) + ' ' + tr("The profile is stored as %1.").arg(file));
   study().announce_change();
   // What was found comes into sight, once everything has its place.
   constexpr int kSettled_ms = 150;

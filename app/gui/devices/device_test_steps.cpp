@@ -16,41 +16,42 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
   switch (part) {
     case DeviceTestPart::timing:
       return DeviceTestSteps::tr(
-          "Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and "
-          "the force has to be exactly zero.");
+          "Do not touch the handle: it hangs free, and no force acts on it. The timing of the "
+          "servo loop is measured, and the force has to be exactly zero.");
     case DeviceTestPart::safety:
       return DeviceTestSteps::tr(
           "Keep hands away: soft pushes, then a stop, a force that is not a number, and a program "
           "that does not respond. Each has to end in zero force.");
     case DeviceTestPart::sweeps:
-      return DeviceTestSteps::
-          tr("Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. "
-             "What stands against it is friction and damping.")
-              .arg(along);
+      return DeviceTestSteps::tr(
+                 "Keep hands away: the handle is pulled to and fro along %1, slowly and then "
+                 "faster. The resistance gives the friction and the damping.")
+          .arg(along);
     case DeviceTestPart::pushes:
-      return DeviceTestSteps::
-          tr("Keep hands away: sudden steps of force along %1, to and fro. When the motion begins "
-             "is the latency, how fast it grows the mass.")
-              .arg(along);
+      return DeviceTestSteps::tr(
+                 "Keep hands away: sudden force steps along %1, to and fro. The delay until the "
+                 "motion begins gives the latency, the acceleration the mass.")
+          .arg(along);
     case DeviceTestPart::tones:
-      return DeviceTestSteps::
-          tr("Keep hands away: the handle hums along %1, from 8 to 200 Hz. Where it answers most "
-             "is its resonance.")
-              .arg(along);
+      return DeviceTestSteps::tr(
+                 "Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. "
+                 "Its response gives its resonance.")
+          .arg(along);
     case DeviceTestPart::springs:
       return DeviceTestSteps::tr(
-                 "Keep hands away: ever stiffer springs along %1, each with a small kick. The "
-                 "stiffest on which the handle comes to rest counts.")
+                 "Keep hands away: increasingly stiff springs along %1, each with a small impulse. "
+                 "The result is the stiffest spring on which the handle comes to rest.")
           .arg(along);
     case DeviceTestPart::small_pushes:
-      return DeviceTestSteps::tr(
-                 "Keep hands away: ever stronger small pushes along %1, until the handle moves.")
-          .arg(along);
-    case DeviceTestPart::workspace:
       return DeviceTestSteps::
-          tr("Now take the handle, and move it along all borders of its workspace: to both sides, "
-             "away and near, up and down. You have %1 seconds; no force is given.")
-              .arg(shown_number(kBorders_s, 'f', 0));
+          tr("Keep hands away: increasingly strong small pushes along %1, until the handle moves.")
+              .arg(along);
+    case DeviceTestPart::workspace:
+      return DeviceTestSteps::tr(
+                 "Now take the handle and move it along all borders of its workspace: left and "
+                 "right, forwards and backwards, up and down. This step lasts %1 seconds; no force "
+                 "is exerted.")
+          .arg(shown_number(kBorders_s, 'f', 0));
   }
   return {};
 }
@@ -62,8 +63,8 @@ DeviceTestSteps::DeviceTestSteps(QWidget* parent) : QWidget(parent) {
   steps_ = {{DeviceTestPart::timing, tr("Zero force and timing")},
             {DeviceTestPart::safety, tr("Safety")},
             {DeviceTestPart::sweeps, tr("Slow sweeps")},
-            {DeviceTestPart::pushes, tr("Steps of force")},
-            {DeviceTestPart::tones, tr("Sweep of tones"), DeviceTrait::resonance},
+            {DeviceTestPart::pushes, tr("Force steps")},
+            {DeviceTestPart::tones, tr("Frequency sweep"), DeviceTrait::resonance},
             {DeviceTestPart::springs, tr("Stiff springs"), DeviceTrait::stiffness},
             {DeviceTestPart::small_pushes, tr("Weakest force"), DeviceTrait::force_resolution},
             {DeviceTestPart::workspace, tr("Workspace")}};

@@ -58,19 +58,18 @@ QString what_it_is(const std::string& driver, DriverNeed need) {
   switch (need) {
     case DriverNeed::firmware:
       return DriverSetup::tr(
-          "The file that came with the device's software. A Falcon forgets its firmware when it is "
+          "The file that came with the device's software. A Falcon loses its firmware when it is "
           "switched off; it is loaded when the device is opened.");
     case DriverNeed::library:
       return driver == "openhaptics"
                  ? DriverSetup::tr(
-                       "The file libHD.so of OpenHaptics, where the system does not find it by "
-                       "itself.")
+                       "The file libHD.so of OpenHaptics, if the system does not find it.")
                  : DriverSetup::tr(
-                       "The file libdrd.so or libdhd.so of the maker's SDK, where the system does "
-                       "not find it by itself.");
+                       "The file libdrd.so or libdhd.so of the manufacturer's SDK, if the system "
+                       "does not find it.");
     case DriverNeed::service:
       return DriverSetup::tr(
-          "Where Haply's Inverse Service listens, HOST:PORT, where not at 127.0.0.1:10001.");
+          "Address of Haply's Inverse Service, HOST:PORT, if it is not 127.0.0.1:10001.");
   }
   return {};
 }
@@ -141,8 +140,8 @@ DriverSetup::DriverSetup(const std::vector<std::string>& drivers, QWidget* paren
       drivers.size() == 1 ? tr("Set up %1").arg(product_of(drivers.front())) : tr("Set up devices");
   setWindowTitle(title);
   layout->addWidget(make_heading(title, this));
-  layout->addWidget(make_text(tr("Kept between starts, for all your studies. Commands at a "
-                                 "terminal do not use these settings; they have options for them."),
+  layout->addWidget(make_text(tr("These settings are stored for all studies. Commands at a "
+                                 "terminal do not use them; they have options instead."),
                               this, true));
   area_ = new QScrollArea(this);
   area_->setWidgetResizable(true);
@@ -211,14 +210,14 @@ void DriverSetup::add_line(const std::string& driver) {
     line->browse = make_button(tr("Browse…"), ButtonRole::plain, inside_);
     line->browse->setObjectName("driver_browse_" + id);
     line->browse->setAccessibleName(tr("Browse for %1").arg(name));
-    line->browse->setToolTip(tr("Chooses a file of this computer."));
+    line->browse->setToolTip(tr("Opens a dialog for choosing a file on this computer."));
     grid->addWidget(line->browse, row, 2);
     connect(line->browse, &QPushButton::clicked, this, [this, &here] { choose_file(here); });
   }
   line->clear = make_button(tr("Clear"), ButtonRole::plain, inside_);
   line->clear->setObjectName("driver_clear_" + id);
   line->clear->setAccessibleName(tr("Clear %1").arg(name));
-  line->clear->setToolTip(tr("Forgets what is named here."));
+  line->clear->setToolTip(tr("Clears this entry."));
   grid->addWidget(line->clear, row, 3);
   line->found = new StateLabel(inside_);
   line->found->setObjectName("driver_found_" + id);
@@ -262,7 +261,7 @@ bool DriverSetup::take(Line& line) {
     const std::filesystem::path file = path_of_text(typed);
     if (!file.is_absolute()) {
       line.found->set_state(State::stop,
-                            tr("The file has to be written in full, beginning with “/” or “~”."));
+                            tr("Enter the full path of the file, beginning with “/” or “~”."));
       return false;
     }
     place = file.string();
@@ -295,7 +294,7 @@ void DriverSetup::show_looking() {
 
 void DriverSetup::show_failure(const QString& what) {
   for (const auto& line : lines_) {
-    line->found->set_state(State::look, tr("Devices could not be looked for: %1").arg(what));
+    line->found->set_state(State::look, tr("The search for devices failed: %1").arg(what));
   }
   fit(height());
 }

@@ -69,7 +69,7 @@ void ProfileView::show_profile(const DeviceProfile& profile) {
                     .arg(shown_number(profile.rate_Hz, 'f', 0))
                     .arg(shown_number(profile.force_N, 'f', 1));
   if (profile.is_simulated) {
-    how += ' ' + tr("It is simulated: its timing is reported without a verdict.");
+    how += ' ' + tr("Simulated device: its timing is reported, not evaluated.");
   }
   how_->setText(how);
   const Phrase known = what_is_known(profile);

@@ -107,7 +107,7 @@ void ResponsePlot::show_profile(const DeviceProfile& profile) {
   if (!is_there) {
     nothing_->setText(profile.items.empty()
                           ? QString()
-                          : tr("No response to tones is stored with this profile."));
+                          : tr("No frequency response is stored with this profile."));
     return;
   }
   plot_->xAxis->setRange(0.9 * low_Hz, 1.1 * high_Hz);

@@ -99,8 +99,8 @@ void FindBar::say_how_many() {
   }
   const auto hits = text_.document()->toRawText().count(words, Qt::CaseInsensitive);
   count_->setText(hits == 0   ? tr("not found")
-                  : hits == 1 ? tr("1 place")
-                              : tr("%1 places").arg(hits));
+                  : hits == 1 ? tr("1 match")
+                              : tr("%1 matches").arg(hits));
 }
 
 }  // namespace asperity

@@ -76,9 +76,8 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   sides->setStretchFactor(1, 3);
   sides->setSizes({960, 640});
   body().addWidget(sides, 1);
-  auto* empty =
-      new EmptyState(tr("No protocol is open"),
-                     tr("Choose one among the study's protocols and press “Edit”."), this);
+  auto* empty = new EmptyState(tr("No protocol is open"),
+                               tr("Choose one of the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });
   set_empty_state(empty);
   show_empty(true);
@@ -255,8 +254,8 @@ void ProtocolEditorPage::show_content(const std::string& bytes) {
   if (as_it_is_) {
     banner().show_news(
         State::look,
-        tr("This file cannot be changed here: it holds bytes that would be lost, because it is not "
-           "UTF-8, or its lines end in different ways. Save it as UTF-8 with another program."));
+        tr("This file cannot be edited here without loss: it is not UTF-8, or its line endings are "
+           "mixed. Save it as UTF-8 with uniform line endings in another program."));
   }
   show_whether_saved();
   check_->want_now();
@@ -283,8 +282,8 @@ void ProtocolEditorPage::show_whether_saved() {
   const bool saving = save_task_.is_running();
   const bool can_write = study().can_be_written();
   save_->setEnabled(changed && !saving && !as_it_is_ && can_write);
-  note_->setText(!can_write  ? tr("This study can only be read here")
-                 : as_it_is_ ? tr("Cannot be changed here")
+  note_->setText(!can_write  ? tr("This study is read-only")
+                 : as_it_is_ ? tr("Cannot be edited here")
                  : saving    ? tr("Saving…")
                  : changed   ? tr("● Unsaved changes")
                              : tr("No unsaved changes"));
@@ -315,8 +314,8 @@ void ProtocolEditorPage::show_plan_or_why_not() {
     plan_side_->setCurrentWidget(plan_);
     return;
   }
-  why_no_plan_->setText(tr("The plan appears here once the text is valid. It has %1 now; the first "
-                           "is in line %2.")
+  why_no_plan_->setText(tr("The plan appears here once the text is valid. At present it has %1; "
+                           "the first is in line %2.")
                             .arg(how_many_problems(result_->diagnostics.size()))
                             .arg(result_->diagnostics.front().line));
   plan_side_->setCurrentWidget(why_no_plan_);
@@ -423,14 +422,13 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
   if (saving.file != file_) {
     file_ = saving.file;
     title().setText(text(file_.filename().string()));
-    banner().show_news(State::fine, tr("Saved as %1: the file is called after the protocol.")
+    banner().show_news(State::fine, tr("Saved as %1: the file is named after the protocol.")
                                         .arg(text(file_.filename().string())));
   }
   if (!saving.not_looked_up.empty()) {
-    banner().show_news(
-        State::look, tr("Saved. Whether sessions were run with another text of this version could "
-                        "not be looked up: %1")
-                         .arg(text(saving.not_looked_up)));
+    banner().show_news(State::look, tr("Saved. Whether sessions were run with another text of this "
+                                       "version could not be determined: %1")
+                                        .arg(text(saving.not_looked_up)));
   }
   watch_file();
   study().announce_change();
@@ -439,22 +437,23 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
 }
 
 void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) {
-  question_->ask(
-      tr("%1 was changed by another program since it was opened here.")
-          .arg(text(file_.filename().string())),
-      {{"editor_take_theirs", tr("Take theirs"),
-        [this, theirs] {
-          take_content(theirs);
-          banner().show_news(State::look, tr("The text of the other program is shown. Undo brings "
-                                             "yours back."));
-          leave();
-        }},
-       {"editor_keep_mine", then == Then::save ? tr("Keep mine and save") : tr("Keep mine"),
-        [this, theirs, then] {
-          on_disk_ = theirs;  // known now: no reason to ask again
-          edit_->setFocus();
-          if (then == Then::save) save(Agreed::nothing);
-        }}});
+  question_->ask(tr("%1 has been changed by another program since it was opened here.")
+                     .arg(text(file_.filename().string())),
+                 {{"editor_take_theirs", tr("Use the other version"),
+                   [this, theirs] {
+                     take_content(theirs);
+                     banner().show_news(
+                         State::look,
+                         tr("The text of the other program is shown. Undo restores yours."));
+                     leave();
+                   }},
+                  {"editor_keep_mine",
+                   then == Then::save ? tr("Keep my version and save") : tr("Keep my version"),
+                   [this, theirs, then] {
+                     on_disk_ = theirs;  // known now: no reason to ask again
+                     edit_->setFocus();
+                     if (then == Then::save) save(Agreed::nothing);
+                   }}});
 }
 
 void ProtocolEditorPage::ask_about_version(const VersionUse& use) {

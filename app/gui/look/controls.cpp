@@ -260,7 +260,7 @@ ModeBand::ModeBand(QWidget* parent) : QLabel(parent) {
 void ModeBand::set_mode(SessionMode mode) {
   setVisible(mode != SessionMode::run);
   const bool pilot = mode == SessionMode::pilot;
-  setText(pilot ? tr("PILOT: not study data") : tr("SIMULATED: no person"));
+  setText(pilot ? tr("PILOT: not study data") : tr("SIMULATED: no human participant"));
   setStyleSheet(
       QString("background: %1; color: %2")
           .arg((pilot ? theme().pilot : theme().simulated).name(), theme().on_band.name()));

@@ -55,7 +55,7 @@ QString words_in_language(const std::string& tag, const Phrase& phrase) {
 }
 
 QString words_of(const Phrase& phrase) {
-  return words_of(phrase, DriverWords::tr("“Set up…” on the page Devices"));
+  return words_of(phrase, DriverWords::tr("“Set up…” on the Devices page"));
 }
 
 QString words_as_published(const Phrase& phrase) {
@@ -78,7 +78,7 @@ QString words_of(const Phrase& phrase, const QString& control) {
   }
   if (words.contains("\"asperity device-test")) {
     static const QRegularExpression kCommand("\"asperity device-test[^\"]*\"");
-    words.replace(kCommand, DriverWords::tr("“Test this device…” on the page Devices"));
+    words.replace(kCommand, DriverWords::tr("“Test this device…” on the Devices page"));
   }
   return words;
 }

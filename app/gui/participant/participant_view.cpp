@@ -68,7 +68,7 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
   qRegisterMetaType<asperity::ParticipantInput>();
   setObjectName(role == Role::participant ? "participant_view" : "participant_mirror");
   setAccessibleName(role == Role::participant ? tr("What the participant sees")
-                                              : tr("Mirror of what the participant sees"));
+                                              : tr("Mirror of the participant's view"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   if (role == Role::participant) {
     setFocusPolicy(Qt::StrongFocus);

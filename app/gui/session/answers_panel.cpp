@@ -66,8 +66,8 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
   }
   // One with an answer for each of many surfaces is longer than its place.
   last_->setToolTip(QStringList{last, when}.join('\n').trimmed());
-  earlier_->setText(earlier.isEmpty() ? QString()
-                                      : tr("Before, by trial: %1").arg(earlier.join(" · ")));
+  earlier_->setText(
+      earlier.isEmpty() ? QString() : tr("Earlier answers, by trial: %1").arg(earlier.join(" · ")));
   earlier_->setToolTip(earlier.join("\n"));
 }
 

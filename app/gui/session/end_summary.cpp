@@ -60,8 +60,8 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
   go_on_ = add_way_on(AfterFailure::go_on, "go_on");
   start_again_ = add_way_on(AfterFailure::start_again, "start_again");
   check_again_ = add_way_on(AfterFailure::check_again, "check_everything_again");
-  see_table_ = add(buttons, tr("See the table"), "see_table", &EndSummary::results_wanted);
-  see_trials_ = add(buttons, tr("See the trials"), "see_trials", &EndSummary::trials_wanted);
+  see_table_ = add(buttons, tr("Show the table"), "see_table", &EndSummary::results_wanted);
+  see_trials_ = add(buttons, tr("Show the trials"), "see_trials", &EndSummary::trials_wanted);
   add(buttons, tr("Close"), "close", &EndSummary::close_wanted);
   for (QHBoxLayout* line : {ways_on, buttons}) line->addStretch(1);
   auto* middle = new QVBoxLayout();
@@ -107,7 +107,7 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {
-    text = tr("%1\n\nResume the session now, or later from the page Sessions.").arg(text);
+    text = tr("%1\n\nResume the session now, or later on the Sessions page.").arg(text);
   }
   text_->setText(text);
   // Of one that was stopped a trial may have been under way.

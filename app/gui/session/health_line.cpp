@@ -46,7 +46,7 @@ void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts
   stored_->setText(tr("study.sqlite · attempts stored: %1").arg(snapshot.rows_stored));
   const LoopHealth& h = snapshot.health;
   if (h.rate_Hz <= 0.0) {
-    return health_->set_state(State::unknown, tr("The device loop has not ticked yet"));
+    return health_->set_state(State::unknown, tr("The servo loop has not run yet"));
   }
   constexpr double kRateTolerance = 0.02;
   const double asked_Hz = facts == nullptr ? h.rate_Hz : facts->row.rate_Hz;
@@ -80,7 +80,7 @@ QString HealthLine::text_of(MaskingState masking) {
     case MaskingState::no_card:
       return tr("no sound card: no masking noise");
     case MaskingState::elsewhere:
-      return tr("masking noise from elsewhere, as measured");
+      return tr("masking noise from another source, as measured");
   }
   return {};
 }

@@ -390,7 +390,7 @@ void LivePlots::write_compliance() {
   const auto write = [this, &asked](FittedLabel& label, const QuantitySoFar& met,
                                     const QString& none) {
     if (met.samples == 0) return label.show_state(State::unknown, none);
-    if (!met.fraction_in_band) return label.show_state(State::unknown, tr("nothing asked"));
+    if (!met.fraction_in_band) return label.show_state(State::unknown, tr("no requirement"));
     const QString words =
         tr("in band %1 %").arg(static_cast<int>(std::lround(100.0 * *met.fraction_in_band)));
     label.show_state(

@@ -146,8 +146,8 @@ void NotesPanel::show_phrases() {
     constexpr int kRoom = 104;
     const QFontMetrics letters(button->font());
     button->setText(letters.elidedText(phrase, Qt::ElideRight, kRoom).replace('&', "&&"));
-    button->setToolTip(tr("Notes “%1”. The right mouse button forgets it.").arg(phrase));
-    auto* forget = new QAction(tr("Forget this phrase"), button);
+    button->setToolTip(tr("Adds the note “%1”. Right-click to remove the phrase.").arg(phrase));
+    auto* forget = new QAction(tr("Remove this phrase"), button);
     connect(forget, &QAction::triggered, this, [this, phrase] { forget_phrase(phrase); });
     button->addAction(forget);
     button->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -164,7 +164,7 @@ QPushButton* NotesPanel::make_phrase(const QString& phrase) {
   button->setFont(text_font(TextSize::small));
   button->setStyleSheet("min-height: 24px; padding: 0 4px;");
   button->setFocusPolicy(Qt::NoFocus);
-  button->setToolTip(tr("Notes “%1”").arg(phrase));
+  button->setToolTip(tr("Adds the note “%1”").arg(phrase));
   connect(button, &QPushButton::clicked, this, [this, phrase] { note(phrase); });
   return button;
 }

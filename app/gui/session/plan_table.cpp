@@ -188,7 +188,7 @@ void PlanModel::write_outcomes() {
     // What counts is the last one; the tool tip states those before it.
     row.attempts = attempt.attempt;
     row.outcome = numbered(text, attempt.attempt);
-    row.history = row.history.isEmpty() ? text : tr("%1, before: %2").arg(text, row.history);
+    row.history = row.history.isEmpty() ? text : tr("%1, previously: %2").arg(text, row.history);
     row.state = SessionText::state_of(attempt);
     const QString reason = words_of(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;

@@ -121,7 +121,7 @@ void SessionControls::write() {
   set_words(*skip_, tr("Skip…"), {});
   set_words(*note_, tr("Note"), tr("F2"));
   set_words(*abort_, s.preparing ? tr("Cancel") : tr("Abort…"), tr("Ctrl+Shift+Q"));
-  set_words(*their_window_, tr("Show their window"), tr("F9"));
+  set_words(*their_window_, tr("Show participant's window"), tr("F9"));
 
   for (QPushButton* button : {pause_, stop_trial_, stop_block_}) button->setEnabled(s.running);
   abort_->setEnabled(s.running || (s.preparing && !s.cancelling));
@@ -139,14 +139,14 @@ void SessionControls::write() {
   } else if (!s.running) {
     why += tr("There is no session under way.");
   } else {
-    if (s.in_fault) why += tr("Pause: the session is stopped already.");
+    if (s.in_fault) why += tr("Pause: the session is already stopped.");
     if (s.repeat_pending) {
-      why += tr("Repeat: the last trial is asked again next.");
+      why += tr("Repeat: the last trial is repeated next.");
     } else if (!s.trial_done) {
-      why += tr("Repeat: no trial is finished yet.");
+      why += tr("Repeat: no trial has been finished yet.");
     }
     if (!s.in_trial) why += tr("Skip: no trial is under way.");
-    if (s.note_locked) why += tr("Note: the keys answer the trial now, use a phrase.");
+    if (s.note_locked) why += tr("Note: the keys now answer the trial; use a phrase.");
   }
   reason_->setText(why.join("  "));
 }

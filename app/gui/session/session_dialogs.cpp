@@ -38,8 +38,8 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) 
   setObjectName("abort_dialog");
   QVBoxLayout* rows = prepare_dialog(
       *this, tr("Abort the session?"),
-      tr("Nothing is lost: every finished trial is stored. The trial under way is kept as aborted "
-         "and will be asked again when the session is resumed."));
+      tr("Nothing is lost: every finished trial is stored. The trial under way is stored as "
+         "aborted and will be presented again when the session is resumed."));
   form_ = new ReasonForm(this);
   form_->setProperty("role", "plain");
   form_->layout()->setContentsMargins(0, 0, 0, 0);
@@ -61,10 +61,10 @@ void AbortDialog::lock(const QString& why) { form_->lock(why); }
 
 CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave) : QDialog(parent) {
   setObjectName("close_dialog");
-  QVBoxLayout* rows = prepare_dialog(
-      *this, tr("A session is under way"),
-      tr("What is done is safe: every finished trial is stored, and the session can be "
-         "resumed. The window closes once the session has ended."));
+  QVBoxLayout* rows =
+      prepare_dialog(*this, tr("A session is under way"),
+                     tr("No data are lost: every finished trial is stored, and the session can be "
+                        "resumed. The window closes once the session has ended."));
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
   auto* abort = make_button(tr("Abort now"), ButtonRole::plain, this);

@@ -49,8 +49,9 @@ void SessionHeader::make_emergency_stop() {
   emergency_->setMinimumHeight(kEmergencyHeight);
   emergency_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   emergency_->setFocusPolicy(Qt::NoFocus);  // a key that goes astray does not press it
-  emergency_->setToolTip(tr(
-      "Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do."));
+  emergency_->setToolTip(
+      tr("Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space do the "
+         "same."));
   connect(emergency_, &QPushButton::pressed, this, &SessionHeader::emergency);
 }
 
@@ -190,7 +191,7 @@ void SessionHeader::show_blindness(const Blindness& blindness) {
     words = blindness.is_blind ? tr("▲ Blind again; UNBLINDED at %1").arg(blindness.unblinded_at)
                                : tr("▲ UNBLINDED at %1").arg(blindness.unblinded_at);
   } else {
-    words = blindness.is_blind ? tr("Blind: codes stand for conditions") : tr("Names are shown");
+    words = blindness.is_blind ? tr("Blind: conditions are shown as codes") : tr("Names are shown");
   }
   blindness_->show_text(words);
   blindness_->setFont(text_font(TextSize::body, marked));

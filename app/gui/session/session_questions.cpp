@@ -25,9 +25,10 @@ void SessionQuestions::ask_to_repeat() {
 }
 
 void SessionQuestions::ask_to_skip(int trial) {
-  form_.ask(tr("Why is trial %1 skipped? It is kept as skipped and not asked again.").arg(trial),
-            offered_reasons(ReasonFor::skipping), tr("Skip this trial"),
-            [this](const Phrase& reason) { requests_.skip(reason); });
+  form_.ask(
+      tr("Why is trial %1 skipped? It is stored as skipped and not presented again.").arg(trial),
+      offered_reasons(ReasonFor::skipping), tr("Skip this trial"),
+      [this](const Phrase& reason) { requests_.skip(reason); });
 }
 
 void SessionQuestions::ask_to_unblind(std::function<void(Phrase)> on_reason) {

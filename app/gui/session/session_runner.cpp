@@ -130,7 +130,7 @@ void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
     text +=
         tr("The force is zero and the session has stopped. Every finished trial is stored (%n "
            "attempt(s) since the session was started or resumed). Fix the cause, then resume "
-           "this session from the page Sessions.",
+           "this session on the Sessions page.",
            nullptr, attempts_);
   } else {
     text +=

@@ -62,11 +62,10 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
       return tr("The session has not begun");
     case SessionPhase::ready:
       return snapshot.trials > 0 && snapshot.trials_done >= snapshot.trials
-                 ? tr("After the last trial: the participant reads")
-                 : tr("Getting ready: the participant reads, or the device is checked");
+                 ? tr("After the last trial: the participant is reading")
+                 : tr("Preparation: the participant is reading, or the device is being checked");
     case SessionPhase::iti:
-      return to_come > 0 ? tr("Between trials, next is trial %1").arg(to_come)
-                         : tr("Between trials");
+      return to_come > 0 ? tr("Between trials; next: trial %1").arg(to_come) : tr("Between trials");
     case SessionPhase::fore:
       return tr("Trial %1: waiting for the first touch, %2 s").arg(snapshot.trial).arg(seconds);
     case SessionPhase::contact: {
@@ -88,7 +87,7 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::rest:
       return tr("Break, %1").arg(of_duration(in_phase_s));
     case SessionPhase::questions:
-      return tr("The participant answers questions");
+      return tr("The participant is answering questions");
     case SessionPhase::paused:
       return to_come > 0 ? tr("Paused before trial %1").arg(to_come) : tr("Paused");
     case SessionPhase::fault:

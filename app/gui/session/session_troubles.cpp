@@ -91,17 +91,18 @@ QString SessionTroubles::fault_text() const {
   if (!stopped_at_.isEmpty() || s.fault == Fault::emergency_stop) {
     const QString when = stopped_at_.isEmpty() ? clock_text(s.phase_began_ns) : stopped_at_;
     if (!stop_is_confirmed_) {
-      return tr("EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.")
+      return tr("EMERGENCY STOP at %1. The device was commanded to zero force; its response is "
+                "awaited.")
           .arg(when);
     }
     if (s.trouble) return tr("EMERGENCY STOP at %1. %2").arg(when, what);
-    return tr("EMERGENCY STOP at %1. The force is zero and is held there.").arg(when);
+    return tr("EMERGENCY STOP at %1. The force is zero and is held at zero.").arg(when);
   }
   if (s.trouble) {
-    return tr("Stopped at %1, the force is held at zero. %2")
+    return tr("Stopped at %1; the force is held at zero. %2")
         .arg(clock_text(s.trouble->time_ns), what);
   }
-  return tr("Stopped at %1, the force is held at zero: %2.")
+  return tr("Stopped at %1; the force is held at zero: %2.")
       .arg(clock_text(s.phase_began_ns), OutcomeWords::of_fault(s.fault));
 }
 
@@ -186,8 +187,8 @@ void SessionTroubles::show_failure(const QString& what, AfterFailure next) {
 
 void SessionTroubles::show_screen_removed(const QString& name) {
   news_->show_news(State::look,
-                   tr("The screen “%1” was unplugged. What was on it is now on another one. Pause, "
-                      "and plug it in again, if it was the participant's.")
+                   tr("The screen “%1” was disconnected. Its contents are now on another screen. "
+                      "If it was the participant's screen, pause and reconnect it.")
                        .arg(name),
                    tr("Pause"), [this] { emit pause_wanted(); });
 }
@@ -196,27 +197,24 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
   QString text{};
   switch (loss) {
     case ScreenLoss::force_stopped:
-      text =
-          tr("The participant's screen “%1” is gone. The emergency stop was pressed for them: the "
-             "force is zero, and the trial is asked again. Plug the screen in, put their window "
-             "back, then clear the stop.")
-              .arg(name);
+      text = tr("The participant's screen “%1” was disconnected. The program triggered the "
+                "emergency stop: the force is zero, and the trial will be repeated. Reconnect the "
+                "screen, restore the participant's window, then clear the stop.")
+                 .arg(name);
       break;
     case ScreenLoss::pausing:
-      text =
-          tr("The participant's screen “%1” is gone. There is no force, and the session pauses "
-             "before the next trial. Plug the screen in, put their window back, then resume with "
-             "F5.")
-              .arg(name);
+      text = tr("The participant's screen “%1” was disconnected. There is no force, and the "
+                "session pauses before the next trial. Reconnect the screen, restore the "
+                "participant's window, then resume with F5.")
+                 .arg(name);
       break;
     case ScreenLoss::still_gone:
-      text =
-          tr("The screen “%1” is still not there. Until it is, the participant's window stands on "
-             "the screen that is left.")
-              .arg(name);
+      text = tr("The screen “%1” is still disconnected. Until it is reconnected, the participant's "
+                "window is shown on the remaining screen.")
+                 .arg(name);
       break;
   }
-  news_->show_news(State::look, text, tr("Put their window back"),
+  news_->show_news(State::look, text, tr("Restore participant's window"),
                    [this, name] { emit participant_screen_back(name); });
 }
 

@@ -149,7 +149,7 @@ QWidget* SessionWindow::make_sight() {
   auto* rows = new QVBoxLayout(sight);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kGrid / 2);
-  rows->addWidget(make_small_heading(tr("PARTICIPANT SEES"), sight));
+  rows->addWidget(make_small_heading(tr("PARTICIPANT'S VIEW"), sight));
   QVBoxLayout* frame = nullptr;
   QFrame* screen = make_card(sight, frame);
   frame->setContentsMargins(1, 1, 1, 1);
@@ -457,7 +457,7 @@ void SessionWindow::write_pending() {
     if (shown_.phase == SessionPhase::paused) {
       words += pending.pause ? tr("Paused since %1, Resume F5")
                                    .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
-                             : tr("Going on");
+                             : tr("Resuming");
     } else if (pending.pause) {
       words += tr("Pausing after this trial");
     }
@@ -524,7 +524,7 @@ void SessionWindow::write_end() {
   } else if (shown_.trouble && !failed_) {  // a failure is said by its banner
     why = words_of(shown_.trouble->what);
   }
-  if (!why.isEmpty()) outcome.why = tr("What ended it: %1").arg(troubles_->veiled(why));
+  if (!why.isEmpty()) outcome.why = tr("Reason: %1").arg(troubles_->veiled(why));
   summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, outcome);
 }
 

@@ -66,15 +66,15 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kGrid);
 
-  QString what = tr("This protocol plays no masking noise. Cues are played all the same.");
+  QString what = tr("This protocol uses no masking noise. Cues are played nevertheless.");
   const bool white = value_.kind == MaskingNoise::Kind::white;
   if (has_noise && value_.declared_dBA) {
     const QString level = shown_number(*value_.declared_dBA, 'f', 0);
-    what = white ? tr("The protocol asks for white noise of %1 dB(A) at the ear.").arg(level)
-                 : tr("The protocol asks for pink noise of %1 dB(A) at the ear.").arg(level);
+    what = white ? tr("The protocol requires white noise of %1 dB(A) at the ear.").arg(level)
+                 : tr("The protocol requires pink noise of %1 dB(A) at the ear.").arg(level);
   } else if (has_noise) {
-    what = white ? tr("The protocol asks for white noise and states no level.")
-                 : tr("The protocol asks for pink noise and states no level.");
+    what = white ? tr("The protocol requires white noise and states no level.")
+                 : tr("The protocol requires pink noise and states no level.");
   }
   rows->addWidget(make_text(what, this));
   state_ = new StateLabel(this);
@@ -218,17 +218,17 @@ QString NoiseCheck::reservation() const {
   if (value_.kind == MaskingNoise::Kind::none) return {};
   if (!value_.measured_dBA) return tr("The level of the noise at the ear was not measured.");
   if (*value_.measured_dBA > kLoudest_dBA) {
-    return tr("The noise was measured at %1 dB(A): more than %2 dB(A) harms hearing.")
+    return tr("The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing.")
         .arg(shown_number(*value_.measured_dBA, 'f', 1))
         .arg(shown_number(kLoudest_dBA, 'f', 0));
   }
   if (value_.declared_dBA &&
       std::abs(*value_.measured_dBA - *value_.declared_dBA) > kNoiseTolerance_dBA) {
-    return tr("The noise was measured at %1 dB(A), the protocol wants %2 dB(A).")
+    return tr("The noise was measured at %1 dB(A); the protocol requires %2 dB(A).")
         .arg(shown_number(*value_.measured_dBA, 'f', 1))
         .arg(shown_number(*value_.declared_dBA, 'f', 1));
   }
-  if (value_.verified_by.empty()) return tr("Who measured the noise is not written down.");
+  if (value_.verified_by.empty()) return tr("It is not recorded who measured the noise.");
   return {};
 }
 
@@ -236,7 +236,7 @@ void NoiseCheck::show_state() {
   gain_text_->setText(tr("%1 dB").arg(shown_number(20.0 * std::log10(value_.gain), 'f', 1)));
   const QString problem = reservation();
   if (problem.isEmpty()) {
-    state_->set_state(State::fine, tr("Plays through %1.").arg(output_.name));
+    state_->set_state(State::fine, tr("Sound output: %1.").arg(output_.name));
   } else {
     state_->set_state(State::look, problem);
   }

@@ -34,7 +34,7 @@ ConsentCard::ConsentCard(QWidget* parent) : QWidget(parent) {
   layout->addWidget(given_);
   auto* row = new QHBoxLayout();
   row->setSpacing(kMargin);
-  auto* label = make_text(tr("Seen by *"), this);
+  auto* label = make_text(tr("Witnessed by *"), this);
   label->setWordWrap(false);
   seen_by_ = new QLineEdit(QSettings().value(kSeenBy).toString(), this);
   seen_by_->setObjectName("consent_seen_by");
@@ -78,7 +78,8 @@ std::string ConsentCard::seen_by() const { return seen_by_->text().trimmed().toS
 std::vector<QString> ConsentCard::complaints() const {
   std::vector<QString> complaints{};
   if (!is_given()) complaints.push_back(tr("The participant has not agreed to the statement yet."));
-  if (seen_by().empty()) complaints.push_back(tr("It is not said who saw the participant agree."));
+  if (seen_by().empty())
+    complaints.push_back(tr("The witness of the participant's consent has not been entered."));
   return complaints;
 }
 

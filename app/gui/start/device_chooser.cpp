@@ -95,7 +95,8 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   set_up_ = make_button(tr("Set up…"), ButtonRole::plain, this);
   set_up_->setObjectName("device_set_up");
   set_up_->setToolTip(
-      tr("A device's firmware, its maker's library or service, where it is not found."));
+      tr("Location of a device's firmware or of its manufacturer's library or service, if it is "
+         "not found."));
   again_ = make_button(tr("Rescan"), ButtonRole::plain, this);
   again_->setObjectName("device_look");
   try_ = make_button(tr("Try this device"), ButtonRole::plain, this);
@@ -123,7 +124,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   state_->setObjectName("device_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
-  why_ = make_button(tr("Why others cannot be used"), ButtonRole::link, this);
+  why_ = make_button(tr("Why other devices cannot be used"), ButtonRole::link, this);
   why_->setObjectName("device_why");
   why_->setCheckable(true);
   layout->addWidget(why_, 0, Qt::AlignLeft);
@@ -310,7 +311,7 @@ void DeviceChooser::show_chosen() {
     said = has_looked_ ? words_of(Phrase(now.hindrance).as_sentence(), tr("“Set up…”")) : QString();
   }
   if (whom_ == For::virtual_participants) {
-    said = tr("Several virtual participants are simulated on the simulated device as it is.");
+    said = tr("Several virtual participants are simulated on the plain simulated device.");
   }
   text_->setText(said);
   text_->setVisible(!said.isEmpty());
@@ -321,15 +322,14 @@ void DeviceChooser::show_chosen() {
   if (is_looking || !has_looked_) {
     state_->set_state(State::unknown, tr("Searching for devices…"));
   } else if (!now.is_usable()) {
-    state_->set_state(State::stop, tr("It cannot be used now."));
+    state_->set_state(State::stop, tr("The device cannot be used at present."));
   } else if (found == nullptr) {
-    state_->set_state(State::look,
-                      tr("Not tried yet. Trying it opens it and runs the loop for a third of a "
-                         "second, without force."));
+    state_->set_state(State::look, tr("Not tried yet. “Try this device” opens it and runs the "
+                                      "servo loop for a third of a second without force."));
   } else if (!found->failure.empty()) {
     state_->set_state(State::stop, words_of(found->failure, tr("“Set up…”")));
   } else {
-    state_->set_state(State::fine, tr("Tried: it answers. The checklist has the details."));
+    state_->set_state(State::fine, tr("Tried: the device responds. Details are in the checklist."));
   }
 }
 
@@ -389,8 +389,9 @@ void DeviceChooser::try_now(const std::string& agreed) {
   if (agreed.empty()) {
     state_->set_state(State::unknown, tr("Opening the device…"));
   } else {
-    state_->set_state(State::look, tr("Keep hands away: it moves by itself until it has found its "
-                                      "zero. Esc, Cancel, or its power switch, stops it."));
+    state_->set_state(State::look,
+                      tr("Keep hands away: the device moves by itself until it has found its zero "
+                         "position. Esc, Cancel or its power switch stops it."));
     try_->setFocus();
   }
   state_->show();
@@ -424,7 +425,7 @@ void DeviceChooser::show_try(const TriedDevice& found, bool is_as_told) {
   show_chosen();
   // Somebody may have turned to virtual participants meanwhile.
   if (is_asked && whom_ == For::people && found.device == device()) {
-    ask(words_of(Phrase(found.wants_to_move).as_sentence()).simplified(), tr("Let it move"),
+    ask(words_of(Phrase(found.wants_to_move).as_sentence()).simplified(), tr("Allow motion"),
         [this, agreed = found.wants_to_move] { try_now(agreed); });
   }
   emit changed();

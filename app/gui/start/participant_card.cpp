@@ -78,7 +78,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   new_fields_ = make_group(this, new_layout);
   label_ = new QLineEdit(this);
   label_->setObjectName("participant_label");
-  new_layout->addLayout(make_row(tr("Label, in place of a name *"), label_, this));
+  new_layout->addLayout(make_row(tr("Label instead of a name *"), label_, this));
   form_ = new QuestionForm(this);
   new_layout->addWidget(form_);
   layout->addWidget(new_fields_);
@@ -89,7 +89,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   list_->setObjectName("participants");
   list_->setPlaceholderText(tr("Choose"));
   ignore_wheel(*list_);
-  known_layout->addLayout(make_row(tr("Who *"), list_, this));
+  known_layout->addLayout(make_row(tr("Participant *"), list_, this));
   known_text_ = make_text({}, this, true);
   known_layout->addWidget(known_text_);
   layout->addWidget(known_fields_);
@@ -189,13 +189,13 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   const QString begun = text_of_time(row.started_utc);
   QString text{};
   if (goes_on) {
-    text = made_up
-               ? tr("Session %1, on a simulated clock, is resumed: %2 of its %3 trials are done "
-                    "and stored.")
-                     .arg(row.session)
-               : tr("Session %1, begun %2, is resumed: %3 of its %4 trials are done and stored.")
-                     .arg(row.session)
-                     .arg(begun);
+    text = made_up ? tr("Session %1, on a simulated clock, will be resumed: %2 of its %3 trials "
+                        "are completed and stored.")
+                         .arg(row.session)
+                   : tr("Session %1, begun %2, will be resumed: %3 of its %4 trials are completed "
+                        "and stored.")
+                         .arg(row.session)
+                         .arg(begun);
     text = text.arg(session->trials_done).arg(session->trials);
   } else {
     text = made_up ? tr("Session %1 of this protocol, on a simulated clock, is unfinished.")
@@ -206,7 +206,7 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   }
   unfinished_text_->set_state(goes_on ? State::fine : State::look, text);
   go_on_->setVisible(!goes_on);
-  go_on_->setText(tr("Resume session %1 (%2 of %3 trials done)")
+  go_on_->setText(tr("Resume session %1 (%2 of %3 trials completed)")
                       .arg(row.session)
                       .arg(session->trials_done)
                       .arg(session->trials));

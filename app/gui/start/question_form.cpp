@@ -70,7 +70,7 @@ void QuestionForm::set_questions(const std::vector<Question>& questions) {
   const bool any_required = std::any_of(questions_.begin(), questions_.end(),
                                         [](const Question& q) { return !q.optional; });
   if (any_required) {
-    grid_->addWidget(make_text(tr("* has to be answered"), this, true), row, 0, 1, 2);
+    grid_->addWidget(make_text(tr("* required"), this, true), row, 0, 1, 2);
   }
 }
 

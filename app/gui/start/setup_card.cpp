@@ -72,9 +72,9 @@ SetupCard::SetupCard(OpenStudy& study, QWidget* parent) : QWidget(parent) {
   own_keyboard_->setObjectName("own_keyboard");
   own_keyboard_->setChecked(QSettings().value(kOwnKeyboard, false).toBool());
   layout->addWidget(own_keyboard_);
-  keyboard_text_ = make_text(
-      tr("With one keyboard for both, your text fields are greyed while an answer is open."), this,
-      true);
+  keyboard_text_ = make_text(tr("If both use one keyboard, the experimenter's text fields are "
+                                "disabled while an answer is expected."),
+                             this, true);
   layout->addWidget(keyboard_text_);
 
   connect(hands, &QButtonGroup::buttonClicked, this, [this] {

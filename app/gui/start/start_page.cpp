@@ -266,7 +266,7 @@ void StartPage::connect_parts() {
   connect(&setup_->device(), &DeviceChooser::changed, this, [this] {
     // A page that is made anew would wait for it.
     setProperty("keep", setup_->device().is_trying()
-                            ? tr("A device is being tried: wait until it has answered.")
+                            ? tr("A device is being tried: wait for the result.")
                             : QString());
     check_soon();
   });

@@ -103,8 +103,8 @@ void StartPage::grant(const Wish& wish) {
   if (!resume_) {
     banner_->show_news(State::look,
                        tr("The session of %1 cannot be resumed with this protocol: its text has "
-                          "changed since the session began. Restore the earlier text to resume it; "
-                          "what follows here is a new session.")
+                          "changed since the session began. To resume it, restore the earlier "
+                          "text; a session started here is a new one.")
                            .arg(QString::fromStdString(wish.participant.value_or(""))));
   }
 }

@@ -66,12 +66,12 @@ void StartPage::show_protocol() {
   protocol_text_->setVisible(protocol != nullptr);
   if (protocol == nullptr) {
     if (protocols_->count() == 0) {
-      protocol_state_->set_state(State::stop, tr("The study has no protocol yet: make one on the "
-                                                 "Protocols page."));
+      protocol_state_->set_state(
+          State::stop, tr("The study has no protocol yet: create one on the Protocols page."));
     } else if (now.is_read()) {
       protocol_state_->set_state(State::stop, text_of_problem(now));
     } else {
-      protocol_state_->set_state(State::unknown, tr("Choose what is to be run."));
+      protocol_state_->set_state(State::unknown, tr("Choose a protocol."));
     }
     return;
   }
@@ -127,11 +127,11 @@ void StartPage::show_mode() {
   } else if (mode_ == SessionMode::run) {
     mode_text_->setText(tr("Study data. Plan and plots show codes in place of names."));
   } else if (mode_ == SessionMode::pilot) {
-    mode_text_->setText(tr("A person tries it out. Kept apart from the study's data."));
-  } else {
     mode_text_->setText(
-        tr("Virtual participants exercise the study. Their answers say nothing "
-           "about people."));
+        tr("A test of the experiment with a participant. Stored separately from the study data."));
+  } else {
+    mode_text_->setText(tr(
+        "Virtual participants test the study. Their answers are not data about human perception."));
   }
   simulation_->setVisible(is_virtual());
   const bool real_time = real_time_->isChecked();
@@ -144,7 +144,8 @@ void StartPage::show_mode() {
   if (resume_) {
     simulation_text_->setText(tr("A simulated session is resumed at the speed at which it began."));
   } else if (real_time) {
-    simulation_text_->setText(tr("Real time takes one virtual participant at a time."));
+    simulation_text_->setText(
+        tr("In real time, only one virtual participant can be simulated at a time."));
   } else if (virtual_people_->value() == 1) {
     simulation_text_->setText(tr("One session, shown while it runs."));
   } else {
@@ -164,12 +165,13 @@ void StartPage::show_person() {
   const int several = virtual_people_->value();
   const std::string first = next_virtual_label(facts_.people);
   participant_->set_virtual(
-      is_virtual(), several == 1
-                        ? tr("The program names virtual participants; the next one is %1.")
-                              .arg(QString::fromStdString(first))
-                        : tr("The program names virtual participants; the next %n begin with %1.",
-                             nullptr, several)
-                              .arg(QString::fromStdString(first)));
+      is_virtual(),
+      several == 1
+          ? tr("The program assigns the labels of virtual participants; the next one is %1.")
+                .arg(QString::fromStdString(first))
+          : tr("The program assigns the labels of virtual participants; the next %n begin with %1.",
+               nullptr, several)
+                .arg(QString::fromStdString(first)));
   participant_->set_people(facts_.people);
   const std::optional<ParticipantRow> known = participant_->known();
   unfinished_.reset();
@@ -232,7 +234,8 @@ void StartPage::show_start() {
                                : tr("Start session"));
   }
   if (simulating) {
-    reason_->set_state(State::unknown, tr("Virtual participants go through their sessions."));
+    reason_->set_state(State::unknown,
+                       tr("The sessions of virtual participants are being simulated."));
     return;
   }
   const std::vector<QString> why_not = reasons();

@@ -39,7 +39,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
       this, true));
   const QString documents = documents_folder();
   layout->addWidget(make_text(documents.isEmpty()
-                                  ? tr("The documents are not installed on this machine.")
+                                  ? tr("The documents are not installed on this computer.")
                                   : tr("The documents are in %1.").arg(documents),
                               this, true));
   auto* row = new QHBoxLayout();

@@ -14,12 +14,12 @@ QString news_text(const BrokenOffSession& session, const QString& study) {
   const QString participant = QString::fromStdString(session.row.participant);
   const QString text =
       study.isEmpty()
-          ? QCoreApplication::translate("asperity::BrokenOffNews",
-                                        "Session %1 of %2 was interrupted: %3 of its %4 trials are "
-                                        "done and stored.")
+          ? QCoreApplication::translate(
+                "asperity::BrokenOffNews",
+                "Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.")
           : QCoreApplication::translate("asperity::BrokenOffNews",
                                         "Session %1 of %2 in the study “%5” was interrupted: %3 of "
-                                        "its %4 trials are done and stored.");
+                                        "its %4 trials are completed and stored.");
   const QString filled =
       text.arg(session.row.session).arg(participant).arg(session.trials_done).arg(session.trials);
   return study.isEmpty() ? filled : filled.arg(study);
@@ -46,7 +46,7 @@ void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessio
   if (sessions.size() > 1) {
     said << QCoreApplication::translate(
         "asperity::BrokenOffNews",
-        "Others were interrupted as well: the page Sessions lists them.");
+        "Other sessions were interrupted as well; they are listed on the Sessions page.");
   }
   if (!session.protocol_file) {
     banner.show_news(State::look, said.join(' '),

@@ -30,7 +30,7 @@ std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& de
   std::vector<std::pair<QString, QString>> facts{
       {DevicesPage::tr("Motion sensed"),
        DevicesPage::tr("%1 degrees of freedom").arg(device.sensed_degrees_of_freedom)},
-      {DevicesPage::tr("Force given"),
+      {DevicesPage::tr("Force output"),
        DevicesPage::tr("%1 degrees of freedom").arg(device.actuated_degrees_of_freedom)},
       {DevicesPage::tr("Workspace"),
        DevicesPage::tr("%1 × %2 × %3 mm")
@@ -46,11 +46,11 @@ std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& de
        device.position_resolution_m > 0.0
            ? DevicesPage::tr("%1 µm").arg(fixed_number(1e6 * device.position_resolution_m, 1))
            : DevicesPage::tr("exact (simulated)")},
-      {DevicesPage::tr("Fastest loop"),
+      {DevicesPage::tr("Highest servo rate"),
        DevicesPage::tr("%1 Hz").arg(fixed_number(device.maximum_rate_Hz, 0))},
       {DevicesPage::tr("Timing source"), device.pacing == Pacing::ours
                                              ? DevicesPage::tr("this program")
-                                             : DevicesPage::tr("the maker's driver")}};
+                                             : DevicesPage::tr("the manufacturer's driver")}};
   if (!device.serial.empty()) {
     facts.insert(facts.begin(),
                  {DevicesPage::tr("Serial number"), QString::fromStdString(device.serial)});
@@ -138,8 +138,8 @@ DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
   body().addWidget(area, 1);
   add_simulated();
   QLabel* note = make_text(
-      tr("The simulated device is always there: a virtual hand holds its probe. What a protocol "
-         "asks for is compared with the device before a session starts."),
+      tr("The simulated device is always available: a virtual hand holds its probe. The "
+         "requirements of a protocol are compared with the device before a session starts."),
       inside, true);
   cards_->addWidget(note);
   udev_ = new StateLabel(inside);
@@ -199,7 +199,7 @@ void DevicesPage::add_models() {
   layout->addWidget(make_heading(tr("In place of a real device"), card));
   layout->addWidget(make_text(
       tr("The simulated device with the workspace, forces, latency and steps of a real one, as far "
-         "as they are known: to rehearse a protocol before the device is there."),
+         "as they are known: for rehearsing a protocol before the device is available."),
       card, true));
   for (const DeviceChoice& choice : devices_without_hardware()) {
     if (choice.kind != DeviceKind::simulated || choice.model.empty()) continue;
@@ -242,7 +242,7 @@ void DevicesPage::look() {
       },
       [this, done](const QString& what) {
         done();
-        banner().show_news(State::look, tr("Devices could not be looked for: %1").arg(what));
+        banner().show_news(State::look, tr("The search for devices failed: %1").arg(what));
         if (setup_ != nullptr) setup_->show_failure(what);
       });
 }
@@ -318,8 +318,8 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   }
   if (driver.id == kReplayDriver) {
     say(
-        tr("It is made of a recording, at a terminal only: asperity run PROTOCOL --device "
-           "replay:FILE."));
+        tr("It replays a recording and is available only at a terminal: asperity run PROTOCOL "
+           "--device replay:FILE."));
   } else {
     say_sentence(driver.survey.hindrance);
   }

@@ -22,8 +22,8 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   layout->setSpacing(kMargin);
   layout->addWidget(make_heading(tr("Create a study"), this));
   layout->addWidget(make_text(
-      tr("A study is a folder: its protocols, its stimuli, and everything that is answered."), this,
-      true));
+      tr("A study is a folder with its protocols, its stimuli, and all responses and recordings."),
+      this, true));
 
   auto* form = new QFormLayout();
   form->setSpacing(kGrid);
@@ -35,13 +35,13 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   form->addRow(tr("Name"), name_);
   place_ = new QLineEdit(text_of_path(place), this);
   place_->setObjectName("new_study_place");
-  place_->setAccessibleName(tr("In the folder"));
+  place_->setAccessibleName(tr("Parent folder"));
   QPushButton* browse = make_button(tr("Choose…"), ButtonRole::plain, this);
   auto* place_row = new QHBoxLayout();
   place_row->setSpacing(kGrid);
   place_row->addWidget(place_, 1);
   place_row->addWidget(browse);
-  form->addRow(tr("In the folder"), place_row);
+  form->addRow(tr("Parent folder"), place_row);
   metadata_ = new MetadataFields(*form, this);
   layout->addLayout(form);
 
@@ -69,7 +69,7 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
     accept();
   });
   connect(browse, &QPushButton::clicked, this, [this] {
-    auto* chooser = new QFileDialog(this, tr("Where the study is to lie"), place_->text());
+    auto* chooser = new QFileDialog(this, tr("Folder for the study"), place_->text());
     chooser->setAttribute(Qt::WA_DeleteOnClose);
     chooser->setFileMode(QFileDialog::Directory);
     chooser->setOption(QFileDialog::ShowDirsOnly);
@@ -87,14 +87,14 @@ QString NewStudyDialog::complaint() const {
   const QString name = name_->text().trimmed();
   if (name.isEmpty()) return tr("The study needs a name.");
   if (name.contains('/') || name == "." || name == "..") {
-    return tr("The name becomes that of a folder: it cannot be “%1”.").arg(name);
+    return tr("The name is used as the name of a folder: it cannot be “%1”.").arg(name);
   }
   if (!path_of_text(place_->text().trimmed()).is_absolute()) {
-    return tr("The folder has to be written in full, beginning with “/” or “~”.");
+    return tr("Enter the full path of the folder, beginning with “/” or “~”.");
   }
   std::error_code ignored{};
   if (std::filesystem::exists(folder(), ignored)) {
-    return tr("There is something at %1 already; choose another name.").arg(text_of_path(folder()));
+    return tr("%1 already exists; choose another name.").arg(text_of_path(folder()));
   }
   return {};
 }

@@ -39,12 +39,12 @@ QString or_dash(const std::optional<std::string>& text) {
 ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Participants"), parent) {
   setObjectName("participants_page");
-  set_empty_state(new EmptyState(
-      tr("No participants yet"),
-      tr("A participant is added when their first session starts: choose a protocol on the page "
-         "Protocols and press “Start session…”. The label is suggested, the protocol's questions "
-         "are asked there."),
-      this));
+  set_empty_state(
+      new EmptyState(tr("No participants yet"),
+                     tr("A participant is added when their first session starts: choose a protocol "
+                        "on the page Protocols and press “Start session…”. A label is suggested "
+                        "there, and the protocol's questions are asked."),
+                     this));
 
   auto* tools = new QHBoxLayout();
   tools->setSpacing(kGrid);
@@ -72,7 +72,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
                            {tr("Age, years"), 120, Align::number},
                            {tr("Sex"), 88, Align::text},
                            {tr("Handedness"), 136, Align::text},
-                           {tr("Sessions done"), 144, Align::number},
+                           {tr("Sessions completed"), 144, Align::number},
                            {tr("Unfinished"), 120, Align::number},
                            {tr("Last session"), 0, Align::text}},
                           this);
@@ -87,7 +87,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   withdraw_ = make_button(tr("Withdraw…"), ButtonRole::plain, this);
   withdraw_->setObjectName("participants_withdraw");
   withdraw_->setToolTip(
-      tr("Keep the data of the participant from being used, or delete them from the study."));
+      tr("Exclude the participant's data from all use, or delete them from the study."));
   answers_ = make_text({}, this, true);
   below->addWidget(sessions_);
   below->addWidget(withdraw_);
@@ -120,7 +120,7 @@ void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& peopl
       all_.begin(), all_.end(), [](const ParticipantOverview& one) { return !one.row.is_virtual; });
   const auto virtual_ones = static_cast<long>(all_.size()) - persons;
   if (!chosen_) show_virtual_ = persons == 0 && virtual_ones > 0;
-  people_->setText(tr("People %1").arg(persons));
+  people_->setText(tr("Human %1").arg(persons));
   virtual_people_->setText(tr("Virtual %1").arg(virtual_ones));
   // The chosen one is bold, and its words are wider then.
   const QFontMetrics bold(text_font(TextSize::body, true));

@@ -228,7 +228,8 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
   seed_->setValue(1);
   seed_->setToolTip(tr("Random orders are drawn separately for every session."));
   row_ = add(tr("Row"), "plan_row", 1, 1);
-  row_->setToolTip(tr("The row of the counterbalancing: each participant gets the next one."));
+  row_->setToolTip(
+      tr("Row of the counterbalancing: each new participant is assigned the least used one."));
   rows_ = make_text({}, this, true);
   rows_->setWordWrap(false);
   row.addWidget(rows_);

@@ -90,7 +90,8 @@ void ProtocolFileActions::unless_run(std::function<void()> then) {
         if (sessions == 0) return then();
         emit refused(
             tr("%1 has been run (%n sessions). Sessions refer to its name and its text: it "
-               "can be neither renamed nor deleted. Duplicate it to make another one of it.",
+               "can be neither renamed nor deleted. Duplicate it to create a further protocol from "
+               "it.",
                nullptr, sessions)
                 .arg(file_name_of(file_)));
       },

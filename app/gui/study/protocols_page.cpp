@@ -98,7 +98,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   QPushButton* add = make_button(tr("New from template"), ButtonRole::plain, this);
   add->setObjectName("protocols_new");
   add_templates(add);
-  if (!study.can_be_written()) head().addWidget(make_text(tr("Can only be read here"), this, true));
+  if (!study.can_be_written()) head().addWidget(make_text(tr("Read-only"), this, true));
   head().addWidget(add);
   auto* empty = new EmptyState(
       tr("No protocols yet"),
@@ -290,7 +290,7 @@ void ProtocolsPage::add_from_template(const std::string& name, const std::string
         refresh();
       },
       [this](const QString& what) {
-        banner().show_news(State::stop, tr("The protocol could not be made: %1").arg(what));
+        banner().show_news(State::stop, tr("The protocol could not be created: %1").arg(what));
       });
 }
 
@@ -348,7 +348,7 @@ void ProtocolsPage::show_selected() {
     reason_->setText(tr("Fix the problems listed below first."));
   } else {
     reason_->setText(can_run ? QString{}
-                             : tr("This study can only be read here: no session can be stored."));
+                             : tr("This study is read-only: no session can be stored."));
   }
   description_->setText(protocol ? text(protocol->description) : QString{});
   std::vector<StudyTable::Row> rows{};

@@ -75,10 +75,9 @@ void SessionDesk::take_study(OpenStudy& study) {
   start_page_ = new StartPage(study);
   window_.add_page(kStartPage, {}, start_page_);
   connect(start_page_, &StartPage::simulating, this, [this](bool simulating) {
-    window_.set_busy(
-        simulating
-            ? tr("Virtual participants go through their sessions. Stop the simulation first.")
-            : QString());
+    window_.set_busy(simulating ? tr("The sessions of virtual participants are being simulated. "
+                                     "Stop the simulation first.")
+                                : QString());
   });
   connect(start_page_, &StartPage::start_wanted, this, &SessionDesk::begin);
   connect(start_page_, &StartPage::sessions_wanted, this,
@@ -88,7 +87,8 @@ void SessionDesk::take_study(OpenStudy& study) {
 void SessionDesk::choose(const SessionWish& wish) {
   if (runner_ != nullptr) {
     window_.banner().show_news(
-        State::look, tr("One session at a time: close the window of the one that is open first."));
+        State::look,
+        tr("Only one session can be open at a time: close the window of the open one first."));
     if (session_window_ != nullptr) session_window_->raise();
     return;
   }
@@ -111,7 +111,7 @@ void SessionDesk::begin(const SessionOrder& order) {
   open_session_window();
   // First of all: the session's window may close at once, and then nothing is busy any more.
   const auto is_over = [this] {
-    window_.set_busy(tr("The window of the session that has ended is open. Close it first."));
+    window_.set_busy(tr("The window of the session that has ended is still open. Close it first."));
   };
   connect(runner_.get(), &SessionRunner::ended, this, is_over);
   connect(runner_.get(), &SessionRunner::failed, this, is_over);

@@ -43,7 +43,7 @@ QStandardItem* session_state_cell(const SessionOverview& session) {
     QStandardItem* cell = text_cell(shape_of(State::stop) + ' ' + excluded, excluded);
     cell->setForeground(theme().stop);
     cell->setToolTip(
-        SessionsPage::tr("%1; analyses leave it out: %2")
+        SessionsPage::tr("%1; excluded from analyses: %2")
             .arg(text_of_session_state(session), OutcomeWords::of_reason(session.row.excluded)));
     return cell;
   }
@@ -92,12 +92,11 @@ State state_of_session(const SessionOverview& session) {
 SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Sessions"), parent) {
   setObjectName("sessions_page");
-  set_empty_state(
-      new EmptyState(tr("No session yet"),
-                     tr("Choose a protocol on the Protocols page and press “Start session…”. To "
-                        "preview the results, press “Simulate…” there: virtual participants need "
-                        "minutes where a session takes an hour."),
-                     this));
+  set_empty_state(new EmptyState(tr("No session yet"),
+                                 tr("Choose a protocol on the Protocols page and press “Start "
+                                    "session…”. To preview the results, press “Simulate…” there: a "
+                                    "simulation takes minutes where a session takes an hour."),
+                                 this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("sessions_filter");
   filter_->setAccessibleName(tr("Filter"));
@@ -202,22 +201,25 @@ void SessionsPage::show_selected() {
   if (session == nullptr) {
     reason_->setText(tr("Select a session."));
   } else if (is_blind) {
-    reason_->setText(tr("It is running: until it ends, its own window shows what may be known."));
+    reason_->setText(
+        tr("The session is running: until it ends, only its own window shows its data, as far as "
+           "the blinding permits."));
   } else if (session->is_running) {
-    reason_->setText(tr("It is running, here or in another program."));
+    reason_->setText(tr("The session is running, here or in another program."));
   } else if (session->row.state == SessionState::completed) {
-    reason_->setText(tr("It is complete: there is nothing to resume."));
+    reason_->setText(tr("The session is complete: there is nothing to resume."));
   } else if (session->ended_by_rule) {
-    reason_->setText(tr("It has ended as its protocol specifies: there is nothing to resume."));
+    reason_->setText(
+        tr("The session has ended as its protocol specifies: there is nothing to resume."));
   } else if (!session->protocol_file) {
     reason_->setText(tr("None of the study's protocols has the text that the session began with. "
                         "Restore %1 version %2 to resume.")
                          .arg(QString::fromStdString(session->protocol_name),
                               QString::fromStdString(session->protocol_version)));
   } else if (!study().can_be_written()) {
-    reason_->setText(tr("This study can only be read here: no session can be stored."));
+    reason_->setText(tr("This study is read-only: no session can be stored."));
   } else {
-    reason_->setText(tr("%1 of %2 trials are done and safe.")
+    reason_->setText(tr("%1 of %2 trials are completed and stored.")
                          .arg(session->done_trials)
                          .arg(session->planned_trials));
   }

@@ -82,9 +82,9 @@ QString text_of_kind(ProtocolKind kind) {
 QString text_of_vision(Vision vision) {
   switch (vision) {
     case Vision::free:
-      return QCoreApplication::translate("asperity::ShownText", "hand and screen seen");
+      return QCoreApplication::translate("asperity::ShownText", "hand and screen visible");
     case Vision::hand_occluded:
-      return QCoreApplication::translate("asperity::ShownText", "hand hidden, screen seen");
+      return QCoreApplication::translate("asperity::ShownText", "hand hidden, screen visible");
     case Vision::blindfold:
       break;
   }
@@ -101,8 +101,8 @@ QString text_of_noise(const Protocol::Noise& noise) {
                    : QCoreApplication::translate("asperity::ShownText", "white masking noise");
   }
   const QString text =
-      is_pink ? QCoreApplication::translate("asperity::ShownText", "pink masking noise, %1 dBA")
-              : QCoreApplication::translate("asperity::ShownText", "white masking noise, %1 dBA");
+      is_pink ? QCoreApplication::translate("asperity::ShownText", "pink masking noise, %1 dB(A)")
+              : QCoreApplication::translate("asperity::ShownText", "white masking noise, %1 dB(A)");
   return text.arg(shown_number(*noise.level_dBA, 'f', 0));
 }
 

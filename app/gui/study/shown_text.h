@@ -28,9 +28,9 @@ QString order_of_start(const SessionRow& session);
 QString text_of_duration(double duration_s);
 
 QString text_of_kind(ProtocolKind kind);
-/// "hand hidden, screen seen"
+/// "hand hidden, screen visible"
 QString text_of_vision(Vision vision);
-/// "pink masking noise, 65 dBA"
+/// "pink masking noise, 65 dB(A)"
 QString text_of_noise(const Protocol::Noise& noise);
 
 }  // namespace asperity

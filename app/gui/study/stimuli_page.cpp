@@ -116,13 +116,12 @@ QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
 StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Stimuli"), parent) {
   setObjectName("stimuli_page");
-  set_empty_state(new EmptyState(tr("No stimuli yet"),
-                                 tr("Stimuli are pictures, height fields and textured meshes in "
-                                    "the study's folder “stimuli”, "
-                                    "and the bodies of its protocols. Make one from a photograph "
-                                    "on the page Workbench, or copy "
-                                    "files there: they appear here at once."),
-                                 this));
+  set_empty_state(new EmptyState(
+      tr("No stimuli yet"),
+      tr("Stimuli are pictures, height fields and textured meshes in the study's folder “stimuli”, "
+         "and the bodies of its protocols. Make one from a photograph on the Workbench page, or "
+         "copy files into the folder: they appear here at once."),
+      this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("stimuli_filter");
   filter_->setAccessibleName(tr("Filter"));
@@ -133,7 +132,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
 
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Name"), 208, Align::text},
-                           {tr("What it is"), 184, Align::text},
+                           {tr("Kind"), 184, Align::text},
                            {tr("Size, mm"), 112, Align::number},
                            {tr("Pixels"), 104, Align::number},
                            {tr("Pitch, µm"), 96, Align::number},

@@ -157,9 +157,9 @@ void StudyWindow::tell_limits() {
   } else if (study_->study().schema_version() < Study::kSchemaVersion) {
     banner_->show_news(
         State::look,
-        tr("An earlier version of Asperity made this study. It is read as it is. The first thing "
-           "that is stored brings it up to date: the earlier version cannot open it any more then, "
-           "and finds what it was in the file %1.")
+        tr("This study was created by an earlier version of Asperity. It is read without "
+           "conversion and converted when something is first stored; the earlier version can then "
+           "no longer open it, but can open the unconverted copy in the file %1.")
             .arg("study.sqlite.version-" + QString::number(study_->study().schema_version())));
   }
 }
@@ -292,11 +292,12 @@ bool StudyWindow::refuse_for_a_page(const char* property) {
 
 void StudyWindow::watch_folder() {
   if (study_ == nullptr || Study::exists(study_->folder())) return;
-  banner_->show_news(State::stop,
-                     tr("The study is no longer at %1: its folder was removed, renamed, or is on a "
-                        "medium that is gone. Bring it back, or close the study.")
-                         .arg(text_of_path(study_->folder())),
-                     tr("Close study"), [this] { close_action_->trigger(); });
+  banner_->show_news(
+      State::stop,
+      tr("The study is no longer at %1: its folder was removed or renamed, or is on a medium that "
+         "is no longer connected. Restore the folder, or close the study.")
+          .arg(text_of_path(study_->folder())),
+      tr("Close study"), [this] { close_action_->trigger(); });
 }
 
 void StudyWindow::look_whether_changed() {
@@ -354,7 +355,7 @@ void StudyWindow::fill_recent_menu(QMenu& menu) {
     text.replace('&', "&&");
     menu.addAction(text, this, [this, folder = study.folder] { open_study(folder); });
   }
-  if (menu.isEmpty()) menu.addAction(tr("No study was opened yet"))->setEnabled(false);
+  if (menu.isEmpty()) menu.addAction(tr("No study has been opened yet"))->setEnabled(false);
 }
 
 void StudyWindow::make_view_menu() {
@@ -453,11 +454,11 @@ void StudyWindow::share_with(const QString& group) {
   try {
     share_study(study_->folder(), group.toStdString());
     if (const auto closed = folder_closed_to_group(study_->folder())) {
-      banner_->show_news(
-          State::look,
-          tr("The study is shared with the group %1, but its members cannot get to it: the folder "
-             "%2 is closed to them. Open that folder to the group, or move the study out of it.")
-              .arg(group, QString::fromStdString(closed->string())));
+      banner_->show_news(State::look,
+                         tr("The study is shared with the group %1, but its members cannot access "
+                            "it: they have no permission for the folder %2. Give the group access "
+                            "to that folder, or move the study out of it.")
+                             .arg(group, QString::fromStdString(closed->string())));
       return;
     }
     banner_->show_news(
@@ -483,7 +484,7 @@ void StudyWindow::make_new_study(const std::filesystem::path& folder,
       },
       [this, folder](bool) { open_study(folder); },
       [this](const QString& what) {
-        banner_->show_news(State::stop, tr("The study could not be made: %1").arg(what));
+        banner_->show_news(State::stop, tr("The study could not be created: %1").arg(what));
       });
 }
 

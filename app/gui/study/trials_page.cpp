@@ -48,7 +48,7 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
 }
 
 QString text_of_outcome(const TrialOverview& trial) {
-  if (!trial.attempt) return TrialsPage::tr("to come");
+  if (!trial.attempt) return TrialsPage::tr("pending");
   return OutcomeWords::of(trial.attempt->outcome);
 }
 
@@ -185,7 +185,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   }
   tabs_->addTab(trials_, tr("Trials"));
   events_ = new StudyTable({{tr("Time"), 88, Align::number},
-                            {tr("What"), 200, Align::text},
+                            {tr("Event"), 200, Align::text},
                             {tr("Text"), 0, Align::text}},
                            tabs_);
   events_->setObjectName("trials_events");
@@ -204,7 +204,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   below->addWidget(open_);
   below->addWidget(selected_, 1);
   if (!study.can_be_written()) {
-    below->addWidget(make_text(tr("This study can only be read here."), this, true));
+    below->addWidget(make_text(tr("This study is read-only."), this, true));
   }
   below->addWidget(exclude_);
   body().addLayout(below);
@@ -240,11 +240,11 @@ void TrialsPage::show_selected() {
       [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
   open_->setEnabled(found != detail_.trials.end() && !detail_.overview.is_blind());
   if (detail_.overview.is_blind()) {
-    selected_->setText(tr("What was felt and answered is shown once the session has ended."));
+    selected_->setText(tr("Stimuli and answers are shown once the session has ended."));
     return;
   }
   if (found == detail_.trials.end()) {
-    selected_->setText(tr("Select a trial that was begun to read it in full."));
+    selected_->setText(tr("To show details, select a trial that has begun."));
     return;
   }
   const QString remarks = text_of_remarks(*found->attempt);
@@ -262,13 +262,13 @@ void TrialsPage::ask_to_exclude() {
   question.session_id = detail_.overview.row.id;
   question.draft.verdict = excluded ? Verdict::include : Verdict::exclude;
   if (excluded) {
-    question.text = tr("Why do analyses count this session again?");
+    question.text = tr("Reason for including the session in the analyses again");
     question.offered = offered_reasons(ReasonFor::including);
     question.verb = tr("Include session");
   } else {
     question.text =
-        tr("Why is the whole session excluded from analyses? It stays in the study and can be "
-           "included again.");
+        tr("Reason for excluding the whole session from the analyses. It remains in the study and "
+           "can be included again.");
     question.offered = offered_reasons(ReasonFor::excluding_session);
     question.verb = tr("Exclude session");
   }
@@ -295,9 +295,9 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   const auto& excluded = session.row.excluded;
   standing_->setVisible(blind || excluded);
   if (blind) {
-    standing_->set_state(
-        State::look, tr("It is running, and who runs it is blind: until it ends, its own window "
-                        "shows what may be known."));
+    standing_->set_state(State::look,
+                         tr("The session is running, and its experimenter is blind: until it ends, "
+                            "only its own window shows its data, as far as the blinding permits."));
   } else if (excluded) {
     standing_->set_state(State::stop, tr("The whole session is excluded from analyses: %1")
                                           .arg(OutcomeWords::of_reason(excluded)));

@@ -115,7 +115,7 @@ QWidget* WelcomePage::make_demo_card() {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(this, layout);
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
-  layout->addWidget(make_heading(tr("See it work"), card));
+  layout->addWidget(make_heading(tr("Demonstration"), card));
   layout->addWidget(make_text(
       tr("Textures and protocols of every kind, ready to run with the simulated device. No "
          "hardware and no network are needed."),
@@ -146,11 +146,11 @@ QWidget* WelcomePage::make_demo_card() {
   connect(demo_, &QPushButton::clicked, this, &WelcomePage::open_demo);
   connect(cancel_, &QPushButton::clicked, this, [this] {
     cancel_->setEnabled(false);
-    demo_place_->setText(tr("Stopping after the texture that is being made…"));
+    demo_place_->setText(tr("Stopping after the current texture…"));
     demo_task_.cancel();
   });
   connect(demo_elsewhere_, &QPushButton::clicked, this, [this] {
-    auto* chooser = new QFileDialog(this, tr("Where the demo study is to lie"),
+    auto* chooser = new QFileDialog(this, tr("Folder for the demo study"),
                                     QString::fromStdString(demo_parent_.string()));
     chooser->setAttribute(Qt::WA_DeleteOnClose);
     chooser->setFileMode(QFileDialog::Directory);
@@ -221,7 +221,7 @@ QWidget* WelcomePage::make_recent_card() {
     reason->setText(item == nullptr ? tr("Select a study in the list.")
                     : item->data(kPresent).toBool()
                         ? QString{}
-                        : tr("There is no study in this folder any more."));
+                        : tr("This folder no longer contains a study."));
   };
   connect(recent_, &QTableWidget::itemActivated, this, open_selected);
   connect(open, &QPushButton::clicked, this, open_selected);
@@ -244,7 +244,7 @@ void WelcomePage::open_demo() {
     return;
   }
   show_working(true);
-  demo_place_->setText(tr("Making the demo study in %1…").arg(text_of_path(folder)));
+  demo_place_->setText(tr("Creating the demo study in %1…").arg(text_of_path(folder)));
   demo_task_.run<std::filesystem::path>(
       [folder](const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         return made_demo_study(folder, stop, progress);
@@ -257,7 +257,7 @@ void WelcomePage::open_demo() {
       [this](const QString& what) {
         show_working(false);
         show_demo_place();
-        banner_->show_news(State::stop, tr("The demo study could not be made: %1").arg(what));
+        banner_->show_news(State::stop, tr("The demo study could not be created: %1").arg(what));
       });
 }
 

@@ -36,7 +36,7 @@ QString text_of_outputs(const OutputsOfParticipant& outputs) {
                       text(output.path));
   }
   if (outputs.unknown_before_utc) {
-    lines << WithdrawDialog::tr("What was made before %1 is not recorded.")
+    lines << WithdrawDialog::tr("Outputs made before %1 are not recorded.")
                  .arg(text_of_time(*outputs.unknown_before_utc));
   }
   return lines.join('\n');
@@ -65,22 +65,21 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   rows->setSpacing(kGrid);
   rows->addWidget(make_text(
       tr("Data of %1 in the study: %2.").arg(text(label), text_of_counts(counts)), question_));
-  keep_ = new QRadioButton(tr("Keep the data and never use them"), question_);
+  keep_ = new QRadioButton(tr("Keep the data but exclude them from all analyses"), question_);
   keep_->setObjectName("withdraw_keep");
-  delete_ = new QRadioButton(tr("Delete every trace from the folder of the study"), question_);
+  delete_ = new QRadioButton(tr("Delete all data from the folder of the study"), question_);
   delete_->setObjectName("withdraw_delete");
   rows->addWidget(keep_);
-  rows->addWidget(make_text(
-      has_withdrawn
-          ? tr("This was done before.")
-          : tr("All sessions are excluded for good, none can be begun or resumed, and the place in "
-               "the counterbalancing is free again."),
-      question_, true));
+  rows->addWidget(
+      make_text(has_withdrawn ? tr("This has already been done.")
+                              : tr("All sessions are excluded permanently, none can be begun or "
+                                   "resumed, and the place in the counterbalancing is free again."),
+                question_, true));
   rows->addWidget(delete_);
-  rows->addWidget(make_text(tr("Rows, recordings and the kept older versions of the study are "
-                               "deleted and cannot be brought back. What remains is that a "
-                               "participant withdrew, when and why."),
-                            question_, true));
+  rows->addWidget(make_text(
+      tr("Rows, recordings and the kept older versions of the study are deleted and cannot be "
+         "brought back. Only the fact, the time and the reason of the withdrawal remain stored."),
+      question_, true));
   keep_->setEnabled(!has_withdrawn);
   (has_withdrawn ? delete_ : keep_)->setChecked(true);
 
@@ -166,9 +165,9 @@ void WithdrawDialog::show_what_is_missing() {
   set_role(*do_, deletes ? ButtonRole::danger : ButtonRole::primary);
   QString missing{};
   if (!study_.can_be_written()) {
-    missing = tr("This study can only be read here.");
+    missing = tr("This study is read-only.");
   } else if (by_->text().trimmed().isEmpty()) {
-    missing = tr("Enter who decided it; it is stored with the time.");
+    missing = tr("Enter who decided this; the name is stored with the time.");
   } else if (deletes && typed_->text() != text(label_)) {
     missing = tr("Type %1 to confirm the deletion.").arg(text(label_));
   }

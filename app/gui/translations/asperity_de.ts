@@ -28,15 +28,15 @@
         <translation>%1 übersprungen</translation>
     </message>
     <message>
-        <source>These sessions are pilots: they are analysed apart from sessions of mode &quot;run&quot;.</source>
+        <source>These sessions are pilots: they are analysed separately from sessions of mode &quot;run&quot;.</source>
         <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen der Art „run“ ausgewertet.</translation>
     </message>
     <message>
-        <source>%1 different files carry this protocol name and version; their responses are counted together.</source>
-        <translation>%1 verschiedene Dateien tragen diesen Protokollnamen und diese Version; ihre Antworten sind zusammen gezählt.</translation>
+        <source>%1 different files have this protocol name and version; their responses are pooled.</source>
+        <translation>%1 verschiedene Dateien haben diesen Protokollnamen und diese Version; ihre Antworten werden zusammengefasst.</translation>
     </message>
     <message>
-        <source>Sessions that are not completed: %1 of %2.</source>
+        <source>Sessions that were not completed: %1 of %2.</source>
         <translation>Nicht abgeschlossene Sitzungen: %1 von %2.</translation>
     </message>
     <message>
@@ -56,8 +56,8 @@
         <translation>Dieses Programm hat keine Auswertung für Protokolle der Art „%1“.</translation>
     </message>
     <message>
-        <source>Responses left out because they do not assign every picture to one surface, so that the chance level is not that of a permutation: %1.</source>
-        <translation>Antworten, die weggelassen sind, weil sie nicht jedes Bild einer Oberfläche zuordnen und das Zufallsniveau daher nicht das einer Permutation ist: %1.</translation>
+        <source>Responses left out because they do not assign each picture to exactly one surface, so that the chance level of a permutation does not apply: %1.</source>
+        <translation>Antworten, die weggelassen wurden, weil sie nicht jedes Bild genau einer Oberfläche zuordnen und das Zufallsniveau einer Permutation daher nicht gilt: %1.</translation>
     </message>
     <message>
         <source>Trials with all items correct (counts)</source>
@@ -80,8 +80,8 @@
         <translation>Anteil der Durchgänge, in denen alles richtig ist</translation>
     </message>
     <message>
-        <source>Chance is 1/m! for m items. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
-        <translation>Der Zufall trifft mit 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
+        <source>The chance level is 1/m! for m items. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
+        <translation>Das Zufallsniveau ist 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
     </message>
     <message>
         <source>Proportion of correctly matched items</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Responses in trials without a declared correct response, left out: %1.</source>
-        <translation>Antworten in Durchgängen ohne erklärte richtige Antwort, weggelassen: %1.</translation>
+        <translation>Antworten in Durchgängen ohne festgelegte richtige Antwort, weggelassen: %1.</translation>
     </message>
     <message>
         <source>Correct responses (counts)</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Chosen as the most realistic (counts)</source>
-        <translation>Als die echteste gewählt (Anzahlen)</translation>
+        <translation>Als die realistischste gewählt (Anzahlen)</translation>
     </message>
     <message>
         <source>Chance level: 1/%1 of the choices for each model.</source>
@@ -136,8 +136,8 @@
         <translation>Das Zufallsniveau ist 1 durch die Zahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
     </message>
     <message>
-        <source>One model against another, among the choices of either</source>
-        <translation>Ein Modell gegen ein anderes, unter den Wahlen eines der beiden</translation>
+        <source>Pairwise comparisons of the models, among the choices of either model</source>
+        <translation>Paarvergleiche der Modelle, unter den Wahlen eines der beiden Modelle</translation>
     </message>
     <message>
         <source>The chance level is 1/2: choices of a third model are not counted.</source>
@@ -145,14 +145,14 @@
     </message>
     <message>
         <source>The chance level differs between trials.</source>
-        <translation>Der Zufall ist von Durchgang zu Durchgang verschieden.</translation>
+        <translation>Das Zufallsniveau unterscheidet sich zwischen den Durchgängen.</translation>
     </message>
     <message>
         <source>Texture force (RMS) per model, as computed in the attempts</source>
         <translation>Texturkraft (RMS) je Modell, wie in den Versuchen berechnet</translation>
     </message>
     <message>
-        <source>Texture force (RMS) per model, as computed: aimed at on the prescribed path, and achieved in the attempts</source>
+        <source>Texture force (RMS) per model, as computed: intended on the prescribed path, and achieved in the attempts</source>
         <translation>Texturkraft (RMS) je Modell, wie berechnet: angestrebt auf dem vorgegebenen Weg und erreicht in den Versuchen</translation>
     </message>
     <message>
@@ -168,12 +168,12 @@
         <translation>%1: %2.</translation>
     </message>
     <message>
-        <source>Equal RMS is not equal perceived intensity, which also depends on frequency. The force achieved depends on how the device was pressed and moved.</source>
-        <translation>Gleicher RMS-Wert ist nicht gleiche wahrgenommene Stärke, die auch von der Frequenz abhängt. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
+        <source>Equal RMS does not mean equal perceived intensity, which also depends on frequency. The force achieved depends on how the device was pressed and moved.</source>
+        <translation>Ein gleicher RMS-Wert bedeutet nicht gleiche wahrgenommene Stärke, die auch von der Frequenz abhängt. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
     </message>
     <message>
-        <source>These files declare different tests: nothing counts as declared before the data.</source>
-        <translation>Diese Dateien legen verschiedene Tests fest: nichts gilt als vor den Daten festgelegt.</translation>
+        <source>These files declare different tests: no test counts as declared before data collection.</source>
+        <translation>Diese Dateien legen verschiedene Tests fest: Kein Test gilt als vor der Datenerhebung festgelegt.</translation>
     </message>
     <message>
         <source>Confused pairs of textures, the most frequent first</source>
@@ -204,12 +204,12 @@
         <translation>Keine Textur wurde mit einer anderen verwechselt.</translation>
     </message>
     <message>
-        <source>Counts of all responses; a CI would need a model of the confusions.</source>
-        <translation>Anzahlen aus allen Antworten; ein Konfidenzintervall bräuchte ein Modell der Verwechslungen.</translation>
+        <source>Counts of all responses; a CI would require a model of the confusions.</source>
+        <translation>Anzahlen aus allen Antworten; für ein Konfidenzintervall wäre ein Modell der Verwechslungen nötig.</translation>
     </message>
     <message>
-        <source>No response assigns every picture to one surface: nothing is analysed.</source>
-        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: nichts wird ausgewertet.</translation>
+        <source>No response assigns each picture to exactly one surface: nothing is analysed.</source>
+        <translation>Keine Antwort ordnet jedes Bild genau einer Oberfläche zu: Es wird nichts ausgewertet.</translation>
     </message>
     <message>
         <source>Similarity of the textures</source>
@@ -221,30 +221,30 @@
     </message>
     <message>
         <source>Classical scaling of the dissimilarities. Only distances can be interpreted: the configuration may be rotated and mirrored.</source>
-        <translation>Klassische Skalierung der Unähnlichkeiten. Nur Abstände lassen sich deuten: die Konfiguration darf gedreht und gespiegelt werden.</translation>
+        <translation>Klassische Skalierung der Unähnlichkeiten. Nur Abstände lassen sich deuten: Die Konfiguration darf gedreht und gespiegelt werden.</translation>
     </message>
     <message>
         <source>Dendrogram of the textures</source>
         <translation>Dendrogramm der Texturen</translation>
     </message>
     <message>
-        <source>Average linkage of the dissimilarities. Each row joins the cluster of the one with that of the other.</source>
-        <translation>Mittlere Verknüpfung der Unähnlichkeiten. Jede Zeile vereint die Gruppe der einen mit der der anderen.</translation>
+        <source>Average linkage of the dissimilarities. Each row joins the cluster of the first texture with that of the second.</source>
+        <translation>Average Linkage der Unähnlichkeiten. Jede Zeile vereint die Gruppe der ersten Textur mit der der zweiten.</translation>
     </message>
     <message>
         <source>Are textures recognised above chance?</source>
         <translation>Werden Texturen häufiger erkannt als durch Zufall?</translation>
     </message>
     <message>
-        <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; the participants do not differ, so there is no test.</source>
+        <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; the participants do not differ, so there is no test.</source>
         <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; die Versuchspersonen unterscheiden sich nicht, also gibt es keinen Test.</translation>
     </message>
     <message>
-        <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Ja: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
-        <source>Not significantly: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <source>Not significantly: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Nicht signifikant: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>The responses transmit %1 of %2 bits about the texture presented, bias-corrected; %3.</source>
-        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, um die Verzerrung berichtigt; %3.</translation>
+        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, um die Verzerrung korrigiert; %3.</translation>
     </message>
     <message>
         <source>The responses transmit about %1 of %2 bits about the texture presented; with so few responses the bias correction is not reliable; %3.</source>
@@ -264,28 +264,28 @@
         <translation>Wie viel Information übertragen die Antworten?</translation>
     </message>
     <message>
-        <source>Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are needed for m pictures. d′ of m alternatives without response bias, all responses pooled, its CI at the Wilson limits of the proportion correct.</source>
-        <translation>Übertragene Information, um die Verzerrung berichtigt (Miller 1955); für m Bilder braucht es mindestens 5·m² Antworten. d′ von m Alternativen ohne Antwortneigung, alle Antworten zusammen, sein Konfidenzintervall an den Wilson-Grenzen des Anteils richtiger Antworten.</translation>
+        <source>Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are needed for m pictures. d′ for m alternatives, assuming no response bias, all responses pooled; its CI is derived from the Wilson limits of the proportion correct.</source>
+        <translation>Übertragene Information, um die Verzerrung korrigiert (Miller 1955); für m Bilder braucht es mindestens 5·m² Antworten. d′ für m Alternativen, unter der Annahme keiner Antworttendenz, aus allen Antworten zusammen; sein Konfidenzintervall ist aus den Wilson-Grenzen des Anteils richtiger Antworten abgeleitet.</translation>
     </message>
     <message>
         <source>Which textures are confused with each other?</source>
         <translation>Welche Texturen werden miteinander verwechselt?</translation>
     </message>
     <message>
-        <source>The pictures and with them the chance level differ between trials: sensitivity, information and similarities of all responses together are not meaningful and left out.</source>
+        <source>The pictures, and with them the chance level, differ between trials: sensitivity, information and similarities over all responses are not meaningful and are left out.</source>
         <translation>Die Bilder und mit ihnen das Zufallsniveau unterscheiden sich zwischen den Durchgängen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen haben keine Bedeutung und entfallen.</translation>
     </message>
     <message>
         <source>Proportion of choices of each position</source>
-        <translation>Anteil jedes Platzes an den Wahlen</translation>
+        <translation>Anteil jeder Position an den Wahlen</translation>
     </message>
     <message>
-        <source>The first, second, … surface presented, whichever it was. Where the order of surfaces is random, a proportion above chance is a position bias, not a preference.</source>
-        <translation>Die erste, zweite, … dargebotene Oberfläche, welche es auch war. Wo die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau eine Neigung zu einem Platz, keine Vorliebe.</translation>
+        <source>The first, second, … surface presented, regardless of its model. Where the order of surfaces is random, a proportion above the chance level is a position bias, not a preference.</source>
+        <translation>Die erste, zweite, … dargebotene Oberfläche, unabhängig von ihrem Modell. Wo die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
-        <source>There is no scale of the models: one of them was always chosen, or never, wherever it was offered, or was never offered with the others. No finite distance fits that best.</source>
-        <translation>Es gibt keine Skala der Modelle: eines wurde immer oder nie gewählt, wo es angeboten war, oder nie zusammen mit den anderen angeboten. Dazu passt kein endlicher Abstand am besten.</translation>
+        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was offered, or was never offered with the others, so that the best-fitting distance is not finite.</source>
+        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es angeboten wurde, oder nie zusammen mit den anderen angeboten, sodass der am besten passende Abstand nicht endlich ist.</translation>
     </message>
     <message>
         <source>The models on one scale</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Which rendering is the most realistic?</source>
-        <translation>Welche Darstellung ist die wirklichkeitsnächste?</translation>
+        <translation>Welche Darstellung ist die realistischste?</translation>
     </message>
     <message>
         <source>There are no choices yet.</source>
@@ -308,8 +308,8 @@
         <translation>Wird eine Darstellung einer anderen vorgezogen?</translation>
     </message>
     <message>
-        <source>For each pair the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant). Choices of a third model are not counted.</source>
-        <translation>Für jedes Paar die Differenz beider Anzahlen bei jeder Versuchsperson, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
+        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant). Choices of a third model are not counted.</source>
+        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz beider Anzahlen jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
         <source>Chosen more often: %1.</source>
@@ -320,24 +320,24 @@
         <translation>Spielt die Position im Durchgang eine Rolle?</translation>
     </message>
     <message>
-        <source>As the preference, with the positions in the place of the models.</source>
-        <translation>Wie die Bevorzugung, mit den Plätzen anstelle der Modelle.</translation>
+        <source>As for the preference, with the positions in place of the models.</source>
+        <translation>Wie bei der Präferenz, mit den Positionen anstelle der Modelle.</translation>
     </message>
     <message>
         <source>Does the preference for %1 depend on the texture?</source>
-        <translation>Hängt die Bevorzugung von %1 von der Textur ab?</translation>
+        <translation>Hängt die Präferenz für %1 von der Textur ab?</translation>
     </message>
     <message>
-        <source>How often each participant chose the target with each texture, against exchanging the textures within each participant at random; where each texture was judged once, this is the exact form of Cochran&apos;s test.</source>
-        <translation>Wie oft jede Versuchsperson das Ziel bei jeder Textur wählte, gegen zufälliges Vertauschen der Texturen innerhalb jeder Versuchsperson; wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Tests von Cochran.</translation>
+        <source>Permutation test of how often each participant chose the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
+        <translation>Permutationstest, wie oft jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Q-Tests von Cochran.</translation>
     </message>
     <message>
         <source>This cannot be tested: the participants have not judged every texture equally often.</source>
-        <translation>Das lässt sich nicht prüfen: die Versuchspersonen haben nicht jede Textur gleich oft beurteilt.</translation>
+        <translation>Das lässt sich nicht prüfen: Die Versuchspersonen haben nicht jede Textur gleich oft beurteilt.</translation>
     </message>
     <message>
         <source>Yes: test of equal proportions of %1 with every texture, %2.</source>
-        <translation>Ja: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
+        <translation>Ja: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
     </message>
     <message>
         <source>Not significantly: test of equal proportions of %1 with every texture, %2.</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>no CI, because there is only one participant</source>
-        <translation>eine einzelne Versuchsperson ergibt kein Intervall</translation>
+        <translation>kein Konfidenzintervall, weil es nur eine Versuchsperson gibt</translation>
     </message>
     <message>
         <source>Do women and men differ?</source>
@@ -364,7 +364,7 @@
         <translation>Maße aus allen Antworten zusammen</translation>
     </message>
     <message>
-        <source>On average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
@@ -372,23 +372,23 @@
         <translation>Keine Textur wurde je mit einer anderen dargebotenen verwechselt.</translation>
     </message>
     <message>
-        <source>Equally often confused are %1: one with the other in %2 of the responses to the two textures of each pair.</source>
-        <translation>Gleich oft verwechselt wurden %1: die eine mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
+        <source>The following pairs are confused equally often: %1; one texture with the other in %2 of the responses to the two textures of each pair.</source>
+        <translation>Die folgenden Paare wurden gleich oft verwechselt: %1; die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
-        <source>%1 pairs of textures are equally often confused, and none more often: one with the other in %2 of the responses to the two textures of each pair.</source>
-        <translation>%1 Paare von Texturen wurden gleich oft verwechselt, und keines öfter: die eine mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
+        <source>%1 pairs of textures are confused equally often, and none more often: one texture with the other in %2 of the responses to the two textures of each pair.</source>
+        <translation>%1 Paare von Texturen wurden gleich oft verwechselt und keines öfter: die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
         <source>Test of equal proportions of %1 with every texture: %2.</source>
-        <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
+        <translation>Test auf gleiche Anteile von %1 bei jeder Textur: %2.</translation>
     </message>
     <message>
         <source>The file study.sqlite is larger than 1 GiB, so its checksum was not compared. Run &quot;asperity verify&quot; to check the study.</source>
-        <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht verglichen. Prüfen Sie die Studie mit „asperity verify“.</translation>
+        <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht verglichen. Die Studie mit „asperity verify“ prüfen.</translation>
     </message>
     <message>
-        <source>The file study.sqlite has changed since Asperity last closed it: data read from it may be incorrect. Run &quot;asperity verify&quot; for the errors and their possible causes.</source>
+        <source>The file study.sqlite has changed since Asperity last closed it: data read from it may be incorrect. Run &quot;asperity verify&quot; to list the errors and their possible causes.</source>
         <translation>Die Datei study.sqlite hat sich geändert, seit Asperity sie zuletzt geschlossen hat: Daten daraus können falsch sein. „asperity verify“ nennt die Fehler und ihre möglichen Ursachen.</translation>
     </message>
     <message>
@@ -412,12 +412,12 @@
         <translation>Unter Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
     </message>
     <message>
-        <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” is not correct. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
-        <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
+        <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
+        <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „weiß nicht“ zählt als nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>%1 Responses “cannot tell” are counted above and excluded here.</source>
-        <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und hier ausgeschlossen.</translation>
+        <source>%1 “Cannot tell” responses are counted above and excluded here.</source>
+        <translation>%1 Antworten „weiß nicht“ sind oben gezählt und hier ausgeschlossen.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -440,12 +440,12 @@
         <translation>%1 Zuordnungen (%2)</translation>
     </message>
     <message>
-        <source>Responses that are not a number above 0, or whose spacing the protocol does not state, left out: %1.</source>
-        <translation>Antworten, die keine Zahl über 0 sind oder deren Abstand das Protokoll nicht nennt, weggelassen: %1.</translation>
+        <source>Responses left out because they are not a number above 0, or because the protocol does not state their spacing: %1.</source>
+        <translation>Antworten, die keine Zahl über 0 sind oder für die das Protokoll keinen Abstand nennt, weggelassen: %1.</translation>
     </message>
     <message>
-        <source>Numbers given to anchors, which are not analysed: %1.</source>
-        <translation>Zahlen für Anker, nicht ausgewertet: %1.</translation>
+        <source>Estimates of anchors, which are not analysed: %1.</source>
+        <translation>Schätzungen von Ankern, die nicht ausgewertet werden: %1.</translation>
     </message>
     <message>
         <source>Roughness by spacing and condition</source>
@@ -456,28 +456,28 @@
         <translation>Schätzungen der einzelnen Versuchspersonen</translation>
     </message>
     <message>
-        <source>Geometric means over repetitions. A participant without an estimate in every cell is not normalised and takes no part in curves and tests.</source>
-        <translation>Geometrische Mittel über Wiederholungen. Wem eine Schätzung in einer Zelle fehlt, wird nicht normiert und fehlt in Kurven und Tests.</translation>
+        <source>Geometric means over repetitions. Participants without an estimate in every cell are not normalised and are left out of curves and tests.</source>
+        <translation>Geometrische Mittel über Wiederholungen. Versuchspersonen, denen in einer Zelle eine Schätzung fehlt, werden nicht normiert und nicht in Kurven und Tests einbezogen.</translation>
     </message>
     <message>
-        <source>Where it is roughest: a parabola per condition</source>
-        <translation>Wo es am rauesten ist: eine Parabel je Bedingung</translation>
+        <source>Spacing of maximum roughness: one parabola per condition</source>
+        <translation>Abstand der größten Rauheit: eine Parabel je Bedingung</translation>
     </message>
     <message>
-        <source>How far the peaks lie apart</source>
-        <translation>Wie weit die Gipfel auseinanderliegen</translation>
+        <source>Ratios of the peaks</source>
+        <translation>Verhältnisse der Maxima</translation>
     </message>
     <message>
-        <source>Spacing of the first peak over that of the second, the same participants in both; delta method. p is not adjusted.</source>
-        <translation>Abstand des ersten Gipfels geteilt durch den des zweiten, dieselben Versuchspersonen; Delta-Methode. p nicht angepasst.</translation>
+        <source>Ratio of the spacing of the first peak to that of the second, with the same participants in both; delta method. p is uncorrected.</source>
+        <translation>Verhältnis des Abstands beim ersten Maximum zu dem beim zweiten, mit denselben Versuchspersonen; Delta-Methode. p ist nicht korrigiert.</translation>
     </message>
     <message>
         <source>Analysis of variance of the logarithms</source>
         <translation>Varianzanalyse der Logarithmen</translation>
     </message>
     <message>
-        <source>Every participant in every cell, replicates averaged. p: F corrected by epsilon of Greenhouse and Geisser, where an effect has more than one degree of freedom.</source>
-        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: F mit Epsilon nach Greenhouse und Geisser, wo ein Effekt mehr als einen Freiheitsgrad hat.</translation>
+        <source>Every participant in every cell, replicates averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
+        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: nach Greenhouse und Geisser korrigiert, wo ein Effekt mehr als einen Freiheitsgrad hat.</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -500,8 +500,8 @@
         <translation>Nach den Steigungen der eigenen Parabel jeder Versuchsperson am kleinsten und am größten Abstand, ohne Test.</translation>
     </message>
     <message>
-        <source>Participants without an estimate in every cell, who take no part in curves and tests: %1.</source>
-        <translation>Versuchspersonen ohne Schätzung in jeder Zelle, nicht in Kurven und Tests: %1.</translation>
+        <source>Participants without an estimate in every cell, who are left out of curves and tests: %1.</source>
+        <translation>Versuchspersonen ohne Schätzung in jeder Zelle, die nicht in Kurven und Tests einbezogen sind: %1.</translation>
     </message>
     <message>
         <source>Does roughness depend on the spacing?</source>
@@ -516,24 +516,24 @@
         <translation>Hängt die Kurve über die Abstände von der Bedingung ab?</translation>
     </message>
     <message>
-        <source>%1 not within the tested spacings</source>
-        <translation>%1 nicht innerhalb der geprüften Abstände</translation>
+        <source>%1 outside the range of the tested spacings</source>
+        <translation>%1 außerhalb des Bereichs der geprüften Abstände</translation>
     </message>
     <message>
-        <source>%1 nowhere, because the curve does not bend down</source>
-        <translation>%1 nirgends, weil sich die Kurve nicht nach unten biegt</translation>
+        <source>%1 nowhere, because the parabola opens upwards</source>
+        <translation>%1 nirgends, weil die Parabel nach oben geöffnet ist</translation>
     </message>
     <message>
-        <source>By the peaks of the curves: %1.</source>
-        <translation>Nach den Gipfeln der Kurven: %1.</translation>
+        <source>Peaks of the curves: %1.</source>
+        <translation>Maxima der Kurven: %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be determined, because with %2 participants its CI is wider than the tested spacings</source>
-        <translation>%1 lässt sich nicht bestimmen: Bei %2 Versuchspersonen ist das Konfidenzintervall weiter als die geprüften Abstände</translation>
+        <source>%1 cannot be determined, because with %2 participants its CI is wider than the range of the tested spacings</source>
+        <translation>%1 lässt sich nicht bestimmen: Bei %2 Versuchspersonen ist das Konfidenzintervall breiter als der Bereich der geprüften Abstände</translation>
     </message>
     <message>
-        <source>roughest was %1, and %2 the least rough, by a factor of %3</source>
-        <translation>am rauesten war %1, am wenigsten rau %2, um den Faktor %3</translation>
+        <source>%1 was roughest and %2 least rough (ratio of geometric means: %3)</source>
+        <translation>%1 war am rauesten und %2 am wenigsten rau (Verhältnis der geometrischen Mittel: %3)</translation>
     </message>
     <message>
         <source>%1 was rougher than %2 by a factor of %3</source>
@@ -556,8 +556,8 @@
         <translation>%1.</translation>
     </message>
     <message>
-        <source>The cells of the participants have %1 to %2 estimates; each is averaged first, so that all weigh the same.</source>
-        <translation>Die Zellen der Versuchspersonen haben %1 bis %2 Schätzungen; jede wird zuerst gemittelt, sodass alle gleich viel wiegen.</translation>
+        <source>The participants&apos; cells contain %1 to %2 estimates; each cell is averaged first, so that all cells have equal weight.</source>
+        <translation>Die Zellen der Versuchspersonen enthalten %1 bis %2 Schätzungen; jede Zelle wird zuerst gemittelt, sodass alle Zellen gleiches Gewicht haben.</translation>
     </message>
     <message>
         <source>%1 ended by the emergency stop</source>
@@ -568,7 +568,7 @@
         <translation>Kein Paar fällt auf: Die Zahl der Verwechslungen, in beiden Richtungen gezählt, ist bei %1 Paaren %2 und bei keinem höher.</translation>
     </message>
     <message>
-        <source>Most often %1 and %2; number of confusions, counted in both directions: %3.</source>
+        <source>%1 and %2 are confused most often; number of confusions, counted in both directions: %3.</source>
         <translation>Am häufigsten %1 und %2; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
@@ -576,7 +576,7 @@
         <translation>%1 Nur in einer Richtung gezählt, ist die häufigste Verwechslung %2: in %3 von %4 Antworten.</translation>
     </message>
     <message>
-        <source>Most often confused are %1: one with the other in %2 of %3 responses.</source>
+        <source>The textures confused most often are %1: one with the other in %2 of %3 responses.</source>
         <translation>Am häufigsten verwechselt wurden %1: die eine mit der anderen in %2 von %3 Antworten.</translation>
     </message>
     <message>
@@ -588,23 +588,23 @@
         <translation>%1 Nur in einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
-        <source>%1 called %2</source>
-        <translation>%1, genannt %2</translation>
+        <source>%1 identified as %2</source>
+        <translation>%1 als %2 erkannt</translation>
     </message>
     <message>
-        <source>Chance level: each model in 1/%1 of the choices of the trials that presented it.</source>
-        <translation>Zufallsniveau: jedes Modell in 1/%1 der Wahlen der Durchgänge, die es darboten.</translation>
+        <source>Chance level: each model in 1/%1 of the choices in the trials in which it was presented.</source>
+        <translation>Zufallsniveau: jedes Modell in 1/%1 der Wahlen in den Durchgängen, in denen es dargeboten wurde.</translation>
     </message>
     <message>
-        <source>Not every trial presents every model: each pair is tested on the trials that presented both, and the scale joins all trials.</source>
-        <translation>Nicht jeder Durchgang bietet jedes Modell dar: jedes Paar wird in den Durchgängen geprüft, die beide darboten, und die Skala verbindet alle Durchgänge.</translation>
+        <source>Not every model is presented in every trial: each pair is tested on the trials in which both were presented, and the scale combines all trials.</source>
+        <translation>Nicht jedes Modell wird in jedem Durchgang dargeboten: Jedes Paar wird in den Durchgängen geprüft, in denen beide dargeboten wurden, und die Skala fasst alle Durchgänge zusammen.</translation>
     </message>
     <message>
-        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
+        <source>All were chosen equally often: each in %1 of a participant&apos;s choices on average, compared with a chance level of %2</source>
         <translation>Alle wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
-        <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, where the chance level is %2</source>
+        <source>Both were chosen equally often: each in %1 of a participant&apos;s choices on average, compared with a chance level of %2</source>
         <translation>Beide wurden gleich häufig gewählt: im Mittel jeweils in %1 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %2</translation>
     </message>
     <message>
@@ -612,11 +612,11 @@
         <translation>%1 unterscheiden sich nicht signifikant (%2).</translation>
     </message>
     <message>
-        <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
+        <source>%1 were chosen equally often, and most often: each in %2 of a participant&apos;s choices on average, compared with a chance level of %3</source>
         <translation>%1 wurden gleich häufig und am häufigsten gewählt: im Mittel jeweils in %2 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where the chance level is %4</source>
+        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), compared with a chance level of %4</source>
         <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Versuchsperson (%3), bei einem Zufallsniveau von %4</translation>
     </message>
     <message>
@@ -625,7 +625,7 @@
     </message>
     <message>
         <source>The scale cannot be estimated: a model was always or never chosen, or the trials do not link all models.</source>
-        <translation>Die Skala lässt sich nicht schätzen: ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle.</translation>
+        <translation>Die Skala lässt sich nicht schätzen: Ein Modell wurde immer oder nie gewählt, oder die Durchgänge verbinden nicht alle Modelle.</translation>
     </message>
     <message>
         <source>the smallest p is shared by %1 pairs (each %2)</source>
@@ -645,27 +645,27 @@
     </message>
     <message>
         <source>all positions were chosen equally often, each in %1 of a participant&apos;s choices on average</source>
-        <translation>alle Plätze wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Versuchsperson</translation>
+        <translation>alle Positionen wurden gleich häufig gewählt, im Mittel jeweils in %1 der Wahlen einer Versuchsperson</translation>
     </message>
     <message>
-        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, where the chance level is %3</source>
-        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %3</translation>
+        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, compared with a chance level of %3</source>
+        <translation>die Positionen %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, and the first position in %3 (%4), where the chance level is %5</source>
-        <translation>die Plätze %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, und der erste Platz in %3 (%4), bei einem Zufallsniveau von %5</translation>
+        <source>the positions %1 were chosen equally often, each in %2 of a participant&apos;s choices on average, and the first position in %3 (%4), compared with a chance level of %5</source>
+        <translation>die Positionen %1 wurden gleich häufig gewählt, im Mittel jeweils in %2 der Wahlen einer Versuchsperson, und die erste Position in %3 (%4), bei einem Zufallsniveau von %5</translation>
     </message>
     <message>
-        <source>the first position was chosen in %1 of a participant&apos;s choices on average (%2), where the chance level is %3</source>
-        <translation>der erste Platz wurde im Mittel in %1 der Wahlen einer Versuchsperson gewählt (%2), bei einem Zufallsniveau von %3</translation>
+        <source>the first position was chosen in %1 of a participant&apos;s choices on average (%2), compared with a chance level of %3</source>
+        <translation>die erste Position wurde im Mittel in %1 der Wahlen einer Versuchsperson gewählt (%2), bei einem Zufallsniveau von %3</translation>
     </message>
     <message>
-        <source>position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and the first position in %4 (%5), where the chance level is %6</source>
-        <translation>Platz %1 wurde im Mittel in %2 der Wahlen einer Versuchsperson gewählt (%3), und der erste Platz in %4 (%5), bei einem Zufallsniveau von %6</translation>
+        <source>position %1 was chosen in %2 of a participant&apos;s choices on average (%3), and the first position in %4 (%5), compared with a chance level of %6</source>
+        <translation>Position %1 wurde im Mittel in %2 der Wahlen einer Versuchsperson gewählt (%3), und die erste Position in %4 (%5), bei einem Zufallsniveau von %6</translation>
     </message>
     <message>
-        <source>%1. Test against equal proportions, not of the study&apos;s family: %2.</source>
-        <translation>%1. Test gegen gleiche Anteile, nicht aus der Familie der Studie: %2.</translation>
+        <source>%1. Test of equal proportions, which does not belong to the study&apos;s family of tests: %2.</source>
+        <translation>%1. Test auf gleiche Anteile, der nicht zur Familie der Tests der Studie gehört: %2.</translation>
     </message>
     <message>
         <source>%1. The choices differ significantly from equal proportions (%2).</source>
@@ -676,8 +676,8 @@
         <translation>%1. Die Wahlen unterscheiden sich nicht signifikant von gleichen Anteilen (%2).</translation>
     </message>
     <message>
-        <source>For each pair the trials that presented both: the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant).</source>
-        <translation>Für jedes Paar die Durchgänge, die beide darboten: die Differenz beider Anzahlen bei jeder Versuchsperson, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Versuchsperson vertauscht).</translation>
+        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant), on the trials in which both were presented.</source>
+        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz beider Anzahlen jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht), in den Durchgängen, in denen beide dargeboten wurden.</translation>
     </message>
     <message>
         <source>No choice was made between two models.</source>
@@ -688,20 +688,20 @@
         <translation>Kein Paar unterscheidet sich signifikant: %1.</translation>
     </message>
     <message>
-        <source>Of all pairs, %1.</source>
+        <source>Among all pairs, %1.</source>
         <translation>Von allen Paaren gilt: %1.</translation>
     </message>
     <message>
         <source>The position has a significant effect (%1): %2.</source>
-        <translation>Der Platz hat einen signifikanten Einfluss (%1): %2.</translation>
+        <translation>Die Position hat einen signifikanten Einfluss (%1): %2.</translation>
     </message>
     <message>
         <source>The position has no significant effect (%1): %2.</source>
-        <translation>Der Platz hat keinen signifikanten Einfluss (%1): %2.</translation>
+        <translation>Die Position hat keinen signifikanten Einfluss (%1): %2.</translation>
     </message>
     <message>
-        <source>Test against equal proportions: %1; %2.</source>
-        <translation>Test gegen gleiche Anteile: %1; %2.</translation>
+        <source>Test of equal proportions: %1; %2.</source>
+        <translation>Test auf gleiche Anteile: %1; %2.</translation>
     </message>
     <message>
         <source>Chosen (counts)</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The alternatives differ in %1 alone: these results are preferences and do not show whether the levels can be discriminated.</source>
-        <translation>Die Alternativen unterscheiden sich nur in %1: diese Ergebnisse sind Bevorzugungen und zeigen nicht, ob sich die Stufen unterscheiden lassen.</translation>
+        <translation>Die Alternativen unterscheiden sich nur in %1: Diese Ergebnisse sind Präferenzen und zeigen nicht, ob sich die Stufen unterscheiden lassen.</translation>
     </message>
     <message>
         <source>Which level of %1 is preferred?</source>
@@ -720,23 +720,23 @@
         <translation>Wird eine Stufe von %1 einer anderen vorgezogen?</translation>
     </message>
     <message>
-        <source>The chance level is 1/m. p: exact permutation test, one-sided, not corrected for the number of rows: one random relabelling of the pictures per participant, common to the participant&apos;s trials. The interval contains 95 % of the permutation distribution.</source>
-        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: eine zufällige Umbenennung der Bilder je Versuchsperson, allen ihren Durchgängen gemeinsam. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
+        <source>The chance level is 1/m. p: exact permutation test, one-sided, uncorrected for the number of rows: the pictures are relabelled at random once per participant, in all of the participant&apos;s trials alike. The interval contains 95 % of the permutation distribution.</source>
+        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
     </message>
     <message>
-        <source>different from trial to trial</source>
-        <translation>von Durchgang zu Durchgang verschieden</translation>
+        <source>1 divided by the number of items, which differs between trials</source>
+        <translation>1 durch die Zahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
     </message>
     <message>
-        <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
-        <translation>Ja: im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
+        <translation>Ja: Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
-        <source>Not significantly more often: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
-        <translation>Nicht signifikant häufiger: im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <source>Not significantly more often: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
+        <translation>Nicht signifikant häufiger: Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
-        <source>On average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4.</source>
+        <source>On average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
         <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
@@ -752,7 +752,7 @@
         <translation>Konfusionsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
     <message>
-        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: of the mean parabola over the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
+        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
         <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das ihres Mittels, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es steht hier, wo der Test auf ein inneres Maximum (Lind und Mehlum: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand, einseitiges t über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: der mittleren Parabel an den Zellmitteln. „Fallend“, „umgekehrtes U“ und „andere“ zählen die eigenen Kurven der Versuchspersonen.</translation>
     </message>
     <message>
@@ -796,11 +796,11 @@
         <translation>%1; das kleinste erreichbare p ist %2</translation>
     </message>
     <message>
-        <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be made counts as p = 1.</source>
+        <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be performed counts as p = 1.</source>
         <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht möglicher Test zählt als p = 1.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be made counts as p = 1.</source>
+        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be performed counts as p = 1.</source>
         <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
     </message>
     <message>
@@ -812,11 +812,11 @@
         <translation>%1 Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>These participants are virtual: the numbers test the program and are no evidence about people.</source>
+        <source>These participants are virtual: the numbers test the program and are not evidence about human participants.</source>
         <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und belegen nichts über Menschen.</translation>
     </message>
     <message>
-        <source>Flagged attempts among those that count: %1; attempts.tsv of an export has the reasons.</source>
+        <source>Flagged attempts among those that count: %1; the reasons are in attempts.tsv of an export.</source>
         <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen in attempts.tsv eines Exports.</translation>
     </message>
     <message>
@@ -840,15 +840,15 @@
         <translation>ohne KI</translation>
     </message>
     <message>
-        <source>the mean proportion correct of women is %1, of men %2</source>
+        <source>the mean proportion correct is %1 for women and %2 for men</source>
         <translation>der mittlere Anteil richtiger Antworten ist bei Frauen %1, bei Männern %2</translation>
     </message>
     <message>
-        <source>the mean proportion of correctly matched items of women is %1, of men %2</source>
+        <source>the mean proportion of correctly matched items is %1 for women and %2 for men</source>
         <translation>der mittlere Anteil richtiger Zuordnungen ist bei Frauen %1, bei Männern %2</translation>
     </message>
     <message>
-        <source>the mean number of correctly matched items per trial of women is %1, of men %2</source>
+        <source>the mean number of correctly matched items per trial is %1 for women and %2 for men</source>
         <translation>die mittlere Zahl richtiger Zuordnungen je Durchgang ist bei Frauen %1, bei Männern %2</translation>
     </message>
     <message>
@@ -860,52 +860,52 @@
         <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
     </message>
     <message>
-        <source>Of these participants %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
+        <source>For these participants, %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
         <translation>Bei diesen Versuchspersonen: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
-        <source>Participant-level proportions: each participant&apos;s own, over the participants</source>
-        <translation>Anteile je Versuchsperson: der eigene jeder Versuchsperson, über die Versuchspersonen</translation>
+        <source>Participant-level proportions, summarised over the participants</source>
+        <translation>Anteile je Versuchsperson, über die Versuchspersonen zusammengefasst</translation>
     </message>
     <message>
         <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
         <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Versuchspersonen als Clustern und Satterthwaites Freiheitsgraden.</translation>
     </message>
     <message>
-        <source>No CI: it needs at least %1 participants.</source>
+        <source>No CI: at least %1 participants are needed.</source>
         <translation>Kein KI: Dafür sind mindestens %1 Versuchspersonen nötig.</translation>
     </message>
     <message>
-        <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have the mean 0; worths add up to 1. %1</source>
-        <translation>Bradley-Terry-Modell: Von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die logarithmierten Werte l haben den Mittelwert 0; die Werte summieren sich zu 1. %1</translation>
+        <source>Bradley–Terry model: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log-worths l have a mean of 0; the worths sum to 1. %1</source>
+        <translation>Bradley-Terry-Modell: Von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die Log-Nutzwerte l haben den Mittelwert 0; die Nutzwerte summieren sich zu 1. %1</translation>
     </message>
     <message>
-        <source>Plackett–Luce model: of several models, each is chosen in proportion to its worth. The log-worths have the mean 0; worths add up to 1. %1</source>
-        <translation>Plackett-Luce-Modell: Von mehreren Modellen wird jedes im Verhältnis seines Wertes gewählt. Die logarithmierten Werte haben den Mittelwert 0; die Werte summieren sich zu 1. %1</translation>
+        <source>Plackett–Luce model: of several models, each is chosen in proportion to its worth. The log-worths have a mean of 0; the worths sum to 1. %1</source>
+        <translation>Plackett-Luce-Modell: Von mehreren Modellen wird jedes proportional zu seinem Nutzwert gewählt. Die Log-Nutzwerte haben den Mittelwert 0; die Nutzwerte summieren sich zu 1. %1</translation>
     </message>
     <message>
-        <source>Bradley–Terry model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Bradley-Terry-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
+        <source>Bradley–Terry model of all choices: log-worths with a mean of 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
+        <translation>Bradley-Terry-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
-        <source>Plackett–Luce model of all choices: log-worths with the mean 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
-        <translation>Plackett-Luce-Modell aller Wahlen: logarithmierte Werte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
+        <source>Plackett–Luce model of all choices: log-worths with a mean of 0; CIs with the participants as clusters (CR2, at least %1 participants).</source>
+        <translation>Plackett-Luce-Modell aller Wahlen: Log-Nutzwerte mit dem Mittelwert 0; KI mit den Versuchspersonen als Clustern (CR2, mindestens %1 Versuchspersonen).</translation>
     </message>
     <message>
         <source>Log-worths, in decreasing order: %1.</source>
-        <translation>Logarithmierte Werte, in absteigender Reihenfolge: %1.</translation>
+        <translation>Log-Nutzwerte, in absteigender Reihenfolge: %1.</translation>
     </message>
     <message>
         <source>difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 participants; JZS Bayes factor for a difference BF₁₀ = %5</source>
         <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
     <message>
-        <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest difference that is possible.</source>
-        <translation>Das Protokoll legt keine Äquivalenzgrenze fest; daher gibt es kein Urteil: %1. Die Daten würden Äquivalenz innerhalb keiner Grenze stützen: Das KI reicht bis ±100 Prozentpunkte, den größten möglichen Unterschied.</translation>
+        <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest difference that is possible.</source>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden Äquivalenz innerhalb keiner Grenze stützen: Das KI reicht bis ±100 Prozentpunkte, den größten möglichen Unterschied.</translation>
     </message>
     <message>
-        <source>The protocol declares no margin of equivalence, so that there is no verdict: %1. The data would support equivalence within ±%2 percentage points.</source>
-        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher gibt es kein Urteil: %1. Die Daten würden Äquivalenz innerhalb von ±%2 Prozentpunkten stützen.</translation>
+        <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would support equivalence within ±%2 percentage points.</source>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden Äquivalenz innerhalb von ±%2 Prozentpunkten stützen.</translation>
     </message>
     <message>
         <source>Are women and men equivalent?</source>
@@ -928,8 +928,8 @@
         <translation>Nicht definiert: Alle Versuchspersonen haben in jeder Wiederholung dasselbe Ergebnis.</translation>
     </message>
     <message>
-        <source>Of one repetition %1 (consistency), %2 (agreement); of the mean of the %3 repetitions %4. N = %5 participants.</source>
-        <translation>Einer Wiederholung: %1 (Konsistenz), %2 (Übereinstimmung); des Mittels der %3 Wiederholungen: %4. N = %5 Versuchspersonen.</translation>
+        <source>For a single repetition, %1 (consistency) and %2 (agreement); for the mean of the %3 repetitions, %4; N = %5 participants.</source>
+        <translation>Für eine einzelne Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); für das Mittel der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
     </message>
     <message>
         <source>How reliable are the participants&apos; results over repetitions?</source>
@@ -940,12 +940,12 @@
         <translation>die Anteile richtiger Antworten der Versuchspersonen</translation>
     </message>
     <message>
-        <source>Intraclass correlations of %1 in each repetition. They are low also where participants differ little from each other.</source>
+        <source>Intraclass correlations of %1 in each repetition. They are also low where participants differ little from each other.</source>
         <translation>Intraklassenkorrelationen über die Wiederholungen; Werte: %1 in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
     </message>
     <message>
-        <source>Of one of the %1 repetitions, within participants: %2. N = %3 participants.</source>
-        <translation>Einer der %1 Wiederholungen, innerhalb der Versuchspersonen: %2. N = %3 Versuchspersonen.</translation>
+        <source>For a single one of the %1 repetitions, within participants: %2; N = %3 participants.</source>
+        <translation>Für eine einzelne der %1 Wiederholungen, innerhalb der Versuchspersonen: %2; N = %3 Versuchspersonen.</translation>
     </message>
     <message>
         <source>mean ICC(3,1)</source>
@@ -968,24 +968,24 @@
         <translation>Unterscheiden sich die Bedingungen im Abstand, der als der rauste beurteilt wird?</translation>
     </message>
     <message>
-        <source>By the ratios of the peaks: %1.</source>
-        <translation>Nach den Verhältnissen der Maxima: %1.</translation>
+        <source>Ratios of the peaks: %1.</source>
+        <translation>Verhältnisse der Maxima: %1.</translation>
     </message>
     <message>
-        <source>The ratio of the peaks of two conditions that both have an interior maximum, with a CI by t on the logarithms over participants.</source>
+        <source>The ratio of the peaks of two conditions that both have an interior maximum, with a t-based CI over participants on the logarithmic scale.</source>
         <translation>Das Verhältnis der Maxima zweier Bedingungen, die beide ein inneres Maximum haben, mit einem Konfidenzintervall nach t auf den Logarithmen über die Versuchspersonen.</translation>
     </message>
     <message>
-        <source>Of the responses to the two textures, those that name the other one, all participants pooled.</source>
-        <translation>Von den Antworten auf die beiden Texturen jene, die die andere nennen, alle Versuchspersonen zusammen.</translation>
+        <source>Proportion of the responses to the two textures that name the other one, all participants pooled.</source>
+        <translation>Anteil der Antworten auf die beiden Texturen, die die andere nennen, alle Versuchspersonen zusammen.</translation>
     </message>
     <message>
-        <source>Of the responses to either of two textures, those that name the other one, all participants pooled. There is no CI, because the pair is selected as the most frequent of several.</source>
-        <translation>Von den Antworten auf eine von zwei Texturen jene, die die andere nennen, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das häufigste von mehreren ausgewählt ist.</translation>
+        <source>Proportion of the responses to either of two textures that name the other one, all participants pooled. There is no CI, because the pair is selected as the most frequent of several.</source>
+        <translation>Anteil der Antworten auf eine von zwei Texturen, die die andere nennen, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das häufigste von mehreren ausgewählt ist.</translation>
     </message>
     <message>
-        <source>The family that the protocol declares has one test (%1), the only confirmatory one; there is nothing to correct for.</source>
-        <translation>Die Familie, die das Protokoll erklärt, hat einen Test (%1), den einzigen konfirmatorischen; es gibt nichts zu korrigieren.</translation>
+        <source>The family that the protocol declares has one test (%1), the only confirmatory one; no correction is needed.</source>
+        <translation>Die Familie, die das Protokoll festlegt, hat einen Test (%1), den einzigen konfirmatorischen; eine Korrektur ist nicht nötig.</translation>
     </message>
     <message>
         <source>The protocol declares no family of tests, so that no test is confirmatory. The usual family of this kind of protocol has one test (%1); there is nothing to correct for.</source>
@@ -1032,7 +1032,7 @@
         <translation>Lernen über die Durchgänge</translation>
     </message>
     <message>
-        <source>Course over the trials</source>
+        <source>Trend over the trials</source>
         <translation>Verlauf über die Durchgänge</translation>
     </message>
     <message>
@@ -1060,7 +1060,7 @@
         <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by ε of Greenhouse and Geisser.</source>
+        <source>Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by Greenhouse–Geisser ε.</source>
         <translation>Varianzanalyse der Logarithmen mit Messwiederholung, die Freiheitsgrade mit ε nach Greenhouse und Geisser korrigiert.</translation>
     </message>
     <message>
@@ -1068,24 +1068,24 @@
         <translation>Varianzanalyse der Logarithmen mit Messwiederholung.</translation>
     </message>
     <message>
-        <source>%1 Factors of roughness by the participants&apos; mean logarithms; that between two levels has a t-based CI, that between the ends of several has none.</source>
-        <translation>%1 Faktoren der Rauheit nach den mittleren Logarithmen der Versuchspersonen; der zwischen zwei Stufen hat ein Konfidenzintervall nach t, der zwischen den Enden mehrerer keines.</translation>
+        <source>%1 Roughness ratios are computed from the participants&apos; mean logarithms; the ratio of two levels has a t-based CI, the ratio of the extremes of several levels has none.</source>
+        <translation>%1 Verhältnisse der Rauheit sind aus den mittleren Logarithmen der Versuchspersonen berechnet; das zweier Stufen hat ein Konfidenzintervall nach t, das zwischen den Extremen mehrerer Stufen keines.</translation>
     </message>
     <message>
         <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
         <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
-        <source>There is no CI of one participant.</source>
-        <translation>Von einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
+        <source>With one participant there is no CI.</source>
+        <translation>Bei einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p too small.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p zu klein.</translation>
+        <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small.</source>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p too small. Means over the participants have the participant as the unit.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
+        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small. Means over the participants have the participant as the unit.</source>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
     </message>
     <message>
         <source>%1 (N = %2)</source>
@@ -1112,11 +1112,11 @@
         <translation>Die Zuordnungen eines Durchgangs gelten als voneinander unabhängig.</translation>
     </message>
     <message>
-        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one of an odd number; a repeated trial has its planned place. Times: geometric means, and ratio of the second to the first half.</source>
-        <translation>Explorativ, ohne Test und ohne Anpassung an die Bedingungen der Durchgänge. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang hat seinen geplanten Platz. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
+        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one if their number is odd; a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
+        <translation>Explorativ, ohne Test und ohne Anpassung an die Bedingungen der Durchgänge. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
-        <source>Ratio per 10 trials: of the least-squares lines of the logarithm over the number of the trial.</source>
+        <source>Ratio per 10 trials: from the least-squares lines of the logarithm over the trial number.</source>
         <translation>Verhältnis je 10 Durchgänge: nach den Ausgleichsgeraden des Logarithmus über der Nummer des Durchgangs.</translation>
     </message>
     <message>
@@ -1124,8 +1124,8 @@
         <translation>Anteile: zweite minus erste Hälfte.</translation>
     </message>
     <message>
-        <source>CIs of differences of proportions are cut at −1 and 1.</source>
-        <translation>Konfidenzintervalle von Differenzen von Anteilen sind bei −1 und 1 abgeschnitten.</translation>
+        <source>CIs of differences of proportions are truncated at −1 and 1.</source>
+        <translation>Konfidenzintervalle von Differenzen von Anteilen sind auf den Bereich von −1 bis 1 begrenzt.</translation>
     </message>
     <message>
         <source>Means over the participants in blocks of counted trials, as numbered in the plan through each participant&apos;s sessions. Times: geometric means.</source>
@@ -1140,68 +1140,68 @@
         <translation>Anteile: der richtigen Antworten.</translation>
     </message>
     <message>
-        <source>%1 The CI of normalised is within participants (Cousineau and Morey): it compares cells and does not contain the differences between participants.</source>
-        <translation>%1 Das Konfidenzintervall von normiert gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es vergleicht Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
+        <source>%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it serves to compare cells and does not include the differences between participants.</source>
+        <translation>%1 Das Konfidenzintervall des normierten Mittels gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es dient dem Vergleich von Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
     </message>
     <message>
-        <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test also holds for participants who guess one assignment and keep it.</source>
+        <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test is also valid for participants who guess one assignment and keep it.</source>
         <translation>%1 Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s correctly matched items</source>
-        <translation>Der Anteil der richtigen Zuordnungen jeder Versuchsperson</translation>
+        <source>Each participant&apos;s proportion of correctly matched items</source>
+        <translation>Anteil der richtigen Zuordnungen jeder Versuchsperson</translation>
     </message>
     <message>
         <source>%1 Exact permutation test: the pictures are relabelled once per participant, in all trials alike.</source>
         <translation>%1 Exakter Permutationstest: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s trials with all items correct</source>
-        <translation>Der Anteil der Durchgänge jeder Versuchsperson, in denen alles richtig ist</translation>
+        <source>Each participant&apos;s proportion of trials with all items correct</source>
+        <translation>Anteil der Durchgänge jeder Versuchsperson, in denen alles richtig ist</translation>
     </message>
     <message>
-        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: by the model more often confused than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
+        <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: according to the model, confused more often than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
         <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für nicht unterscheidbare Texturen, um Antworttendenzen bereinigt; über 1: nach dem Modell öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
     </message>
     <message>
         <source>Each participant&apos;s proportion correct</source>
-        <translation>Der Anteil der richtigen Antworten jeder Versuchsperson</translation>
+        <translation>Anteil der richtigen Antworten jeder Versuchsperson</translation>
     </message>
     <message>
-        <source>%1 Two-sided one-sample t test against the chance level. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
-        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+        <source>%1 Two-sided one-sample t test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
+        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
     </message>
     <message>
-        <source>%1 One-sided exact binomial test against the chance level. Responses “cannot tell” name no picture and are left out here; the table of proportions counts them as not correct.</source>
-        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+        <source>%1 One-sided exact binomial test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
+        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
     </message>
     <message>
-        <source>From the cue, the first question after the last surface, to the response; presenting a surface again is part of it. Geometric means over participants of each participant&apos;s geometric mean.</source>
-        <translation>Vom Signal, der ersten Frage nach der letzten Oberfläche, bis zur Antwort; ein erneutes Darbieten zählt mit. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
+        <source>From the cue (the first question after the last surface) to the response, including any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
+        <translation>Vom Signal (der ersten Frage nach der letzten Oberfläche) bis zur Antwort, einschließlich erneut dargebotener Oberflächen. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
     </message>
     <message>
-        <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that it holds however the choices of a participant depend on each other.</source>
-        <translation>%1 Gleiche Wahrscheinlichkeiten der Wahlen prüft ein Permutationstest innerhalb der Versuchspersonen: Die Modelle werden innerhalb der Wahlen jeder Versuchsperson vertauscht, sodass er gilt, wie auch immer die Wahlen einer Versuchsperson voneinander abhängen.</translation>
+        <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that the test is valid however the choices of a participant depend on each other.</source>
+        <translation>%1 Gleiche Wahlwahrscheinlichkeiten werden mit einem Permutationstest innerhalb der Versuchspersonen geprüft: Die Modelle werden innerhalb der Wahlen jeder Versuchsperson vertauscht, sodass er gilt, wie auch immer die Wahlen einer Versuchsperson voneinander abhängen.</translation>
     </message>
     <message>
-        <source>The proportion of each participant&apos;s own choices</source>
-        <translation>Der Anteil an den eigenen Wahlen jeder Versuchsperson</translation>
+        <source>Each participant&apos;s proportion of choices</source>
+        <translation>Anteil an den Wahlen jeder Versuchsperson</translation>
     </message>
     <message>
         <source>Means of the participants&apos; own results.</source>
         <translation>Mittelwerte der individuellen Ergebnisse der Versuchspersonen.</translation>
     </message>
     <message>
-        <source>%1 CIs of the means by Student&apos;s t, of proportions on the logit scale; of the difference Welch&apos;s CI, which belongs to another method than p: where one just excludes that there is no difference, the other need not.</source>
-        <translation>%1 Konfidenzintervalle der Mittelwerte nach Students t, von Anteilen auf der Logit-Skala; der Differenz nach Welch, das zu einem anderen Verfahren als p gehört: Wo das eine knapp ausschließt, dass es keinen Unterschied gibt, muss es das andere nicht.</translation>
+        <source>%1 The CIs of the means are t-based, for proportions on the logit scale; that of the difference is Welch&apos;s CI. p is computed by a different method: one may just exclude a difference of zero where the other does not.</source>
+        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; das der Differenz ist das nach Welch. p ist nach einem anderen Verfahren berechnet: Das eine kann eine Differenz von null knapp ausschließen, wo das andere es nicht tut.</translation>
     </message>
     <message>
-        <source>%1 The permutation test compares all ways to split the participants into groups of these sizes.</source>
-        <translation>%1 Der Permutationstest vergleicht alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
+        <source>%1 The permutation test uses all divisions of the participants into groups of these sizes.</source>
+        <translation>%1 Der Permutationstest verwendet alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
     </message>
     <message>
-        <source>%1 The permutation test compares %2 random ways to split the participants into groups of these sizes, of which there are too many to count all.</source>
-        <translation>%1 Der Permutationstest vergleicht %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, von denen es zu viele gibt, um alle zu zählen.</translation>
+        <source>%1 The permutation test uses %2 random divisions of the participants into groups of these sizes, because there are too many to enumerate.</source>
+        <translation>%1 Der Permutationstest verwendet %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, weil es zu viele gibt, um alle zu zählen.</translation>
     </message>
     <message>
         <source>%1, averaged over the participants, with a t-based CI on the logit scale.</source>
@@ -1216,16 +1216,16 @@
         <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
-        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t interval. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
         <translation>Die eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson der Logarithmen der Schätzungen, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem Konfidenzintervall nach t. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es das wahre Mittel in mindestens 88 % der Studien.</translation>
     </message>
     <message>
-        <source>No test of the family (%1) could be made.</source>
-        <translation>Kein Test der Familie (%1) ließ sich machen.</translation>
+        <source>No test of the family (%1) could be performed.</source>
+        <translation>Kein Test der Familie (%1) ließ sich durchführen.</translation>
     </message>
     <message>
-        <source>%1 The CIs assume normal results. In simulations of proportions of 2 to 20 participants they contained the true value in at least 85 % of the studies with a mean of 25 to 71 %, and in at least 58 % with one of 87 or 95 %.</source>
-        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittel von 25 bis 71 %, und in mindestens 58 % mit einem von 87 oder 95 %.</translation>
+        <source>%1 The CIs assume normal results. In simulations of proportions of 2 to 20 participants they contained the true value in at least 85 % of the studies with a mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.</source>
+        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittel von 25 bis 71 %, und in mindestens 58 % derer mit einem Mittel von 87 oder 95 %.</translation>
     </message>
     <message>
         <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 92 % of the studies.</source>
@@ -1240,12 +1240,12 @@
         <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
     </message>
     <message>
-        <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), where the chance level is %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
+        <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
         <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with participants and textures as crossed random intercepts, by maximum likelihood with Laplace&apos;s approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
-        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit Versuchspersonen und Texturen als gekreuzten zufälligen Achsenabschnitten, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
+        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
+        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
         <source>%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])</source>
@@ -1256,8 +1256,8 @@
         <translation>%1 bei %2 (95-%-KI [%3; %4]; Test auf ein inneres Maximum %5; R² der mittleren Parabel %6)</translation>
     </message>
     <message>
-        <source>the peak of %1 is at %2 times the spacing of %3 (95 % CI [%4, %5])</source>
-        <translation>das Maximum von %1 liegt beim %2-Fachen des Abstands von %3 (95-%-KI [%4; %5])</translation>
+        <source>the peak of %1 is at %2 times the spacing of the peak of %3 (95 % CI [%4, %5])</source>
+        <translation>das Maximum von %1 liegt beim %2-Fachen des Abstands des Maximums von %3 (95-%-KI [%4; %5])</translation>
     </message>
     <message>
         <source>d′ = %1, 95 % CI [%2, %3], n = %4 responses</source>
@@ -1272,15 +1272,15 @@
         <translation>Welch-95-%-KI [%1; %2]</translation>
     </message>
     <message>
-        <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), where the chance level is %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
+        <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
         <translation>Nicht gesichert: Im Mittel wurden %1 der Items einer Versuchsperson richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest über Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
-        <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4.</source>
+        <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Nein, seltener als durch Raten: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
-        <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), where the chance level is %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
+        <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
         <translation>Nicht gesichert: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
@@ -1292,11 +1292,11 @@
         <translation>Geometrische Mittel der Schätzungen. normalised: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). raw: nicht normalisiert. left out: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur raw enthält sie.</translation>
     </message>
     <message>
-        <source>For this participant only: %1 of the items were matched correctly (%2), where the chance level is %3; permutation test, %4. More participants are needed.</source>
+        <source>For this participant only: %1 of the items were matched correctly (%2), compared with a chance level of %3; permutation test, %4. More participants are needed.</source>
         <translation>Nur für diese Versuchsperson: %1 der Items wurden richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest, %4. Es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
-        <source>For this participant only: %1 of the responses were correct (%2), where the chance level is %3; %4. More participants are needed.</source>
+        <source>For this participant only: %1 of the responses were correct (%2), compared with a chance level of %3; %4. More participants are needed.</source>
         <translation>Nur für diese Versuchsperson: %1 der Antworten waren richtig (%2), bei einem Zufallsniveau von %3; %4. Es werden mehr Versuchspersonen benötigt.</translation>
     </message>
 </context>
@@ -1334,14 +1334,6 @@
         <translation>alle</translation>
     </message>
     <message>
-        <source>answers</source>
-        <translation>Antworten</translation>
-    </message>
-    <message>
-        <source>chance, 95 %</source>
-        <translation>Zufall, 95 %</translation>
-    </message>
-    <message>
         <source>chosen</source>
         <translation>gewählt</translation>
     </message>
@@ -1354,15 +1346,11 @@
         <translation>richtig</translation>
     </message>
     <message>
-        <source>felt</source>
-        <translation>gefühlt</translation>
-    </message>
-    <message>
         <source>item</source>
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>aimed at, mean, N</source>
+        <source>intended, mean, N</source>
         <translation>angestrebt, Mittel, N</translation>
     </message>
     <message>
@@ -1427,7 +1415,7 @@
     </message>
     <message>
         <source>cannot tell</source>
-        <translation>nicht zu sagen</translation>
+        <translation>weiß nicht</translation>
     </message>
     <message>
         <source>about</source>
@@ -1454,12 +1442,12 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>log worth</source>
-        <translation>ln Wert</translation>
+        <source>log-worth</source>
+        <translation>log. Wert</translation>
     </message>
     <message>
-        <source>log worth, 95 %</source>
-        <translation>ln Wert, 95 %</translation>
+        <source>log-worth, 95 %</source>
+        <translation>log. Wert, 95 %</translation>
     </message>
     <message>
         <source>mean, 95 %</source>
@@ -1571,11 +1559,11 @@
     </message>
     <message>
         <source>peak, m, 95 %</source>
-        <translation>Gipfel, m, 95 %</translation>
+        <translation>Maximum, m, 95 %</translation>
     </message>
     <message>
         <source>peak, m</source>
-        <translation>Gipfel, m</translation>
+        <translation>Maximum, m</translation>
     </message>
     <message>
         <source>ratio</source>
@@ -1709,6 +1697,18 @@
         <source>proportion, 95 %</source>
         <translation>Anteil, 95 %</translation>
     </message>
+    <message>
+        <source>responses</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>95 % under guessing</source>
+        <translation>95 % bei Raten</translation>
+    </message>
+    <message>
+        <source>stimulus</source>
+        <translation>Reiz</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1793,27 +1793,27 @@
         <translation>Nach Signal, s</translation>
     </message>
     <message>
-        <source>When the answer was given, in seconds after the first contact of the attempt with a surface: all of the feeling is in it.</source>
-        <translation>Wann geantwortet wurde, in Sekunden nach der ersten Berührung einer Oberfläche in diesem Versuch: alles Fühlen ist darin enthalten.</translation>
+        <source>Time of the answer, in seconds after the first contact with a surface in this attempt; it includes the whole exploration.</source>
+        <translation>Zeitpunkt der Antwort, in Sekunden nach der ersten Berührung einer Oberfläche in diesem Versuch; die gesamte Exploration ist darin enthalten.</translation>
     </message>
     <message>
-        <source>When the answer was given, in seconds after the cue, with which the question was put first: surfaces that were felt again before the answer are in it.</source>
-        <translation>Wann geantwortet wurde, in Sekunden nach dem Signal, mit dem die Frage zum ersten Mal gestellt wurde: Oberflächen, die davor noch einmal gefühlt wurden, sind darin enthalten.</translation>
+        <source>Time of the answer, in seconds after the cue, when the question was first asked; it includes surfaces that were felt again before the answer.</source>
+        <translation>Zeitpunkt der Antwort, in Sekunden nach dem Signal, mit dem die Frage zum ersten Mal gestellt wurde; Oberflächen, die vor der Antwort noch einmal gefühlt wurden, sind darin enthalten.</translation>
     </message>
     <message>
         <source>answered %1 after the first contact</source>
         <translation>beantwortet %1 nach dem Erstkontakt</translation>
     </message>
     <message>
-        <source>Practice: takes no part in analyses</source>
-        <translation>Übung: nimmt an Auswertungen nicht teil</translation>
+        <source>Practice: not included in analyses</source>
+        <translation>Übung: nicht in den Auswertungen</translation>
     </message>
     <message>
-        <source>Anchor: takes no part in analyses</source>
-        <translation>Anker: nimmt an Auswertungen nicht teil</translation>
+        <source>Anchor: not included in analyses</source>
+        <translation>Anker: nicht in den Auswertungen</translation>
     </message>
     <message>
-        <source>Does not count: there is no answer</source>
+        <source>Does not count: no answer</source>
         <translation>Zählt nicht: ohne Antwort</translation>
     </message>
     <message>
@@ -1853,7 +1853,7 @@
     </message>
     <message>
         <source>preference</source>
-        <translation>Vorliebe</translation>
+        <translation>Präferenz</translation>
     </message>
     <message>
         <source>women and men</source>
@@ -1904,20 +1904,20 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>the curve does not bend down</source>
-        <translation>die Kurve biegt sich nicht nach unten</translation>
+        <source>the parabola opens upwards</source>
+        <translation>die Parabel ist nach oben geöffnet</translation>
     </message>
     <message>
-        <source>not within the tested spacings</source>
-        <translation>nicht innerhalb der geprüften Abstände</translation>
+        <source>outside the range of the tested spacings</source>
+        <translation>außerhalb des Bereichs der geprüften Abstände</translation>
     </message>
     <message>
         <source>too few participants for a conclusion</source>
         <translation>zu wenige Versuchspersonen für eine Aussage</translation>
     </message>
     <message>
-        <source>not every trial presents every model</source>
-        <translation>nicht jeder Durchgang bietet jedes Modell dar</translation>
+        <source>not every model is presented in every trial</source>
+        <translation>nicht jedes Modell wird in jedem Durchgang dargeboten</translation>
     </message>
     <message>
         <source>cannot be tested with one participant</source>
@@ -1932,48 +1932,48 @@
         <translation>nicht beide Bedingungen haben ein inneres Maximum</translation>
     </message>
     <message>
-        <source>no trial presented two models</source>
-        <translation>kein Durchgang bot zwei Modelle dar</translation>
+        <source>two models were never presented in the same trial</source>
+        <translation>nie wurden zwei Modelle im selben Durchgang dargeboten</translation>
     </message>
     <message>
         <source>no responses to test</source>
-        <translation>keine Antworten zu prüfen</translation>
+        <translation>keine zu prüfenden Antworten</translation>
     </message>
     <message>
         <source>the protocol declares no target, or there is only one texture</source>
-        <translation>das Protokoll nennt kein Ziel, oder es gibt nur eine Textur</translation>
+        <translation>das Protokoll legt kein Ziel fest, oder es gibt nur eine Textur</translation>
     </message>
     <message>
         <source>fewer than two conditions have a peak</source>
-        <translation>weniger als zwei Bedingungen haben einen Gipfel</translation>
+        <translation>weniger als zwei Bedingungen haben ein Maximum</translation>
     </message>
     <message>
         <source>there is only one condition</source>
         <translation>es gibt nur eine Bedingung</translation>
     </message>
     <message>
-        <source>the participants are not both women and men</source>
-        <translation>unter den Versuchspersonen sind nicht Frauen und Männer</translation>
+        <source>the participants do not include both women and men</source>
+        <translation>die Versuchspersonen umfassen nicht sowohl Frauen als auch Männer</translation>
     </message>
     <message>
         <source>the pictures differ between trials</source>
-        <translation>die Bilder sind von Durchgang zu Durchgang verschieden</translation>
+        <translation>die Bilder unterscheiden sich zwischen den Durchgängen</translation>
     </message>
     <message>
         <source>no participant ever chose the target</source>
         <translation>keine Versuchsperson hat je das Ziel gewählt</translation>
     </message>
     <message>
-        <source>no trial presented the target with a model</source>
-        <translation>kein Durchgang bot das Ziel mit einem Modell dar</translation>
+        <source>the target was never presented with another model</source>
+        <translation>das Ziel wurde nie mit einem anderen Modell dargeboten</translation>
     </message>
     <message>
         <source>the participants have not judged every texture equally often</source>
         <translation>die Versuchspersonen haben nicht jede Textur gleich oft beurteilt</translation>
     </message>
     <message>
-        <source>trials present different numbers of models</source>
-        <translation>die Durchgänge bieten verschieden viele Modelle dar</translation>
+        <source>the number of models differs between trials</source>
+        <translation>die Zahl der Modelle unterscheidet sich zwischen den Durchgängen</translation>
     </message>
     <message>
         <source>%1, exact</source>
@@ -2037,7 +2037,7 @@
     </message>
     <message>
         <source>proportion correct, “cannot tell” excluded</source>
-        <translation>Anteil richtiger Antworten ohne „Weiß nicht“</translation>
+        <translation>Anteil richtiger Antworten ohne „weiß nicht“</translation>
     </message>
     <message>
         <source>z of the correctly matched items</source>
@@ -2135,8 +2135,8 @@
 <context>
     <name>DeviceSurvey</name>
     <message>
-        <source>There is no %1 in a folder of udev: only root can open USB devices. Copy %2 into /etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md).</source>
-        <translation>Kein %1 in einem Ordner von udev: Nur root kann USB-Geräte öffnen. Kopieren Sie %2 nach /etc/udev/rules.d, ziehen Sie das Gerät ab, und stecken Sie es wieder an (docs/devices.md).</translation>
+        <source>The udev rules file %1 is not installed: only root can open USB devices. Copy %2 into /etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md).</source>
+        <translation>Die udev-Regeldatei %1 ist nicht installiert: Nur root kann USB-Geräte öffnen. %2 nach /etc/udev/rules.d kopieren, das Gerät abziehen und wieder anstecken (docs/devices.md).</translation>
     </message>
 </context>
 <context>
@@ -2146,7 +2146,7 @@
         <translation>die Servoschleife setzte die Kraft auf null (%1)</translation>
     </message>
     <message>
-        <source>the handle moved more than %1 mm away, and the force was switched off</source>
+        <source>the handle moved away by more than %1 mm, and the force was switched off</source>
         <translation>der Griff bewegte sich um mehr als %1 mm weg, und die Kraft wurde abgeschaltet</translation>
     </message>
     <message>
@@ -2158,20 +2158,20 @@
         <translation>Nicht gemessen: %1.</translation>
     </message>
     <message>
-        <source>Of a simulated device: it characterises this computer.</source>
-        <translation>Von einem simulierten Gerät: Der Wert kennzeichnet diesen Rechner.</translation>
+        <source>Measured on a simulated device: the value characterises this computer.</source>
+        <translation>An einem simulierten Gerät gemessen: Der Wert kennzeichnet diesen Rechner.</translation>
     </message>
     <message>
         <source>No surface was presented.</source>
         <translation>Es wurde keine Oberfläche dargeboten.</translation>
     </message>
     <message>
-        <source>The loop did not run: %1</source>
-        <translation>Die Schleife lief nicht: %1</translation>
+        <source>The servo loop did not run: %1</source>
+        <translation>Die Servoschleife lief nicht: %1</translation>
     </message>
     <message>
-        <source>The greatest force without a surface.</source>
-        <translation>Die größte Kraft ohne Oberfläche.</translation>
+        <source>Largest force sent without a surface.</source>
+        <translation>Größte ohne Oberfläche gesendete Kraft.</translation>
     </message>
     <message>
         <source>Standard deviation of the positions of the handle at rest.</source>
@@ -2187,15 +2187,15 @@
     </message>
     <message>
         <source>When %1 N was requested at a limit of %2 N, at most %3 N was sent.</source>
-        <translation>Bei angeforderten %1 N und einer Grenze von %2 N wurden höchstens %3 N gesendet.</translation>
+        <translation>Angefordert wurden %1 N; bei einer Grenze von %2 N wurden höchstens %3 N gesendet.</translation>
     </message>
     <message>
         <source>After a stop under force, exactly 0 N was sent from the next tick on.</source>
-        <translation>Nach einem Halt unter Kraft wurden vom nächsten Takt an genau 0 N gesendet.</translation>
+        <translation>Nach einem Halt bei wirkender Kraft wurden vom nächsten Takt an genau 0 N gesendet.</translation>
     </message>
     <message>
         <source>When a force that is not a number was requested, exactly 0 N was sent in the same tick.</source>
-        <translation>Bei einer angeforderten Kraft, die keine Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
+        <translation>Als eine Kraft angefordert wurde, die keine Zahl ist, wurden im selben Takt genau 0 N gesendet.</translation>
     </message>
     <message>
         <source>Without a heartbeat from the program the force faded to 0 N (a session waits for %1 s).</source>
@@ -2218,43 +2218,43 @@
         <translation>ein Stoß von %1 N bewegte den Griff nicht</translation>
     </message>
     <message>
-        <source>From a step of force to the measured motion.</source>
-        <translation>Von einem Kraftsprung bis zur gemessenen Bewegung.</translation>
+        <source>Time from a force step to the measured motion.</source>
+        <translation>Zeit von einem Kraftsprung bis zur gemessenen Bewegung.</translation>
     </message>
     <message>
-        <source>Of the handle and the parts that move with it, from their acceleration after a step of force.</source>
-        <translation>Des Griffs und der mitbewegten Teile, aus ihrer Beschleunigung nach einem Kraftsprung.</translation>
+        <source>Mass of the handle and the parts that move with it, from the acceleration after a force step.</source>
+        <translation>Masse des Griffs und der mitbewegten Teile, bestimmt aus der Beschleunigung nach einem Kraftsprung.</translation>
     </message>
     <message>
         <source>Coulomb friction, from slow back-and-forth sweeps at two speeds.</source>
-        <translation>Coulombsche Reibung, aus langsamen Hin-und-her-Bewegungen mit zwei Geschwindigkeiten.</translation>
+        <translation>Coulombsche Reibung, bestimmt aus langsamen Hin- und Herbewegungen mit zwei Geschwindigkeiten.</translation>
     </message>
     <message>
-        <source>Increase of that resistance with speed.</source>
-        <translation>Zunahme dieses Widerstands mit der Geschwindigkeit.</translation>
+        <source>Increase of the resistance to motion with speed.</source>
+        <translation>Zunahme des Bewegungswiderstands mit der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The position step that corresponds to the errors measured in a slow sweep.</source>
-        <translation>Der Positionsschritt, der den Fehlern einer langsamen Bewegung entspricht.</translation>
+        <translation>Der Positionsschritt, der den bei einer langsamen Bewegung gemessenen Fehlern entspricht.</translation>
     </message>
     <message>
         <source>The lowest frequency at which the handle responds twice as strongly as its mass alone.</source>
         <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark antwortet wie seine Masse allein.</translation>
     </message>
     <message>
-        <source>there is none from %1 to %2 Hz</source>
-        <translation>von %1 bis %2 Hz gibt es keine</translation>
+        <source>there is no resonance from %1 to %2 Hz</source>
+        <translation>von %1 bis %2 Hz gibt es keine Resonanz</translation>
     </message>
     <message>
         <source>The stiffest spring, up to 8000 N/m, on which the handle came to rest after an impulse.</source>
         <translation>Die steifste Feder, bis 8000 N/m, auf der der Griff nach einem Impuls zur Ruhe kam.</translation>
     </message>
     <message>
-        <source>a spring of 250 N/m already made the handle oscillate</source>
+        <source>even a spring of 250 N/m made the handle oscillate</source>
         <translation>schon eine Feder von 250 N/m brachte den Griff zum Schwingen</translation>
     </message>
     <message>
-        <source>The weakest push, by steps of a factor √2, that moved the handle from rest.</source>
+        <source>The weakest push, in steps of a factor of √2, that moved the handle from rest.</source>
         <translation>Der schwächste Stoß, in Schritten um den Faktor √2, der den ruhenden Griff bewegte.</translation>
     </message>
     <message>
@@ -2275,15 +2275,15 @@
     </message>
     <message>
         <source>A session of %1 is running. Measure the device when the session has ended.</source>
-        <translation>Eine Sitzung von %1 läuft. Messen Sie das Gerät, wenn die Sitzung beendet ist.</translation>
+        <translation>Eine Sitzung von %1 läuft. Das Gerät messen, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
-        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and make sure that it is not held.</source>
-        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit höchstens %2 N. Lassen Sie ihn frei in der Mitte seines Arbeitsraums hängen, halten Sie Hände und Haare fern, und sorgen Sie dafür, dass er nicht gehalten wird.</translation>
+        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with a force of at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and make sure that it is not held.</source>
+        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit einer Kraft von höchstens %2 N. Den Griff frei in der Mitte seines Arbeitsraums hängen lassen, Hände und Haare fernhalten und sicherstellen, dass er nicht gehalten wird.</translation>
     </message>
     <message>
         <source>A device is being measured for this study. Stop the measurement or wait until it has ended, then start the session.</source>
-        <translation>Für diese Studie wird gerade ein Gerät gemessen. Brechen Sie die Messung ab oder warten Sie ihr Ende ab, und starten Sie dann die Sitzung.</translation>
+        <translation>Für diese Studie wird gerade ein Gerät gemessen. Die Messung abbrechen oder ihr Ende abwarten, dann die Sitzung starten.</translation>
     </message>
     <message>
         <source>Unknown for %1, which the simulated device models.</source>
@@ -2303,7 +2303,7 @@
     </message>
     <message>
         <source>rate</source>
-        <translation>Rate</translation>
+        <translation>Taktrate</translation>
     </message>
     <message>
         <source>latency</source>
@@ -2347,46 +2347,46 @@
     </message>
     <message>
         <source>The device met every limit.</source>
-        <translation>Das Gerät hielt jede Grenze ein.</translation>
+        <translation>Das Gerät hielt jeden Grenzwert ein.</translation>
     </message>
     <message>
         <source>The device did not meet every limit: %1.</source>
-        <translation>Das Gerät hielt nicht jede Grenze ein: %1.</translation>
+        <translation>Das Gerät hielt nicht jeden Grenzwert ein: %1.</translation>
     </message>
     <message>
-        <source>Limited, but not measured: %1.</source>
-        <translation>Begrenzt, aber nicht gemessen: %1.</translation>
+        <source>Not measured, although a limit applies: %1.</source>
+        <translation>Nicht gemessen, obwohl ein Grenzwert gilt: %1.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: %1 Fix that, then measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: %1 Beheben Sie das, und messen Sie es dann erneut.</translation>
+        <source>the connection to the device was lost during the measurement: %1 Fix the problem, then measure the device again.</source>
+        <translation>die Verbindung zum Gerät ging während der Messung verloren: %1 Das Problem beheben, dann das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: its maker&apos;s thread made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check its cable, and measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: Der Thread seines Herstellers rief %1 ms lang nicht auf: Er hängt oder musste warten. Schließen Sie andere Programme, die diesen Rechner belasten, prüfen Sie das Kabel, und messen Sie es erneut.</translation>
+        <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check its cable, and measure it again.</source>
+        <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus: Der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>the device was lost while it was measured: it did not answer, and its driver reports no cause. Check its cable and its power, close other programs that keep this computer busy, and measure it again.</source>
-        <translation>das Gerät ging während der Messung verloren: Es antwortete nicht, und sein Treiber meldet keine Ursache. Prüfen Sie Kabel und Stromversorgung, schließen Sie andere Programme, die diesen Rechner belasten, und messen Sie es erneut.</translation>
+        <source>the connection to the device was lost during the measurement: the device did not respond, and its driver reports no cause. Check its cable and its power supply, close other programs that keep this computer busy, and measure it again.</source>
+        <translation>die Verbindung zum Gerät ging während der Messung verloren: Das Gerät antwortete nicht, und sein Treiber meldet keine Ursache. Kabel und Stromversorgung prüfen, andere Programme schließen, die diesen Rechner belasten, und das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>The device met every limit that was measured.</source>
-        <translation>Das Gerät hielt jede gemessene Grenze ein.</translation>
+        <translation>Das Gerät hielt jeden Grenzwert ein, zu dem gemessen wurde.</translation>
     </message>
     <message>
         <source>No limit applied to the device.</source>
-        <translation>Für das Gerät galt keine Grenze.</translation>
+        <translation>Für das Gerät galt kein Grenzwert.</translation>
     </message>
 </context>
 <context>
     <name>DriverWords</name>
     <message>
-        <source>“Set up…” on the page Devices</source>
-        <translation>„Einrichten…“ auf der Seite Geräte</translation>
+        <source>“Set up…” on the Devices page</source>
+        <translation>„Einrichten…“ auf der Seite „Geräte“</translation>
     </message>
     <message>
-        <source>“Test this device…” on the page Devices</source>
-        <translation>„Dieses Gerät testen …“ auf der Seite Geräte</translation>
+        <source>“Test this device…” on the Devices page</source>
+        <translation>„Dieses Gerät testen…“ auf der Seite „Geräte“</translation>
     </message>
 </context>
 <context>
@@ -2404,11 +2404,11 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Scale of preference (Bradley–Terry)</source>
+        <source>Preference scale (Bradley–Terry)</source>
         <translation>Präferenzskala (Bradley–Terry)</translation>
     </message>
     <message>
-        <source>Scale of preference (Plackett–Luce)</source>
+        <source>Preference scale (Plackett–Luce)</source>
         <translation>Präferenzskala (Plackett–Luce)</translation>
     </message>
     <message>
@@ -2416,8 +2416,8 @@
         <translation>%1 (%2 von %3)</translation>
     </message>
     <message>
-        <source>chance</source>
-        <translation>Zufall</translation>
+        <source>chance level</source>
+        <translation>Zufallsniveau</translation>
     </message>
     <message>
         <source>all</source>
@@ -2448,20 +2448,20 @@
         <translation>Mittel von %1 Versuchspersonen</translation>
     </message>
     <message>
-        <source>How often each was chosen</source>
-        <translation>Wie oft jedes gewählt wurde</translation>
+        <source>Proportion of choices of each alternative</source>
+        <translation>Anteil der Wahlen jeder Alternative</translation>
     </message>
     <message>
-        <source>How often each texture was matched to its picture</source>
-        <translation>Wie oft jede Textur ihrem Bild zugeordnet wurde</translation>
+        <source>Proportion of correct matches of each texture</source>
+        <translation>Anteil der richtigen Zuordnungen jeder Textur</translation>
     </message>
     <message>
-        <source>How often each was recognised</source>
-        <translation>Wie oft jedes erkannt wurde</translation>
+        <source>Proportion correct for each stimulus</source>
+        <translation>Anteil richtiger Antworten zu jedem Reiz</translation>
     </message>
     <message>
         <source>Chosen as the most realistic</source>
-        <translation>Als am wirklichkeitsnächsten gewählt</translation>
+        <translation>Als die realistischste gewählt</translation>
     </message>
     <message>
         <source>Textures matched to their pictures</source>
@@ -2524,8 +2524,8 @@
         <translation>Es gibt keine Skala: Es wurde nichts beurteilt.</translation>
     </message>
     <message>
-        <source>first dimension of dissimilarity</source>
-        <translation>erste Dimension der Unähnlichkeit</translation>
+        <source>first MDS dimension</source>
+        <translation>erste MDS-Dimension</translation>
     </message>
     <message>
         <source>second dimension</source>
@@ -2540,8 +2540,8 @@
         <translation>Der Unterschied zwischen den Gruppen</translation>
     </message>
     <message>
-        <source>There are not two groups with responses: there is nothing to compare.</source>
-        <translation>Es gibt keine zwei Gruppen mit Antworten: Es ist nichts zu vergleichen.</translation>
+        <source>Fewer than two groups have responses: there is nothing to compare.</source>
+        <translation>Weniger als zwei Gruppen haben Antworten: Es gibt nichts zu vergleichen.</translation>
     </message>
     <message>
         <source>%1 (n = %2)</source>
@@ -2568,8 +2568,8 @@
         <translation>Bewertungen je Gegenstand</translation>
     </message>
     <message>
-        <source>Points are means over the participants who scored every item, bars their %1 % t intervals. The tests next to them use only the ranks of the scores.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-t-Intervalle. Die Tests daneben verwenden nur die Ränge der Bewertungen.</translation>
+        <source>Points are means over the participants who scored every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-Konfidenzintervalle nach t. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means to show.</source>
@@ -2580,12 +2580,12 @@
         <translation>Mittelwerte je Bedingung</translation>
     </message>
     <message>
-        <source>Points are means over the participants, shifted where several coincide. Bars: %1 % intervals without the participants&apos; own levels (Cousineau and Morey), which show differences within participants. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Intervalle ohne die eigenen Niveaus der Versuchspersonen (Cousineau und Morey), die Unterschiede innerhalb der Versuchspersonen zeigen. Linien führen das Auge.</translation>
+        <source>Points are means over the participants, shifted where several coincide. Bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Konfidenzintervalle innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
-        <source>Points are means over the participants, shifted where several coincide. Bars: %1 % t intervals. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-t-Intervalle. Linien führen das Auge.</translation>
+        <source>Points are means over the participants, shifted where several coincide. Bars: t-based %1 % CIs. Lines guide the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Konfidenzintervalle nach t. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -2632,12 +2632,12 @@
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>n of the plan</source>
-        <translation>n des Plans</translation>
+        <source>planned n</source>
+        <translation>geplantes n</translation>
     </message>
     <message>
-        <source>power: probability that the test finds it</source>
-        <translation>Teststärke: Wahrscheinlichkeit, dass der Test es findet</translation>
+        <source>power: probability of detecting the effect</source>
+        <translation>Teststärke: Wahrscheinlichkeit, den Effekt zu entdecken</translation>
     </message>
     <message>
         <source>80 %</source>
@@ -2652,12 +2652,12 @@
         <translation>Teststärke der geplanten Tests</translation>
     </message>
     <message>
-        <source>Points are planned sizes, each computed by itself: the power of exact tests of counts is not monotone between them. The dashed line is the usual target.</source>
-        <translation>Punkte sind geplante Größen, jede für sich berechnet: Die exakten Tests von Anzahlen gehen dazwischen auf und ab. Die gestrichelte Linie ist, was Pläne meist anstreben.</translation>
+        <source>Points are planned sample sizes, each computed separately: between them, the power of exact tests of counts is not monotonic. The dashed line is the usual target.</source>
+        <translation>Punkte sind geplante Stichprobenumfänge, jeder für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist der übliche Zielwert.</translation>
     </message>
     <message>
-        <source>No plan has a power to show.</source>
-        <translation>Kein Plan hat eine Teststärke zu zeigen.</translation>
+        <source>No power was computed for any plan.</source>
+        <translation>Für keinen Plan wurde eine Teststärke berechnet.</translation>
     </message>
     <message>
         <source>probe %1 mm</source>
@@ -2688,7 +2688,7 @@
         <translation>Texturfrequenz</translation>
     </message>
     <message>
-        <source>greatest acceleration</source>
+        <source>maximum acceleration</source>
         <translation>größte Beschleunigung</translation>
     </message>
     <message>
@@ -2701,7 +2701,7 @@
     </message>
     <message>
         <source>position %1</source>
-        <translation>Platz %1</translation>
+        <translation>Position %1</translation>
     </message>
     <message>
         <source>%1 over %2</source>
@@ -2725,7 +2725,7 @@
     </message>
     <message>
         <source>Filled symbols: strokes of the held tool. Small open symbols: strokes excluded because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
-        <translation>Volle Zeichen: Striche des gehaltenen Werkzeugs; kleine umrandete: Striche, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs; kleine offene: wegen ihres Status ausgeschlossene Striche. Kurven: Parabeln der Logarithmen. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
         <source>%1 (no effect by construction)</source>
@@ -2740,27 +2740,27 @@
         <translation>%1 in Pilotsitzungen</translation>
     </message>
     <message>
-        <source>%1 predicts: %2</source>
-        <translation>%1 sagt vorher: %2</translation>
+        <source>predicted by %1: %2</source>
+        <translation>vorhergesagt von %1: %2</translation>
     </message>
     <message>
         <source>estimates</source>
         <translation>Schätzungen</translation>
     </message>
     <message>
-        <source>%1 Small outlined marks: the %2 that a sweep of %3 predicts, all times one factor.</source>
-        <translation>%1 Kleine umrandete Zeichen: %2, wie ein Durchlauf von „sweep“ mit %3 sie vorhersagt, alle mal denselben Faktor.</translation>
+        <source>%1 Small open symbols: the %2 predicted by a sweep of %3, all multiplied by one factor.</source>
+        <translation>%1 Kleine offene Zeichen: %2, vorhergesagt von einem Durchlauf von „sweep“ mit %3, alle mit demselben Faktor multipliziert.</translation>
     </message>
     <message>
-        <source>%1 Squares are means of the participants&apos; own proportions with 95 % CIs by t on the logit scale: the participant is the unit.</source>
-        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
+        <source>%1 Squares are means of the participants&apos; own proportions with t-based 95 % CIs on the logit scale: the participant is the unit.</source>
+        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: Die Versuchsperson ist die Einheit.</translation>
     </message>
     <message>
-        <source>Squares are means of the participants&apos; own proportions, bars their 95 % CIs by t on the logit scale: the participant is the unit.</source>
-        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: die Versuchsperson ist die Einheit.</translation>
+        <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit.</source>
+        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: Die Versuchsperson ist die Einheit.</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own results, bars their %1 % CIs by t, of proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
+        <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
         <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
@@ -2768,8 +2768,8 @@
         <translation>Konfusionsmatrix</translation>
     </message>
     <message>
-        <source>Numbers are responses; the shade is their proportion among the responses to the stimulus. Correct responses are framed.</source>
-        <translation>Zahlen sind Antworten; die Tönung ist ihr Anteil an den Antworten auf den Reiz. Richtige Antworten sind umrandet.</translation>
+        <source>Numbers are counts of responses; the shade is their proportion among the responses to the stimulus. Correct responses are framed.</source>
+        <translation>Zahlen sind Anzahlen von Antworten; die Tönung ist ihr Anteil an den Antworten auf den Reiz. Richtige Antworten sind umrandet.</translation>
     </message>
     <message>
         <source>proportion of the row</source>
@@ -2800,12 +2800,12 @@
         <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Zwei Dimensionen machen %1 % der Summe der Beträge der Eigenwerte aus.</translation>
     </message>
     <message>
-        <source>Filled symbols: geometric means of normalised estimates with %1 % within-participant intervals (Cousineau and Morey), which compare cells and do not contain the spread between participants.</source>
-        <translation>Volle Zeichen: geometrische Mittel der normierten Schätzungen mit %1-%-Intervallen innerhalb der Versuchspersonen (Cousineau und Morey), die Zellen vergleichen und die Streuung zwischen den Versuchspersonen nicht enthalten.</translation>
+        <source>Filled symbols: geometric means of normalised estimates with within-participant %1 % CIs (Cousineau and Morey), which serve to compare cells and do not include the differences between participants.</source>
+        <translation>Gefüllte Zeichen: geometrische Mittel der normierten Schätzungen mit %1-%-Konfidenzintervallen innerhalb der Versuchspersonen (Cousineau und Morey), die dem Vergleich von Zellen dienen und die Unterschiede zwischen den Versuchspersonen nicht enthalten.</translation>
     </message>
     <message>
         <source>Filled symbols: geometric means of normalised estimates.</source>
-        <translation>Volle Zeichen: geometrische Mittel der normierten Schätzungen.</translation>
+        <translation>Gefüllte Zeichen: geometrische Mittel der normierten Schätzungen.</translation>
     </message>
     <message>
         <source>%1 Open symbols: significant interior maxima of the curves, with CIs by the delta method.</source>
@@ -2820,8 +2820,8 @@
         <translation>Anteil mit %1-%-KI</translation>
     </message>
     <message>
-        <source>There is no response from which to compute a proportion.</source>
-        <translation>Es gibt keine Antwort, aus der sich ein Anteil berechnen ließe.</translation>
+        <source>There are no responses from which to compute a proportion.</source>
+        <translation>Es gibt keine Antworten, aus denen sich ein Anteil berechnen ließe.</translation>
     </message>
     <message>
         <source>proportion</source>
@@ -2872,7 +2872,7 @@
         <translation>Punkte sind Anteile, Balken ihre 95-%-KI nach Wilson.</translation>
     </message>
     <message>
-        <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t 95 % CIs.</source>
+        <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t-based 95 % CIs.</source>
         <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu eng sind, wo eine Versuchsperson mehrmals wählte. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
     </message>
     <message>
@@ -2880,20 +2880,20 @@
         <translation>Anteile an den Durchgängen mit dieser Textur mit 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
     </message>
     <message>
-        <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that treat trials as independent. The square is the mean of the participants&apos; own proportions with a t 95 % CI on the logit scale.</source>
-        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz mit 95-%-KI nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
+        <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that treat trials as independent. The square is the mean of the participants&apos; own proportions with a t-based 95 % CI on the logit scale.</source>
+        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz mit 95-%-KI nach Wilson, die Durchgänge als unabhängig behandeln. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
-        <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; all together: as if independent.</source>
-        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle zusammen: als wären sie unabhängig.</translation>
+        <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; all experiments together are treated as independent.</source>
+        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle Experimente zusammen sind als unabhängig behandelt.</translation>
     </message>
     <message>
-        <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels assumes less.</source>
+        <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels makes fewer assumptions.</source>
         <translation>Der Balken ist das %1-%-KI nach Welch für die Differenz der Mittelwerte der Versuchspersonen; der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus.</translation>
     </message>
     <message>
-        <source>Bars are %1 % CIs: of the difference of the participants&apos; means by Welch, of all responses pooled by Newcombe, as if they were independent. The permutation test of group labels assumes less than either.</source>
-        <translation>Balken sind %1-%-KI: der Differenz der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus als beide.</translation>
+        <source>Bars are %1 % CIs: Welch&apos;s for the difference of the participants&apos; means, Newcombe&apos;s for all responses pooled, as if they were independent. The permutation test of group labels makes fewer assumptions than either.</source>
+        <translation>Balken sind %1-%-KI: nach Welch für die Differenz der Mittelwerte der Versuchspersonen, nach Newcombe für alle Antworten zusammen, als wären sie unabhängig. Der Permutationstest der Gruppenzugehörigkeit setzt weniger voraus als beide.</translation>
     </message>
     <message>
         <source>%1 − %2, with its %3 % CI</source>
@@ -2913,14 +2913,14 @@
     </message>
     <message>
         <source>Proportion correct by level</source>
-        <translation>Anteil richtiger Antworten nach Pegel</translation>
+        <translation>Anteil richtiger Antworten nach Stufe</translation>
     </message>
     <message>
         <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs by the delta method.</source>
-        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach Maximum Likelihood. Offene Zeichen: Schwellen, der Pegel mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
+        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach Maximum Likelihood. Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
     </message>
     <message>
-        <source>proportion correct (of a matching: of items)</source>
+        <source>proportion correct (for matching: of items)</source>
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen)</translation>
     </message>
     <message>
@@ -2928,15 +2928,15 @@
         <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm machen ließe.</translation>
     </message>
     <message>
-        <source>Points are log-worths. The participants show no spread that would give intervals, or are too few for them.</source>
-        <translation>Punkte sind logarithmierte Werte. Die Versuchspersonen zeigen keine Streuung, aus der sich Intervalle ergäben, oder sind dafür zu wenige.</translation>
+        <source>Points are log-worths. There are no CIs, because the participants do not differ or are too few.</source>
+        <translation>Punkte sind Log-Nutzwerte. Konfidenzintervalle gibt es nicht, weil sich die Versuchspersonen nicht unterscheiden oder zu wenige sind.</translation>
     </message>
     <message>
-        <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no intervals over participants.</source>
-        <translation>Punkte sind logarithmierte Werte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Intervalle über Versuchspersonen gibt es nicht.</translation>
+        <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
+        <translation>Punkte sind Log-Nutzwerte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
     </message>
     <message>
-        <source>proportion correct (of a matching: of items), mean with its %1 % CI</source>
+        <source>proportion correct (for matching: of items), mean with its %1 % CI</source>
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen), Mittel mit %1-%-KI</translation>
     </message>
     <message>
@@ -2945,15 +2945,15 @@
     </message>
     <message>
         <source>log-worth (centred), with its %1 % CI</source>
-        <translation>logarithmierter Wert (zentriert), mit %1-%-KI</translation>
+        <translation>Log-Nutzwert (zentriert), mit %1-%-KI</translation>
     </message>
     <message>
         <source>log-worth (centred)</source>
-        <translation>logarithmierter Wert (zentriert)</translation>
+        <translation>Log-Nutzwert (zentriert)</translation>
     </message>
     <message>
-        <source>Points are log-worths, bars their t CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind logarithmierte Werte, Balken ihre t-KI mit den Versuchspersonen als Clustern. Dass KI sich überlappen, prüft keinen Unterschied.</translation>
+        <source>Points are log-worths, bars their t-based CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
+        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-KI mit den Versuchspersonen als Clustern. Überlappende KI sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
@@ -3004,12 +3004,12 @@
         <translation>Reaktionszeit</translation>
     </message>
     <message>
-        <source>Points are geometric means over the participants, bars their %1 % CIs by t on the logarithmic scale. From the cue to the response.</source>
-        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der logarithmischen Skala. Vom Signal bis zur Antwort.</translation>
+        <source>Points are geometric means over the participants, bars their t-based %1 % CIs on the logarithmic scale. Response times are measured from the cue to the response.</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
-        <source>Points are geometric means over the participants. From the cue to the response.</source>
-        <translation>Punkte sind geometrische Mittel über die Versuchspersonen. Vom Signal bis zur Antwort.</translation>
+        <source>Points are geometric means over the participants. Response times are measured from the cue to the response.</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
         <source>No trial has a result.</source>
@@ -3024,11 +3024,11 @@
         <translation>Reaktionszeiten über die Durchgänge</translation>
     </message>
     <message>
-        <source>Proportion correct over the trials (of a matching: of its items)</source>
+        <source>Proportion correct over the trials (for matching: of items)</source>
         <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen) über die Durchgänge</translation>
     </message>
     <message>
-        <source>Points are means of the participants&apos; own proportions, bars their %1 % CIs by t on the logit scale.</source>
+        <source>Points are means of the participants&apos; own proportions, bars their t-based %1 % CIs on the logit scale.</source>
         <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der Logit-Skala.</translation>
     </message>
     <message>
@@ -3059,7 +3059,7 @@
 <context>
     <name>FitTable</name>
     <message>
-        <source>%1 was not written: no completed session has choices that analyses count.</source>
+        <source>%1 was not written: no completed session has choices that count in analyses.</source>
         <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Auswahlen, die in Auswertungen zählen.</translation>
     </message>
     <message>
@@ -3098,16 +3098,16 @@
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>Lighting is above</source>
-        <translation>Beleuchtung ist ab</translation>
+        <source>Shortest lighting wave</source>
+        <translation>Beleuchtung ab</translation>
     </message>
     <message>
-        <source>Lighting kept</source>
-        <translation>Beleuchtung bleibt</translation>
+        <source>Lighting gain</source>
+        <translation>Beleuchtungsanteil</translation>
     </message>
     <message>
-        <source>Detail raised</source>
-        <translation>Feines verstärkt</translation>
+        <source>Detail gain</source>
+        <translation>Detailverstärkung</translation>
     </message>
     <message>
         <source>Longest wave kept</source>
@@ -3126,12 +3126,12 @@
         <translation>Rauschen, Mittelwert</translation>
     </message>
     <message>
-        <source>Friction starts at</source>
-        <translation>Reibung beginnt bei</translation>
+        <source>Friction threshold</source>
+        <translation>Reibungsschwelle</translation>
     </message>
     <message>
-        <source>Noise starts at</source>
-        <translation>Rauschen beginnt bei</translation>
+        <source>Noise threshold</source>
+        <translation>Rauschschwelle</translation>
     </message>
     <message>
         <source>Depth limit</source>
@@ -3301,7 +3301,7 @@
     </message>
     <message>
         <source>The surface was recognised by cues other than touch</source>
-        <translation>Die Oberfläche wurde an anderen Merkmalen als der Berührung erkannt</translation>
+        <translation>Die Oberfläche wurde nicht durch Berührung, sondern an anderen Hinweisen erkannt</translation>
     </message>
     <message>
         <source>It was a test run</source>
@@ -3321,7 +3321,7 @@
     </message>
     <message>
         <source>Lifted early</source>
-        <translation>Früh gehoben</translation>
+        <translation>Zu früh abgehoben</translation>
     </message>
     <message>
         <source>Grip changed</source>
@@ -3349,7 +3349,7 @@
     </message>
     <message>
         <source>Noise outside</source>
-        <translation>Lärm außen</translation>
+        <translation>Lärm von außen</translation>
     </message>
     <message>
         <source>The participant was not eligible</source>
@@ -3367,28 +3367,28 @@
         <translation>%1 ist ein Ordner; eines der Bilder darin öffnen.</translation>
     </message>
     <message>
-        <source>%1 is not there any more; was it moved, or its medium taken out?</source>
-        <translation>%1 ist nicht mehr da; wurde es verschoben oder der Datenträger entfernt?</translation>
+        <source>%1 was not found; it may have been moved, or its storage medium removed.</source>
+        <translation>%1 wurde nicht gefunden; möglicherweise wurde es verschoben oder der Datenträger entfernt.</translation>
     </message>
     <message>
-        <source>%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut a piece out.</source>
-        <translation>%1 hat %2 GiB; gelesen werden Bilder bis 2 GiB. Verkleinern oder einen Ausschnitt nehmen.</translation>
+        <source>%1 is %2 GiB in size; pictures of up to 2 GiB can be read. Scale it down or crop it.</source>
+        <translation>%1 ist %2 GiB groß; gelesen werden Bilder bis 2 GiB. Das Bild verkleinern oder zuschneiden.</translation>
     </message>
     <message>
-        <source>The picture has an alpha channel, which is left out: a pixel counts with its colour, however transparent.</source>
-        <translation>Das Bild hat einen Alphakanal; er bleibt außer Acht: ein Bildpunkt zählt mit seiner Farbe, wie durchsichtig er auch ist.</translation>
+        <source>The picture has an alpha channel, which is ignored: each pixel has its full colour, whatever its transparency.</source>
+        <translation>Das Bild hat einen Alphakanal; er bleibt unberücksichtigt: Jeder Bildpunkt hat seine volle Farbe, unabhängig von seiner Transparenz.</translation>
     </message>
     <message>
-        <source>The camera noted that the picture is to be turned when it is shown; here it lies as it is stored. Turn and save it with another program if that matters.</source>
-        <translation>Die Kamera hat vermerkt, dass das Bild zum Zeigen zu drehen ist; hier liegt es, wie es gespeichert ist. Kommt es darauf an, mit einem anderen Programm drehen und speichern.</translation>
+        <source>The camera stored a rotation with the picture; here the picture is shown without this rotation. If the orientation matters, rotate and save the picture with another program.</source>
+        <translation>Die Kamera hat mit dem Bild eine Drehung gespeichert; hier wird es ohne diese Drehung gezeigt. Kommt es auf die Ausrichtung an, das Bild mit einem anderen Programm drehen und speichern.</translation>
     </message>
     <message>
-        <source>%1 does not fit into the memory of this computer. Scale it down or cut a piece out.</source>
-        <translation>%1 passt nicht in den Speicher dieses Rechners. Verkleinern oder einen Ausschnitt nehmen.</translation>
+        <source>%1 does not fit into the memory of this computer. Scale it down or crop it.</source>
+        <translation>%1 passt nicht in den Speicher dieses Rechners. Das Bild verkleinern oder zuschneiden.</translation>
     </message>
     <message>
         <source>%1 has changed since it was opened. Open it again.</source>
-        <translation>%1 hat sich geändert, seit es geöffnet wurde. Öffnen Sie es erneut.</translation>
+        <translation>%1 hat sich geändert, seit es geöffnet wurde. Erneut öffnen.</translation>
     </message>
     <message>
         <source>%1 is not a picture file.</source>
@@ -3425,8 +3425,8 @@
 <context>
     <name>ParticipantAnswers</name>
     <message>
-        <source>&quot;%1&quot; is not answered.</source>
-        <translation>„%1“ ist nicht beantwortet.</translation>
+        <source>&quot;%1&quot; has not been answered.</source>
+        <translation>„%1“ wurde nicht beantwortet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not one of the answers to &quot;%2&quot;.</source>
@@ -3591,19 +3591,19 @@
         <translation>Die Oberflächen können nicht noch einmal gefühlt werden.</translation>
     </message>
     <message>
-        <source>A number from %1 to %2 is needed.</source>
+        <source>Please enter a number from %1 to %2.</source>
         <translation>Bitte geben Sie eine Zahl von %1 bis %2 an.</translation>
     </message>
     <message>
-        <source>A number is needed, %1 or more.</source>
+        <source>Please enter a number of at least %1.</source>
         <translation>Bitte geben Sie eine Zahl an, %1 oder mehr.</translation>
     </message>
     <message>
-        <source>A number is needed, %1 or less.</source>
+        <source>Please enter a number of at most %1.</source>
         <translation>Bitte geben Sie eine Zahl an, %1 oder weniger.</translation>
     </message>
     <message>
-        <source>A number is needed.</source>
+        <source>Please enter a number.</source>
         <translation>Bitte geben Sie eine Zahl an.</translation>
     </message>
     <message>
@@ -3627,16 +3627,16 @@
         <translation>Bitte warten Sie noch %1 Sekunden.</translation>
     </message>
     <message>
-        <source>A number above 0 is needed, such as 7 or 0.5.</source>
-        <translation>Bitte eine Zahl über 0, etwa 7 oder 0,5.</translation>
+        <source>Please enter a number above 0, such as 7 or 0.5.</source>
+        <translation>Bitte geben Sie eine Zahl über 0 an, etwa 7 oder 0,5.</translation>
     </message>
     <message>
         <source>The session continues where it was interrupted. Confirm when you are ready.</source>
         <translation>Die Sitzung geht dort weiter, wo sie unterbrochen wurde. Bestätigen Sie, wenn Sie bereit sind.</translation>
     </message>
     <message>
-        <source>That is enough of surface %1. Please lift the handle.</source>
-        <translation>Das genügt für Oberfläche %1. Bitte heben Sie den Griff an.</translation>
+        <source>You have finished with surface %1. Please lift the handle.</source>
+        <translation>Mit Oberfläche %1 sind Sie fertig. Bitte heben Sie den Griff an.</translation>
     </message>
     <message>
         <source>Please assign a picture to surface %1 first.</source>
@@ -3651,15 +3651,15 @@
         <translation>Nicht richtig.</translation>
     </message>
     <message>
-        <source>Incorrect. The correct answer: %1</source>
-        <translation>Nicht richtig. Die richtige Antwort: %1</translation>
+        <source>Incorrect. The correct answer is %1.</source>
+        <translation>Nicht richtig. Die richtige Antwort ist %1.</translation>
     </message>
     <message>
         <source>Please answer this question.</source>
         <translation>Bitte beantworten Sie diese Frage.</translation>
     </message>
     <message>
-        <source>%1 is ambiguous. Please write thousands without a point or a comma, and decimals with one or two digits after it.</source>
+        <source>%1 is ambiguous. Please write thousands without a point or a comma, and decimals with one or two decimal places.</source>
         <translation>%1 ist mehrdeutig. Bitte schreiben Sie Tausender ohne Punkt oder Komma und Dezimalzahlen mit einer oder zwei Nachkommastellen.</translation>
     </message>
     <message>
@@ -3674,44 +3674,44 @@
 <context>
     <name>ProfileWords</name>
     <message>
-        <source>Rate of the loop</source>
-        <translation>Takt der Schleife</translation>
+        <source>Servo rate</source>
+        <translation>Taktrate der Servoschleife</translation>
     </message>
     <message>
-        <source>Lateness, every other tick</source>
-        <translation>Verspätung, jeder zweite Takt</translation>
+        <source>Lateness, median</source>
+        <translation>Verspätung, Median</translation>
     </message>
     <message>
-        <source>Lateness, 99 of 100 ticks</source>
-        <translation>Verspätung, 99 von 100 Takten</translation>
+        <source>Lateness, 99th percentile</source>
+        <translation>Verspätung, 99. Perzentil</translation>
     </message>
     <message>
-        <source>Lateness, latest tick</source>
-        <translation>Verspätung, spätester Takt</translation>
+        <source>Lateness, maximum</source>
+        <translation>Verspätung, Maximum</translation>
     </message>
     <message>
         <source>Missed deadlines</source>
         <translation>Verpasste Fristen</translation>
     </message>
     <message>
-        <source>Force with nothing to feel</source>
-        <translation>Kraft, wo nichts zu fühlen ist</translation>
+        <source>Force without a surface</source>
+        <translation>Kraft ohne Oberfläche</translation>
     </message>
     <message>
-        <source>Noise of positions at rest</source>
-        <translation>Rauschen der Positionen in Ruhe</translation>
+        <source>Position noise at rest</source>
+        <translation>Positionsrauschen in Ruhe</translation>
     </message>
     <message>
-        <source>Keeps the limit of force</source>
-        <translation>Hält die Kraftgrenze ein</translation>
+        <source>Compliance with the force limit</source>
+        <translation>Einhaltung der Kraftgrenze</translation>
     </message>
     <message>
         <source>Zero force after a stop</source>
         <translation>Kraft null nach einem Halt</translation>
     </message>
     <message>
-        <source>Zero force when the program falls silent</source>
-        <translation>Kraft null, wenn das Programm verstummt</translation>
+        <source>Zero force when the program stops responding</source>
+        <translation>Kraft null, wenn das Programm nicht mehr reagiert</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -3722,8 +3722,8 @@
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Steps of positions</source>
-        <translation>Positionsschritte</translation>
+        <source>Position step</source>
+        <translation>Positionsschritt</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -3735,23 +3735,23 @@
     </message>
     <message>
         <source>Lowest resonance</source>
-        <translation>Tiefste Resonanz</translation>
+        <translation>Niedrigste Resonanz</translation>
     </message>
     <message>
-        <source>Stiffest spring that it holds</source>
-        <translation>Steifste Feder, die es hält</translation>
+        <source>Stiffest stable spring</source>
+        <translation>Steifste stabile Feder</translation>
     </message>
     <message>
-        <source>Weakest force that moves it</source>
-        <translation>Schwächste Kraft, die es bewegt</translation>
+        <source>Smallest force that moves the handle</source>
+        <translation>Kleinste Kraft, die den Griff bewegt</translation>
     </message>
     <message>
-        <source>Share of the workspace reached</source>
+        <source>Fraction of the workspace reached</source>
         <translation>Erreichter Anteil des Arbeitsraums</translation>
     </message>
     <message>
         <source>no limit</source>
-        <translation>keine Grenze</translation>
+        <translation>kein Grenzwert</translation>
     </message>
     <message>
         <source>pass</source>
@@ -3809,19 +3809,19 @@
 <context>
     <name>ProtocolFiles</name>
     <message>
-        <source>the protocol&apos;s force_limit_N of %1 N is more than the device &quot;%2&quot; can exert, %3 N</source>
-        <translation>die force_limit_N des Protokolls von %1 N ist mehr, als das Gerät „%2“ ausüben kann, %3 N</translation>
+        <source>the protocol&apos;s force_limit_N of %1 N exceeds the largest force of the device &quot;%2&quot;, %3 N</source>
+        <translation>force_limit_N des Protokolls, %1 N, übersteigt die größte Kraft des Geräts „%2“, %3 N</translation>
     </message>
     <message>
-        <source>the protocol&apos;s rate_Hz of %1 Hz is more than the device &quot;%2&quot; can run at, %3 Hz</source>
-        <translation>die rate_Hz des Protokolls von %1 Hz ist mehr, als das Gerät „%2“ erreicht, %3 Hz</translation>
+        <source>the protocol&apos;s rate_Hz of %1 Hz exceeds the highest rate of the device &quot;%2&quot;, %3 Hz</source>
+        <translation>rate_Hz des Protokolls, %1 Hz, übersteigt die höchste Taktrate des Geräts „%2“, %3 Hz</translation>
     </message>
     <message>
         <source>the participant label &quot;%1&quot; is not acceptable for a human participant: labels that begin with &quot;virtual&quot; are reserved for virtual participants; use another label</source>
-        <translation>das Kürzel „%1“ ist für eine menschliche Versuchsperson nicht zulässig: Kürzel, die mit „virtual“ beginnen, sind virtuellen Versuchspersonen vorbehalten; wählen Sie ein anderes</translation>
+        <translation>das Kürzel „%1“ ist für eine menschliche Versuchsperson nicht zulässig: Kürzel, die mit „virtual“ beginnen, sind virtuellen Versuchspersonen vorbehalten; ein anderes wählen</translation>
     </message>
     <message>
-        <source>the participant label &quot;%1&quot; is not acceptable: it has to be 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
+        <source>the participant label &quot;%1&quot; is not acceptable: it must consist of 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
         <translation>das Kürzel „%1“ ist nicht zulässig: Erlaubt sind 1 bis 32 Buchstaben und Ziffern (0-9, A-Z, a-z)</translation>
     </message>
 </context>
@@ -3872,12 +3872,12 @@
         <translation>das Gerät ist zwischen zwei Durchgängen ausgefallen: %1</translation>
     </message>
     <message>
-        <source>every finished trial is stored, resume with --resume</source>
+        <source>every finished trial is stored; resume with --resume</source>
         <translation>jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>
     <message>
         <source>trial %1 failed %2 times in a row (%3)</source>
-        <translation>Durchgang %1 ist %2-mal hintereinander misslungen (%3)</translation>
+        <translation>Durchgang %1 ist %2-mal hintereinander fehlgeschlagen (%3)</translation>
     </message>
     <message>
         <source>the criterion of the block &quot;%1&quot; was not met</source>
@@ -3920,16 +3920,16 @@
         <translation>das Gerät ist nicht bereit: %1</translation>
     </message>
     <message>
-        <source>its servo loop does not run</source>
+        <source>its servo loop is not running</source>
         <translation>seine Servoschleife läuft nicht</translation>
     </message>
     <message>
-        <source>it does not answer</source>
+        <source>it does not respond</source>
         <translation>es antwortet nicht</translation>
     </message>
     <message>
         <source>a force is sent although there is no surface</source>
-        <translation>eine Kraft wird gesendet, obwohl keine Oberfläche da ist</translation>
+        <translation>eine Kraft wird gesendet, obwohl keine Oberfläche dargeboten wird</translation>
     </message>
     <message>
         <source>%1 of surface %2</source>
@@ -3941,7 +3941,7 @@
     </message>
     <message>
         <source>speed</source>
-        <translation>Tempo</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>time in contact</source>
@@ -3964,7 +3964,7 @@
         <translation>NOT-HALT</translation>
     </message>
     <message>
-        <source>the device does not answer</source>
+        <source>the device does not respond</source>
         <translation>das Gerät antwortet nicht</translation>
     </message>
     <message>
@@ -3988,11 +3988,11 @@
         <translation>das Maskierrauschen konnte nicht starten</translation>
     </message>
     <message>
-        <source>the servo loop stood still for more than 50 ms, %1 times: the computer was suspended, the program was stopped, or other programs kept it from running</source>
-        <translation>die Servoschleife stand %1-mal länger als 50 ms still: Der Rechner war im Ruhezustand, das Programm war angehalten, oder andere Programme ließen es nicht laufen</translation>
+        <source>the servo loop stalled for more than 50 ms, %1 times: the computer was suspended, the program was stopped, or other programs kept it from running</source>
+        <translation>die Servoschleife stand %1-mal länger als 50 ms still: Der Rechner war im Ruhezustand, das Programm war angehalten, oder andere Programme verhinderten seine Ausführung</translation>
     </message>
     <message>
-        <source>the servo loop stood still for more than 50 ms</source>
+        <source>the servo loop stalled for more than 50 ms</source>
         <translation>die Servoschleife stand länger als 50 ms still</translation>
     </message>
     <message>
@@ -4008,7 +4008,7 @@
         <translation>es wurde noch kein Durchgang beantwortet oder übersprungen</translation>
     </message>
     <message>
-        <source>agreement witnessed by %1</source>
+        <source>consent witnessed by %1</source>
         <translation>Einwilligung bezeugt von %1</translation>
     </message>
 </context>
@@ -4019,44 +4019,44 @@
         <translation>„%1“ lässt sich nicht mit dem Gerät vergleichen: %2</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture.</source>
-        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die Reibung des Geräts selbst beträgt %3 N: Sie verdeckt die Textur.</translation>
+        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture.</source>
+        <translation>Die Textur von „%1“ entspricht einer Kraft von %2 N (RMS); die Reibung des Geräts beträgt %3 N und maskiert die Textur.</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the weakest force that moves the device is %3 N.</source>
-        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die schwächste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
+        <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the smallest force that moves the device is %3 N.</source>
+        <translation>Die Textur von „%1“ entspricht einer Kraft von %2 N (RMS); die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
         <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two are needed per wave.</source>
         <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei nötig.</translation>
     </message>
     <message>
-        <source>A hand that strokes &quot;%1&quot; at %2 mm/s meets %3 waves a second, and the device follows up to %4 Hz.</source>
-        <translation>Eine Hand, die „%1“ mit %2 mm/s streicht, trifft auf %3 Wellen in der Sekunde, und das Gerät folgt bis %4 Hz.</translation>
+        <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the device follows up to %4 Hz.</source>
+        <translation>Wird mit %2 mm/s über „%1“ gestrichen, passiert der Taster %3 Wellen pro Sekunde; das Gerät folgt bis %4 Hz.</translation>
     </message>
     <message>
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
         <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at most %2; measured was %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; gemessen wurde %3.</translation>
+        <source>The protocol requires a device whose %1 is at most %2; the measured value is %3.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 höchstens %2 beträgt; der gemessene Wert ist %3.</translation>
     </message>
     <message>
-        <source>The protocol requires a device whose %1 is at least %2; measured was %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; gemessen wurde %3.</translation>
+        <source>The protocol requires a device whose %1 is at least %2; the measured value is %3.</source>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 mindestens %2 beträgt; der gemessene Wert ist %3.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at most %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; das wurde nicht gemessen.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 höchstens %2 beträgt; diese wurde nicht gemessen.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at least %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; das wurde nicht gemessen.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 mindestens %2 beträgt; diese wurde nicht gemessen.</translation>
     </message>
     <message>
-        <source>the device does not meet the requirements of the protocol in %1 respects. %2</source>
-        <translation>das Gerät erfüllt die Anforderungen des Protokolls in %1 Punkten nicht. %2</translation>
+        <source>requirements of the protocol that the device does not meet: %1. %2</source>
+        <translation>Anforderungen des Protokolls, die das Gerät nicht erfüllt: %1. %2</translation>
     </message>
     <message>
         <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device reads positions in steps of %3 µm.</source>
@@ -4064,67 +4064,67 @@
     </message>
     <message>
         <source>At the force limit of %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
-        <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät stellt bis zu %4 N/m ohne Schwingen dar.</translation>
+        <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
     </message>
     <message>
         <source>At the greatest force that it exerts there, %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
-        <translation>Bei der größten Kraft, die es dort ausübt, %2 N, beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät stellt bis zu %4 N/m ohne Schwingen dar.</translation>
+        <translation>Bei der größten Kraft, die es dort ausübt, %2 N, beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
     </message>
     <message>
         <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>
-        <translation>das Protokoll verlangt ein Gerät, das seine Grenzen einhält, und die Studie hat kein Profil von „%1“; messen Sie es mit %2</translation>
+        <translation>das Protokoll verlangt ein Gerät, das seine Grenzen einhält, und die Studie hat kein Profil von „%1“; das Gerät mit %2 messen</translation>
     </message>
     <message>
         <source>the protocol requires a device measured within %1 days, and the study has no profile of &quot;%2&quot;; measure it with %3</source>
-        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und die Studie hat kein Profil von „%2“; messen Sie es mit %3</translation>
+        <translation>das Protokoll verlangt ein Gerät, dessen Messung höchstens %1 Tage zurückliegt, und die Studie hat kein Profil von „%2“; das Gerät mit %3 messen</translation>
     </message>
     <message>
-        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again with %4</source>
-        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt %3; messen Sie es erneut mit %4</translation>
+        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows at most %3; measure it again with %4</source>
+        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt höchstens %3; das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
         <source>the profile of &quot;%1&quot; is dated %2, which is in the future: correct the clock of the computer, and measure it again with %3</source>
-        <translation>das Profil von „%1“ trägt das Datum %2, das in der Zukunft liegt: Stellen Sie die Uhr des Rechners richtig, und messen Sie es erneut mit %3</translation>
+        <translation>das Profil von „%1“ trägt das Datum %2, das in der Zukunft liegt: die Uhr des Rechners stellen und das Gerät erneut mit %3 messen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol requires a device that passed; repair it, and measure it again with %4</source>
-        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; beheben Sie den Mangel, und messen Sie es erneut mit %4</translation>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
         <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase.</source>
-        <translation>Die Steifigkeit von „%1“ ließ sich nicht bestimmen und nicht mit den %2 N/m vergleichen, die das Gerät ohne Schwingen darstellt: An jeder geprüften Stelle springt die Kraft oder nimmt nicht zu.</translation>
+        <translation>Die Steifigkeit von „%1“ ließ sich nicht bestimmen und nicht mit den %2 N/m vergleichen, die das Gerät ohne Schwingen wiedergibt: An jeder geprüften Stelle springt die Kraft oder nimmt nicht zu.</translation>
     </message>
     <message>
-        <source>This holds for a moving mass of %1 g and a velocity %2 ms old.</source>
-        <translation>Das gilt für eine bewegte Masse von %1 g und eine %2 ms alte Geschwindigkeit.</translation>
+        <source>This holds for a moving mass of %1 g and a velocity delayed by %2 ms.</source>
+        <translation>Das gilt für eine bewegte Masse von %1 g und eine um %2 ms verzögerte Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>This assumes a moving mass of %1 g, which was not measured, and a velocity %2 ms old.</source>
-        <translation>Angenommen sind eine bewegte Masse von %1 g, die nicht gemessen wurde, und eine %2 ms alte Geschwindigkeit.</translation>
+        <source>This assumes a moving mass of %1 g, which was not measured, and a velocity delayed by %2 ms.</source>
+        <translation>Angenommen sind eine bewegte Masse von %1 g, die nicht gemessen wurde, und eine um %2 ms verzögerte Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Have the surface pressed with at most %1 N, or lower its friction; no friction_speed_m_per_s that the model accepts is high enough.</source>
-        <translation>Lassen Sie höchstens mit %1 N drücken, oder verringern Sie die Reibung; kein Wert von friction_speed_m_per_s, den das Modell annimmt, ist hoch genug.</translation>
+        <source>Limit the pressing force to %1 N, or lower the friction of the surface; no friction_speed_m_per_s that the model accepts is high enough.</source>
+        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; kein Wert von friction_speed_m_per_s, den das Modell annimmt, ist hoch genug.</translation>
     </message>
     <message>
-        <source>Set friction_speed_m_per_s to %1 or more, or have the surface pressed with at most %2 N.</source>
-        <translation>Setzen Sie friction_speed_m_per_s auf mindestens %1, oder lassen Sie höchstens mit %2 N drücken.</translation>
+        <source>Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.</source>
+        <translation>friction_speed_m_per_s auf mindestens %1 setzen oder die Andruckkraft auf %2 N begrenzen.</translation>
     </message>
     <message>
-        <source>Near rest the friction of &quot;%1&quot; is a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates on more than %5 N s/m: strokes will buzz where they reverse. %6 %7</source>
-        <translation>Nahe der Ruhe ist die Reibung von „%1“ bei %3 N ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät an mehr als %5 N s/m: Striche werden schnarren, wo sie umkehren. %6 %7</translation>
+        <source>Near rest, the friction of &quot;%1&quot; acts as a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates if the damping exceeds %5 N s/m: strokes are expected to buzz where they reverse. %6 %7</source>
+        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei %3 N wie ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche ist ein Schnarren zu erwarten. %6 %7</translation>
     </message>
     <message>
-        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, needs a device with %4 N s/m of damping at %5 Hz, and as measured this one has %6. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
-        <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, braucht bei %5 Hz ein Gerät mit einer Dämpfung von %4 N s/m, und dieses hat nach der Messung %6. Verringern Sie coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m.</translation>
+        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured value is %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
+        <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, erfordert ein Gerät mit einer Dämpfung von %4 N s/m bei %5 Hz; der gemessene Wert ist %6 N s/m. coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m verringern.</translation>
     </message>
     <message>
         <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of it.</source>
         <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
-        <source>Pressed with %2 N and stroked at %3 mm/s, &quot;%1&quot; will be out of contact for about %4 % of a stroke: %5 g with %6 N s/m, as measured for the device, do not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or have it pressed harder.</source>
-        <translation>Mit %2 N gedrückt und mit %3 mm/s gestrichen, ist „%1“ für etwa %4 % eines Strichs ohne Kontakt: %5 g mit %6 N s/m, wie am Gerät gemessen, folgen der Höhe nicht. Verringern Sie stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit, oder lassen Sie stärker drücken.</translation>
+        <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
+        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft verlangen.</translation>
     </message>
 </context>
 <context>
@@ -4134,32 +4134,32 @@
         <translation>die Sitzung lief zuletzt auf %1 und wird auf %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
     </message>
     <message>
-        <source>the session began on a device with which no participant feels the surfaces, and is resumed this way; its report states this</source>
-        <translation>die Sitzung begann auf einem Gerät, mit dem keine Versuchsperson die Oberflächen fühlt, und wird so fortgesetzt; das steht in ihrem Bericht</translation>
+        <source>the session began on a device with which no participant can feel the surfaces, and is resumed in the same way; its report states this</source>
+        <translation>die Sitzung begann auf einem Gerät, mit dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
     </message>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
         <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; nichts wurde gespeichert</translation>
     </message>
     <message>
-        <source>the new person &quot;%1&quot; is not the participant of the session, %2</source>
-        <translation>die neue Person „%1“ ist nicht die Versuchsperson der Sitzung, %2</translation>
+        <source>the new label &quot;%1&quot; is not that of the participant of the session, %2</source>
+        <translation>das neue Kürzel „%1“ ist nicht das der Versuchsperson der Sitzung, %2</translation>
     </message>
     <message>
         <source>session %1 of participant %2 runs on a simulated clock; resume it without --realtime</source>
-        <translation>Sitzung %1 der Versuchsperson %2 läuft auf einer simulierten Uhr; setzen Sie sie als schnelle Simulation fort</translation>
+        <translation>Sitzung %1 der Versuchsperson %2 läuft mit simulierter Uhr; sie als schnelle Simulation fortsetzen</translation>
     </message>
     <message>
         <source>session %1 of participant %2 was begun in real time; resume it with --realtime</source>
-        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; setzen Sie sie in Echtzeit fort</translation>
+        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; sie in Echtzeit fortsetzen</translation>
     </message>
     <message>
         <source>participant %1 has an unfinished session %2 of this protocol; resume it with --resume</source>
         <translation>die Versuchsperson %1 hat von diesem Protokoll die unvollständige Sitzung %2; zuerst diese fortsetzen</translation>
     </message>
     <message>
-        <source>participant %1 has done all sessions of this protocol, which plans %2 per participant; choose another participant</source>
-        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht; wählen Sie eine andere Versuchsperson</translation>
+        <source>participant %1 has completed all sessions of this protocol, which plans %2 per participant; choose another participant</source>
+        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht; eine andere Versuchsperson wählen</translation>
     </message>
     <message>
         <source>participant %1 is a virtual participant; use --virtual</source>
@@ -4171,18 +4171,18 @@
     </message>
     <message>
         <source>participant %1 has withdrawn from the study; use another label</source>
-        <translation>Versuchsperson %1 hat die Teilnahme an der Studie zurückgezogen; verwenden Sie ein anderes Kürzel</translation>
+        <translation>Versuchsperson %1 hat die Teilnahme an der Studie zurückgezogen; ein anderes Kürzel verwenden</translation>
     </message>
     <message>
-        <source>%1; to resume it all the same, give the reason with --late-reason, which is stored and stated in the report</source>
-        <translation>%1; um sie dennoch fortzusetzen, geben Sie mit --late-reason den Grund an; er wird gespeichert und im Bericht genannt</translation>
+        <source>%1; to resume it nevertheless, give the reason with --late-reason; it is stored and stated in the report</source>
+        <translation>%1; um sie dennoch fortzusetzen, mit --late-reason den Grund angeben; er wird gespeichert und im Bericht genannt</translation>
     </message>
 </context>
 <context>
     <name>SessionChecks</name>
     <message>
-        <source>The file has changed since it was chosen: it was %1 and is %2 now.</source>
-        <translation>Die Datei hat sich seit der Auswahl geändert: Sie war %1 und ist jetzt %2.</translation>
+        <source>The file has changed since it was chosen: its SHA-256 was %1 and is now %2.</source>
+        <translation>Die Datei hat sich seit der Auswahl geändert: Ihr SHA-256 war %1 und ist jetzt %2.</translation>
     </message>
     <message>
         <source>Choose the protocol again to read the new version, or restore the earlier file.</source>
@@ -4197,8 +4197,8 @@
         <translation>Prozess %1 auf dem Rechner %2, gestartet %3</translation>
     </message>
     <message>
-        <source>No participant is chosen yet.</source>
-        <translation>Noch keine Versuchsperson gewählt.</translation>
+        <source>No participant has been chosen yet.</source>
+        <translation>Es wurde noch keine Versuchsperson gewählt.</translation>
     </message>
     <message>
         <source>Choose a participant, or enter a new label.</source>
@@ -4221,19 +4221,19 @@
         <translation>%1 ist eine virtuelle Versuchsperson.</translation>
     </message>
     <message>
-        <source>%1 is a person.</source>
-        <translation>%1 ist ein Mensch.</translation>
+        <source>%1 is a human participant.</source>
+        <translation>%1 ist eine menschliche Versuchsperson.</translation>
     </message>
     <message>
         <source>Choose a human participant, or switch to Simulate.</source>
-        <translation>Einen Menschen wählen oder zur Simulation wechseln.</translation>
+        <translation>Eine menschliche Versuchsperson wählen oder zur Simulation wechseln.</translation>
     </message>
     <message>
-        <source>Leave the label to the program, or switch to Run or Pilot.</source>
-        <translation>Das Kürzel dem Programm überlassen oder zu Erhebung oder Pilot wechseln.</translation>
+        <source>Use the label that the program assigns, or switch to Run or Pilot.</source>
+        <translation>Das vom Programm vergebene Kürzel verwenden oder zu „Erhebung“ oder „Pilot“ wechseln.</translation>
     </message>
     <message>
-        <source>%1 has no unfinished session of this protocol as it is now.</source>
+        <source>%1 has no unfinished session of this protocol in its present form.</source>
         <translation>%1 hat keine unvollständige Sitzung dieses Protokolls in seiner jetzigen Fassung.</translation>
     </message>
     <message>
@@ -4253,7 +4253,7 @@
         <translation>Diese fortsetzen; eine neue kann beginnen, sobald sie vollständig ist.</translation>
     </message>
     <message>
-        <source>%1 has done %2 of %3 planned sessions.</source>
+        <source>%1 has completed %2 of %3 planned sessions.</source>
         <translation>%1 hat %2 von %3 geplanten Sitzungen absolviert.</translation>
     </message>
     <message>
@@ -4269,16 +4269,16 @@
         <translation>%1 ist neu; keine Sitzung läuft anderswo.</translation>
     </message>
     <message>
-        <source>On a local disk, and can be written.</source>
+        <source>On a local disk and writable.</source>
         <translation>Auf einem lokalen Datenträger und beschreibbar.</translation>
     </message>
     <message>
-        <source>Move the study to a folder on a local disk that you may write to.</source>
+        <source>Move the study to a writable folder on a local disk.</source>
         <translation>Die Studie in einen beschreibbaren Ordner auf einem lokalen Datenträger verschieben.</translation>
     </message>
     <message>
-        <source>The protocol names no files.</source>
-        <translation>Das Protokoll nennt keine Dateien.</translation>
+        <source>The protocol uses no files.</source>
+        <translation>Das Protokoll verwendet keine Dateien.</translation>
     </message>
     <message>
         <source>1 file, the same as when the session began.</source>
@@ -4305,7 +4305,7 @@
         <translation>Die Datei %1 hat sich seit Beginn der Sitzung %2 geändert.</translation>
     </message>
     <message>
-        <source>Restore the earlier file; this session cannot be resumed with another one.</source>
+        <source>Restore the earlier file; this session cannot be resumed with a different file.</source>
         <translation>Die frühere Datei wiederherstellen; mit einer anderen kann diese Sitzung nicht fortgesetzt werden.</translation>
     </message>
     <message>
@@ -4313,8 +4313,8 @@
         <translation>Ein anderes Gerät wählen oder die Anforderungen im Protokoll senken.</translation>
     </message>
     <message>
-        <source>Not needed: nothing is held in a fast simulation.</source>
-        <translation>Nicht nötig: In einer schnellen Simulation wird nichts gehalten.</translation>
+        <source>Not needed: no handle is held in a fast simulation.</source>
+        <translation>Nicht nötig: In einer schnellen Simulation wird kein Griff gehalten.</translation>
     </message>
     <message>
         <source>Not needed: a fast simulation has its own clock.</source>
@@ -4326,11 +4326,11 @@
     </message>
     <message>
         <source>Fix the device, then check again.</source>
-        <translation>Das Gerät in Ordnung bringen, dann erneut prüfen.</translation>
+        <translation>Das Problem am Gerät beheben, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>A force of %1 N was sent without a surface.</source>
-        <translation>Eine Kraft von %1 N wurde gesendet, obwohl keine Oberfläche da war.</translation>
+        <translation>Eine Kraft von %1 N wurde gesendet, obwohl keine Oberfläche dargeboten wurde.</translation>
     </message>
     <message>
         <source>Release the handle, switch the device off and on, then check again.</source>
@@ -4341,12 +4341,12 @@
         <translation>Genau 0 N in %1 Takten.</translation>
     </message>
     <message>
-        <source>%1 of %2 Hz; period p99 %3, lateness p99 %4, %5 missed.</source>
+        <source>%1 of %2 Hz; period p99 %3, lateness p99 %4, missed deadlines: %5.</source>
         <translation>%1 von %2 Hz; Periode p99 %3, Verspätung p99 %4, verpasste Fristen: %5.</translation>
     </message>
     <message>
-        <source>This machine is too slow or too busy: close other programs, then check again.</source>
-        <translation>Dieser Rechner ist zu langsam oder zu beschäftigt: andere Programme schließen, dann erneut prüfen.</translation>
+        <source>This computer is too slow or too busy: close other programs, then check again.</source>
+        <translation>Dieser Rechner ist zu langsam oder zu stark ausgelastet: andere Programme schließen, dann erneut prüfen.</translation>
     </message>
     <message>
         <source>Close other programs; a trial with more than %1 missed deadlines does not count.</source>
@@ -4389,20 +4389,20 @@
         <translation>Das Rauschen abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
     </message>
     <message>
-        <source>%1 dBA at the ear; the protocol requires %2 dBA within %3 dBA.</source>
-        <translation>%1 dBA am Ohr; das Protokoll verlangt %2 dBA auf %3 dBA genau.</translation>
+        <source>%1 dB(A) at the ear; the protocol requires %2 ± %3 dB(A).</source>
+        <translation>%1 dB(A) am Ohr; das Protokoll verlangt %2 ± %3 dB(A).</translation>
     </message>
     <message>
         <source>Change the gain and measure again.</source>
         <translation>Die Verstärkung ändern und erneut messen.</translation>
     </message>
     <message>
-        <source>%1 dBA at the ear, verified by %2.</source>
-        <translation>%1 dBA am Ohr, geprüft von %2.</translation>
+        <source>%1 dB(A) at the ear, verified by %2.</source>
+        <translation>%1 dB(A) am Ohr, geprüft von %2.</translation>
     </message>
     <message>
         <source>The free space cannot be determined: %1.</source>
-        <translation>Der freie Platz ist nicht festzustellen: %1.</translation>
+        <translation>Der freie Speicherplatz ließ sich nicht bestimmen: %1.</translation>
     </message>
     <message>
         <source>Make sure that the disk has room for the recordings.</source>
@@ -4461,7 +4461,7 @@
         <translation>Maskierrauschen</translation>
     </message>
     <message>
-        <source>%1 free; this session takes at most %2.</source>
+        <source>%1 free; this session requires at most %2.</source>
         <translation>%1 frei; diese Sitzung braucht höchstens %2.</translation>
     </message>
     <message>
@@ -4473,8 +4473,8 @@
         <translation>Reicht für diese Sitzung, aber kaum für eine weitere: bald Platz schaffen.</translation>
     </message>
     <message>
-        <source>the protocol %1 has changed since it was checked: it was %2 and is %3 now; choose it again to read and check the new version</source>
-        <translation>das Protokoll %1 hat sich seit der Prüfung geändert: Es war %2 und ist jetzt %3; erneut wählen, um die neue Fassung zu lesen und zu prüfen</translation>
+        <source>the protocol %1 has changed since it was checked: its SHA-256 was %2 and is now %3; choose it again to read and check the new version</source>
+        <translation>das Protokoll %1 hat sich seit der Prüfung geändert: Sein SHA-256 war %2 und ist jetzt %3; es erneut wählen, um die neue Fassung zu lesen und zu prüfen</translation>
     </message>
     <message>
         <source>There is no sound output: a participant who wears an eye mask hears no cues.</source>
@@ -4489,12 +4489,12 @@
         <translation>Es gibt keine Tonausgabe: Das vom Protokoll verlangte Rauschen ist nicht zu hören.</translation>
     </message>
     <message>
-        <source>Connect headphones, then check again; or play the noise from elsewhere, measure it at the ear, and enter the level and your name.</source>
-        <translation>Kopfhörer anschließen, dann erneut prüfen; oder das Rauschen anders abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
+        <source>Connect headphones, then check again; or play the noise from another source, measure it at the ear, and enter the level and your name.</source>
+        <translation>Kopfhörer anschließen, dann erneut prüfen; oder das Rauschen aus einer anderen Quelle abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
     </message>
     <message>
-        <source>There is no sound output here; the noise comes from elsewhere, %1 dBA at the ear, verified by %2.</source>
-        <translation>Hier gibt es keine Tonausgabe; das Rauschen kommt von anderswo, %1 dBA am Ohr, geprüft von %2.</translation>
+        <source>There is no sound output here; the noise comes from another source, %1 dB(A) at the ear, verified by %2.</source>
+        <translation>Hier gibt es keine Tonausgabe; das Rauschen kommt aus einer anderen Quelle, %1 dB(A) am Ohr, geprüft von %2.</translation>
     </message>
     <message>
         <source>There is no sound output: the tones by which the protocol guides the hand cannot be heard, and silence would indicate that force and speed are correct.</source>
@@ -4517,76 +4517,76 @@
         <translation>%1 Dasselbe gilt für %2 weitere.</translation>
     </message>
     <message>
-        <source>Choose another device, or stimuli that this one can render; the session is stored with these warnings.</source>
-        <translation>Wählen Sie ein anderes Gerät oder Reize, die dieses wiedergeben kann; die Sitzung wird mit diesen Warnungen gespeichert.</translation>
+        <source>Choose another device, or stimuli that this one can render; otherwise these warnings are stored with the session.</source>
+        <translation>Ein anderes Gerät wählen oder Reize, die dieses wiedergeben kann; andernfalls werden diese Warnungen mit der Sitzung gespeichert.</translation>
     </message>
     <message>
-        <source>Not needed: it exerts no force.</source>
-        <translation>Nicht nötig: Es übt keine Kraft aus.</translation>
+        <source>Not needed: the device exerts no force.</source>
+        <translation>Nicht nötig: Das Gerät übt keine Kraft aus.</translation>
     </message>
     <message>
         <source>The study has no profile of this device: whether it can render these stimuli has not been checked.</source>
         <translation>Die Studie hat kein Profil dieses Geräts: Ob es diese Reize wiedergeben kann, wurde nicht geprüft.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within its capabilities.</source>
-        <translation>%1; jeder Reiz liegt in seinem Leistungsbereich.</translation>
+        <source>%1; every stimulus is within the capabilities of the device.</source>
+        <translation>%1; jeder Reiz liegt im Leistungsbereich des Geräts.</translation>
     </message>
     <message>
-        <source>%1; some stimuli exceed its capabilities.</source>
-        <translation>%1; einige Reize übersteigen seine Leistung.</translation>
+        <source>%1; some stimuli exceed the capabilities of the device.</source>
+        <translation>%1; einige Reize übersteigen den Leistungsbereich des Geräts.</translation>
     </message>
     <message>
-        <source>%1 It failed an item of the measurement.</source>
-        <translation>%1 Einen Punkt der Messung hat es nicht bestanden.</translation>
+        <source>%1 The device failed an item of the measurement.</source>
+        <translation>%1 Das Gerät hat einen Punkt der Messung nicht bestanden.</translation>
     </message>
     <message>
         <source>Check its profile, and measure it again.</source>
-        <translation>Prüfen Sie sein Profil, und messen Sie es erneut.</translation>
+        <translation>Sein Profil prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>Measure it once, while its handle is not held: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
-        <translation>Messen Sie es einmal, während sein Griff nicht gehalten wird: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
+        <source>Measure the device once while its handle is not held: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
+        <translation>Das Gerät einmal messen, während sein Griff nicht gehalten wird: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within its capabilities, but it does not meet the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt in seinem Leistungsbereich, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
+        <source>%1; every stimulus is within the capabilities of the device, but it does not meet the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt im Leistungsbereich des Geräts, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
     </message>
     <message>
         <source>%1 Unknown for %2 and not compared: %3.</source>
         <translation>%1 Unbekannt für %2 und nicht verglichen: %3.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within its known capabilities, but it does not meet the protocol&apos;s limits.</source>
-        <translation>%1; jeder Reiz liegt in seinem bekannten Leistungsbereich, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+        <source>%1; every stimulus is within the known capabilities of the device, but it does not meet the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt im bekannten Leistungsbereich des Geräts, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within its known capabilities.</source>
-        <translation>%1; jeder Reiz liegt in seinem bekannten Leistungsbereich.</translation>
+        <source>%1; every stimulus is within the known capabilities of the device.</source>
+        <translation>%1; jeder Reiz liegt im bekannten Leistungsbereich des Geräts.</translation>
     </message>
     <message>
         <source>Measure a real device as soon as one is available.</source>
-        <translation>Ein echtes Gerät vermessen, sobald eines verfügbar ist.</translation>
+        <translation>Ein echtes Gerät messen, sobald eines verfügbar ist.</translation>
     </message>
     <message>
-        <source>Choose the device that it last ran on, unless another one is meant; the change is stored and stated in the report.</source>
-        <translation>Wählen Sie das Gerät, auf dem sie zuletzt lief, wenn kein anderes gemeint ist; der Wechsel wird gespeichert und steht im Bericht.</translation>
+        <source>Choose the device on which the session last ran, unless a change is intended; a change is stored and stated in the report.</source>
+        <translation>Das Gerät wählen, auf dem die Sitzung zuletzt lief, sofern kein Wechsel beabsichtigt ist; ein Wechsel wird gespeichert und im Bericht genannt.</translation>
     </message>
     <message>
-        <source>%1 The session began without a force that a participant felt, and is resumed this way; the report states this.</source>
-        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson gefühlt hätte, und wird so fortgesetzt; der Bericht gibt es an.</translation>
+        <source>%1 The session began without a force that a participant could feel, and is resumed in the same way; the report states this.</source>
+        <translation>%1 Die Sitzung begann ohne eine Kraft, die eine Versuchsperson hätte fühlen können, und wird ebenso fortgesetzt; das steht im Bericht.</translation>
     </message>
     <message>
         <source>For new sessions choose a device with motors.</source>
         <translation>Für neue Sitzungen ein Gerät mit Motoren wählen.</translation>
     </message>
     <message>
-        <source>On a local disk, and can be written. Every user of this computer can read it.</source>
-        <translation>Auf einem lokalen Datenträger und beschreibbar. Jeder Benutzer dieses Computers kann sie lesen.</translation>
+        <source>On a local disk and writable. Every user of this computer can read it.</source>
+        <translation>Auf einem lokalen Datenträger und beschreibbar. Jeder Benutzer dieses Rechners kann sie lesen.</translation>
     </message>
     <message>
         <source>To keep other users out, run: %1</source>
-        <translation>Um andere Benutzer auszuschließen: %1</translation>
+        <translation>Um andere Benutzer auszuschließen, ausführen: %1</translation>
     </message>
     <message>
         <source>%1 has withdrawn.</source>
@@ -4594,7 +4594,7 @@
     </message>
     <message>
         <source>Enter the reason for resuming it.</source>
-        <translation>Geben Sie den Grund für die Fortsetzung an.</translation>
+        <translation>Den Grund für die Fortsetzung eingeben.</translation>
     </message>
     <message>
         <source>The reason is stored and stated in the report.</source>
@@ -4605,12 +4605,12 @@
         <translation>„%1“ wurde noch nicht ausprobiert.</translation>
     </message>
     <message>
-        <source>Press “Try this device” while its handle is not held: the device is opened, and the loop runs for a third of a second without force.</source>
-        <translation>„Dieses Gerät ausprobieren“ drücken, während der Griff nicht gehalten wird: Das Gerät wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+        <source>Press “Try this device” while its handle is not held: the device is opened, and the servo loop runs for a third of a second without force.</source>
+        <translation>„Dieses Gerät ausprobieren“ drücken, während der Griff nicht gehalten wird: Das Gerät wird geöffnet, und die Servoschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
     </message>
     <message>
-        <source>“%1” moves and presses but exerts no force: the participant feels nothing.</source>
-        <translation>„%1“ bewegt und drückt, übt aber keine Kraft aus: Die Versuchsperson fühlt nichts.</translation>
+        <source>“%1” moves and presses the probe but exerts no force: the participant feels nothing.</source>
+        <translation>„%1“ bewegt und drückt den Taster, übt aber keine Kraft aus: Die Versuchsperson fühlt nichts.</translation>
     </message>
     <message>
         <source>“%1” exerts up to %2 N at up to %3 Hz; the protocol requires %4 N at %5 Hz.</source>
@@ -4633,15 +4633,15 @@
     <name>SessionSetup</name>
     <message>
         <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3; copy the file into the study</source>
-        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt; kopieren Sie die Datei in die Studie</translation>
+        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt; die Datei in die Studie kopieren</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 cannot be resumed: this program makes a plan from its protocol that differs from the stored one. Resume it with asperity %3, commit %4, which began it</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Dieses Programm macht aus ihrem Protokoll einen anderen Plan als den gespeicherten. Setzen Sie sie mit asperity %3, Commit %4, fort, womit sie begann</translation>
+        <source>session %1 of participant %2 cannot be resumed: the plan that this program makes from its protocol differs from the stored one. Resume it with the version with which it began: asperity %3, commit %4</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Der Plan, den dieses Programm aus ihrem Protokoll erzeugt, weicht vom gespeicherten ab. Die Sitzung mit der Version fortsetzen, mit der sie begann: asperity %3, Commit %4</translation>
     </message>
     <message>
         <source>session %1 of participant %2 cannot be resumed: the file %3 has changed since it began; restore the earlier file</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit ihrem Beginn geändert; stellen Sie die frühere Datei wieder her</translation>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit ihrem Beginn geändert; die frühere Datei wiederherstellen</translation>
     </message>
     <message>
         <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; as it is in this file; leave out --resume to begin one</source>
@@ -4653,7 +4653,7 @@
     </message>
     <message>
         <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; see asperity models</source>
-        <translation>gleiche Kraft ist mit dem Modell „%1“ verlangt, das dieses Programm nicht hat; siehe asperity models</translation>
+        <translation>gleiche Kraft wird mit dem Modell „%1“ verlangt, das dieses Programm nicht hat; siehe asperity models</translation>
     </message>
 </context>
 <context>
@@ -4663,12 +4663,12 @@
         <translation>Die Sitzung hat nicht begonnen</translation>
     </message>
     <message>
-        <source>Getting ready: the participant reads, or the device is checked</source>
+        <source>Preparation: the participant is reading, or the device is being checked</source>
         <translation>Vorbereitung: Die Versuchsperson liest, oder das Gerät wird geprüft</translation>
     </message>
     <message>
-        <source>Between trials, next is trial %1</source>
-        <translation>Zwischen Durchgängen, als Nächstes Durchgang %1</translation>
+        <source>Between trials; next: trial %1</source>
+        <translation>Zwischen Durchgängen; als Nächstes: Durchgang %1</translation>
     </message>
     <message>
         <source>Between trials</source>
@@ -4699,7 +4699,7 @@
         <translation>Pause, %1</translation>
     </message>
     <message>
-        <source>The participant answers questions</source>
+        <source>The participant is answering questions</source>
         <translation>Die Versuchsperson beantwortet Fragen</translation>
     </message>
     <message>
@@ -4795,7 +4795,7 @@
         <translation>Restzeit: –</translation>
     </message>
     <message>
-        <source>After the last trial: the participant reads</source>
+        <source>After the last trial: the participant is reading</source>
         <translation>Nach dem letzten Durchgang: Die Versuchsperson liest</translation>
     </message>
     <message>
@@ -4814,16 +4814,16 @@
 <context>
     <name>Simulation</name>
     <message>
-        <source>stopped on request; every finished trial is stored, resume with the same arguments and --resume</source>
+        <source>stopped on request; every finished trial is stored; to resume, add --resume to the same arguments</source>
         <translation>auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored, resume with --resume</source>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored; resume with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
     <message>
-        <source>the simulation of %1 participants with the seed %2 in %3 is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
-        <translation>die Simulation von %1 Versuchspersonen mit dem Startwert %2 in %3 ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
+        <source>the simulation in %3 (participants: %1, seed: %2) is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
+        <translation>die Simulation in %3 (Versuchspersonen: %1, Startwert: %2) ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -4837,8 +4837,8 @@
         <translation>Graustufen</translation>
     </message>
     <message>
-        <source>Light evened</source>
-        <translation>Ebenes Licht</translation>
+        <source>Evened lighting</source>
+        <translation>Ausgeglichenes Licht</translation>
     </message>
     <message>
         <source>Long waves</source>
@@ -4853,39 +4853,39 @@
         <translation>Relief</translation>
     </message>
     <message>
-        <source>The photograph as it was dropped.</source>
-        <translation>Das Foto, wie es abgelegt wurde.</translation>
+        <source>The photograph, unchanged.</source>
+        <translation>Das Foto, unverändert.</translation>
     </message>
     <message>
-        <source>Its brightness alone; with “Equalize” every brightness is equally frequent.</source>
+        <source>Its brightness only; with “Equalized”, every brightness is equally frequent.</source>
         <translation>Nur seine Helligkeit; mit „Egalisiert“ ist jede Helligkeit gleich häufig.</translation>
     </message>
     <message>
-        <source>Slow changes of the lighting are weakened and fine detail is raised.</source>
-        <translation>Langsame Änderungen der Beleuchtung sind abgeschwächt, Feines ist verstärkt.</translation>
+        <source>Gradual changes of lighting are attenuated and fine detail is amplified.</source>
+        <translation>Allmähliche Änderungen der Beleuchtung werden abgeschwächt, feine Einzelheiten verstärkt.</translation>
     </message>
     <message>
-        <source>What is longer than the longest wave kept; it is taken away from the step before.</source>
-        <translation>Was länger ist als die längste Welle, die bleibt; es wird vom vorigen Schritt abgezogen.</translation>
+        <source>Everything longer than the longest wave kept; it is subtracted from the previous step.</source>
+        <translation>Alles, was länger ist als die längste erhaltene Welle; es wird vom vorigen Schritt abgezogen.</translation>
     </message>
     <message>
-        <source>What is left, as heights: low is dark, high is bright.</source>
-        <translation>Was bleibt, als Höhen: Dunkel ist tief, hell ist hoch.</translation>
+        <source>The remainder, as heights: dark is low, bright is high.</source>
+        <translation>Der Rest, als Höhen: Dunkel ist tief, hell ist hoch.</translation>
     </message>
     <message>
-        <source>The heights as a surface in light.</source>
-        <translation>Die Höhen als Oberfläche im Licht.</translation>
+        <source>The heights as an illuminated surface.</source>
+        <translation>Die Höhen als beleuchtete Oberfläche.</translation>
     </message>
 </context>
 <context>
     <name>StimulusTable</name>
     <message>
         <source>%1, the height field of the stimulus %2, is missing from the study: the export has neither the file nor its features. Restore it from a backup or a copy of the study, then export again.</source>
-        <translation>%1, das Höhenfeld des Reizes %2, fehlt in der Studie: Der Export enthält weder die Datei noch ihre Merkmale. Stellen Sie sie aus einer Sicherung oder einer Kopie der Studie wieder her und exportieren Sie erneut.</translation>
+        <translation>%1, das Höhenfeld des Reizes %2, fehlt in der Studie: Der Export enthält weder die Datei noch ihre Merkmale. Die Datei aus einer Sicherung oder einer Kopie der Studie wiederherstellen, dann erneut exportieren.</translation>
     </message>
     <message>
         <source>%1, the height field of the stimulus %2, is not the file that the sessions used: the export has neither that file nor its features. Restore it from a backup or a copy of the study, then export again.</source>
-        <translation>%1, das Höhenfeld des Reizes %2, ist nicht die Datei, die in den Sitzungen verwendet wurde: Der Export enthält weder diese Datei noch ihre Merkmale. Stellen Sie sie aus einer Sicherung oder einer Kopie der Studie wieder her und exportieren Sie erneut.</translation>
+        <translation>%1, das Höhenfeld des Reizes %2, ist nicht die Datei, die in den Sitzungen verwendet wurde: Der Export enthält weder diese Datei noch ihre Merkmale. Die Datei aus einer Sicherung oder einer Kopie der Studie wiederherstellen, dann erneut exportieren.</translation>
     </message>
 </context>
 <context>
@@ -4903,8 +4903,8 @@
         <translation>das Gerät „%1“ hat keine Motoren, sodass keine Versuchsperson die Oberflächen fühlen würde</translation>
     </message>
     <message>
-        <source>%1; %2; Pilot is --mode pilot</source>
-        <translation>%1; %2; Pilot ist --mode pilot</translation>
+        <source>%1; %2 (Pilot: --mode pilot)</source>
+        <translation>%1; %2 (Pilot: --mode pilot)</translation>
     </message>
     <message>
         <source>try the session out in Pilot, or choose a device that a participant holds</source>
@@ -4925,27 +4925,27 @@
 <context>
     <name>StudyMetadata</name>
     <message>
-        <source>The study states neither authors nor a license, which data archives require.</source>
-        <translation>Die Studie nennt weder Autorinnen und Autoren noch eine Lizenz; Datenarchive verlangen beides.</translation>
+        <source>The study has neither authors nor a license entered; data archives require both.</source>
+        <translation>Für die Studie sind weder Autorinnen und Autoren noch eine Lizenz angegeben; Datenarchive verlangen beides.</translation>
     </message>
     <message>
-        <source>The study states no authors, which data archives require.</source>
-        <translation>Die Studie nennt keine Autorinnen und Autoren; Datenarchive verlangen sie.</translation>
+        <source>The study has no authors entered; data archives require them.</source>
+        <translation>Für die Studie sind keine Autorinnen und Autoren angegeben; Datenarchive verlangen sie.</translation>
     </message>
     <message>
-        <source>The study states no license, which data archives require.</source>
-        <translation>Die Studie nennt keine Lizenz; Datenarchive verlangen eine.</translation>
+        <source>The study has no license entered; data archives require one.</source>
+        <translation>Für die Studie ist keine Lizenz angegeben; Datenarchive verlangen eine.</translation>
     </message>
 </context>
 <context>
     <name>StudyOutputs</name>
     <message>
-        <source>The study is of an older version of Asperity and was not changed: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
-        <translation>Die Studie stammt von einer älteren Version von Asperity und wurde nicht geändert: Sie führt %1 nicht unter ihren Ausgaben auf. Notieren Sie es für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
+        <source>The study was made by an older version of Asperity and was not changed: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
+        <translation>Die Studie wurde mit einer älteren Version von Asperity angelegt und nicht geändert: Sie führt %1 nicht unter ihren Ausgaben auf. Dies für den Fall notieren, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
-        <source>The study can only be read here: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
-        <translation>Die Studie ist hier nur lesbar: Sie führt %1 nicht unter ihren Ausgaben auf. Notieren Sie es für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
+        <source>The study is read-only: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
+        <translation>Die Studie ist schreibgeschützt: Sie führt %1 nicht unter ihren Ausgaben auf. Dies für den Fall notieren, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
         <source>%1 is complete, but the study does not list it: %2</source>
@@ -4971,8 +4971,8 @@
 <context>
     <name>StudyProtocols</name>
     <message>
-        <source>Sessions of %1 are stored (%2), which refer to its name and its text. Duplicate the protocol, and change the copy.</source>
-        <translation>Von %1 sind Sitzungen gespeichert (%2), die sich auf Namen und Text beziehen. Duplizieren Sie das Protokoll, und ändern Sie die Kopie.</translation>
+        <source>Stored sessions of %1 (%2) refer to its name and its text. Duplicate the protocol, and change the copy.</source>
+        <translation>Gespeicherte Sitzungen von %1 (%2) beziehen sich auf Namen und Text. Das Protokoll duplizieren und die Kopie ändern.</translation>
     </message>
     <message>
         <source>“%1” cannot be the name of a protocol. Use lower-case letters, digits and underscores, beginning with a letter.</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>t test of the log ratio of two peaks</source>
-        <translation>t-Test des logarithmierten Verhältnisses zweier Gipfel</translation>
+        <translation>t-Test des logarithmierten Verhältnisses zweier Maxima</translation>
     </message>
     <message>
         <source>within-participant permutation test</source>
@@ -5019,7 +5019,7 @@
     </message>
     <message>
         <source>sign-flip (randomisation) test</source>
-        <translation>Vorzeichentest durch Randomisierung</translation>
+        <translation>Vorzeichen-Permutationstest (Randomisierungstest)</translation>
     </message>
     <message>
         <source>one-sample t test</source>
@@ -5027,7 +5027,7 @@
     </message>
     <message>
         <source>number correct</source>
-        <translation>Zahl der richtigen</translation>
+        <translation>Anzahl der richtigen</translation>
     </message>
     <message>
         <source>difference of the means</source>
@@ -5074,11 +5074,11 @@
         <translation>Permutationstest auf Unabhängigkeit</translation>
     </message>
     <message>
-        <source>The CIs of d of choices are approximate: in simulations they contained the true value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or more of those with a larger one.</source>
+        <source>The CIs of d for choices are approximate: in simulations they contained the true value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or more of those with a larger one.</source>
         <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derer mit einem größeren.</translation>
     </message>
     <message>
-        <source>The CIs of W of choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
+        <source>The CIs of W for choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
         <translation>Die Konfidenzintervalle von W bei Wahlen sind Näherungen: In Simulationen mit 12 und 20 Versuchspersonen enthielten sie den wahren Wert in 77 bis 100 % der Studien.</translation>
     </message>
     <message>
@@ -5117,7 +5117,7 @@
     </message>
     <message>
         <source>The masking noise has stopped, and the session is paused. Fix the sound, then resume.</source>
-        <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Beheben Sie das Problem mit dem Ton, und setzen Sie dann fort.</translation>
+        <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
         <source>%1 The force is zero until the fault is cleared.</source>
@@ -5132,15 +5132,15 @@
         <translation>%1 Die Kraft ist null, bis der Halt aufgehoben ist.</translation>
     </message>
     <message>
-        <source>%1 The emergency stop was pressed meanwhile.</source>
+        <source>%1 The emergency stop was pressed in the meantime.</source>
         <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
     </message>
     <message>
         <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the sound, then resume.</source>
-        <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Beheben Sie das Problem mit dem Ton, und setzen Sie dann fort.</translation>
+        <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>The servo loop stood still for more than 50 ms: the force was set to zero, and what was interrupted is repeated. The session stops at the third time.</source>
+        <source>The servo loop stalled for more than 50 ms: the force was set to zero, and what was interrupted is repeated. At the third occurrence the session stops.</source>
         <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und das Unterbrochene wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
     </message>
 </context>
@@ -5166,8 +5166,8 @@
         <translation>Sitzung abbrechen</translation>
     </message>
     <message>
-        <source>Nothing is lost: every finished trial is stored. The trial under way is kept as aborted and will be asked again when the session is resumed.</source>
-        <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang bleibt als abgebrochen erhalten und wird erneut gefragt, wenn die Sitzung fortgesetzt wird.</translation>
+        <source>Nothing is lost: every finished trial is stored. The trial under way is stored as aborted and will be presented again when the session is resumed.</source>
+        <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang wird als abgebrochen gespeichert und erneut dargeboten, wenn die Sitzung fortgesetzt wird.</translation>
     </message>
 </context>
 <context>
@@ -5189,7 +5189,7 @@
         <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung.</translation>
     </message>
     <message>
-        <source>The documents are not installed on this machine.</source>
+        <source>The documents are not installed on this computer.</source>
         <translation>Die Dokumente sind auf diesem Rechner nicht installiert.</translation>
     </message>
     <message>
@@ -5204,8 +5204,8 @@
 <context>
     <name>asperity::AnalysisPage</name>
     <message>
-        <source>people</source>
-        <translation>Personen</translation>
+        <source>human participants</source>
+        <translation>menschliche Versuchspersonen</translation>
     </message>
     <message>
         <source>pilot sessions</source>
@@ -5228,8 +5228,8 @@
         <translation>Noch keine Antworten</translation>
     </message>
     <message>
-        <source>When a session has been run or simulated, its answers are counted and tested here. Start one from the page Protocols.</source>
-        <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und getestet. Gestartet wird auf der Seite „Protokolle“.</translation>
+        <source>When a session has been run or simulated, its answers are counted and tested here. Start a session on the Protocols page.</source>
+        <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und getestet. Eine Sitzung auf der Seite „Protokolle“ starten.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5240,8 +5240,8 @@
         <translation>Es gibt noch keine Sitzungen zu exportieren.</translation>
     </message>
     <message>
-        <source>A new folder for the tables</source>
-        <translation>Ein neuer Ordner für die Tabellen</translation>
+        <source>New folder for the tables</source>
+        <translation>Neuer Ordner für die Tabellen</translation>
     </message>
     <message>
         <source>1 participant</source>
@@ -5280,16 +5280,16 @@
         <translation>Verblindet, solange eine Sitzung läuft</translation>
     </message>
     <message>
-        <source>A session of %1 is running. Its counts by name are shown when it is over.</source>
-        <translation>Eine Sitzung von %1 läuft. Die Zählungen mit Namen werden gezeigt, wenn sie zu Ende ist.</translation>
+        <source>A session of %1 is running. Its results by name are shown once it has ended.</source>
+        <translation>Eine Sitzung von %1 läuft. Ihre Ergebnisse mit Namen werden gezeigt, sobald sie beendet ist.</translation>
     </message>
     <message>
         <source>Counting the answers…</source>
         <translation>Antworten werden gezählt…</translation>
     </message>
     <message>
-        <source>The answers were not counted; what is shown is from before.</source>
-        <translation>Die Antworten wurden nicht gezählt; was gezeigt wird, ist von vorher.</translation>
+        <source>The answers were not counted; the previous results are shown.</source>
+        <translation>Die Antworten wurden nicht gezählt; gezeigt werden die vorherigen Ergebnisse.</translation>
     </message>
     <message>
         <source>Count again</source>
@@ -5304,23 +5304,23 @@
         <translation>Tabellen werden nach %1 geschrieben …</translation>
     </message>
     <message>
-        <source>The tables were not written: you cancelled it. Nothing of them is left in %1.</source>
-        <translation>Die Tabellen wurden nicht geschrieben: der Vorgang wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
+        <source>The tables were not written: was cancelled. No part of them remains in %1.</source>
+        <translation>Die Tabellen wurden nicht geschrieben: Der Vorgang wurde abgebrochen. In %1 ist kein Teil davon zurückgeblieben.</translation>
     </message>
     <message>
-        <source>With the recordings, tick by tick; they are large</source>
-        <translation>Mit den Aufzeichnungen, Takt für Takt; sie sind groß</translation>
+        <source>With tick-by-tick recordings (large files)</source>
+        <translation>Mit Aufzeichnungen, Takt für Takt (große Dateien)</translation>
     </message>
     <message>
-        <source>For the public: without dates, free text and questionnaires</source>
-        <translation>Zur Veröffentlichung: ohne Kalenderdaten, Freitext und Fragebögen</translation>
+        <source>For publication: without dates, free text and questionnaires</source>
+        <translation>Zur Veröffentlichung: ohne Datumsangaben, Freitext und Fragebögen</translation>
     </message>
     <message>
         <source>How to read this table</source>
         <translation>Wie diese Tabelle zu lesen ist</translation>
     </message>
     <message numerus="yes">
-        <source>README.txt states %n further warning(s).</source>
+        <source>README.txt contains %n further warning(s).</source>
         <translation>
             <numerusform>README.txt nennt %n weitere Warnung.</numerusform>
             <numerusform>README.txt nennt %n weitere Warnungen.</numerusform>
@@ -5349,8 +5349,8 @@
         <translation>Noch keine Antwort</translation>
     </message>
     <message>
-        <source>Before, by trial: %1</source>
-        <translation>Vorher, nach Durchgang: %1</translation>
+        <source>Earlier answers, by trial: %1</source>
+        <translation>Frühere Antworten, nach Durchgang: %1</translation>
     </message>
     <message>
         <source>%1 s after the cue</source>
@@ -5420,11 +5420,11 @@
         <translation>Wieder einschließen…</translation>
     </message>
     <message>
-        <source>The whole session is excluded; its page includes it again.</source>
-        <translation>Die ganze Sitzung ist ausgeschlossen; auf ihrer Seite wird sie wieder eingeschlossen.</translation>
+        <source>The whole session is excluded; it can be included again on its page.</source>
+        <translation>Die ganze Sitzung ist ausgeschlossen; auf ihrer Seite kann sie wieder eingeschlossen werden.</translation>
     </message>
     <message>
-        <source>There is nothing to exclude: it does not count.</source>
+        <source>There is nothing to exclude: the attempt does not count.</source>
         <translation>Es gibt nichts auszuschließen: Der Versuch zählt nicht.</translation>
     </message>
     <message>
@@ -5440,52 +5440,52 @@
         <translation>Die Aufzeichnung dieses Versuchs ist leer: Er endete vor dem ersten Takt.</translation>
     </message>
     <message>
-        <source>The recording cannot be shown: %1. The answers and measures of the attempt are in the store and not touched by that.</source>
-        <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht berührt.</translation>
+        <source>The recording cannot be shown: %1. The answers and measures of the attempt are stored and not affected.</source>
+        <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht betroffen.</translation>
     </message>
     <message>
         <source>Flag attempt</source>
         <translation>Versuch markieren</translation>
     </message>
     <message>
-        <source>Why do analyses count this attempt again?</source>
-        <translation>Warum zählen die Auswertungen diesen Versuch wieder?</translation>
+        <source>Reason for including the attempt in the analyses again</source>
+        <translation>Grund, den Versuch wieder in die Auswertungen einzuschließen</translation>
     </message>
     <message>
         <source>Include attempt</source>
         <translation>Versuch einschließen</translation>
     </message>
     <message>
-        <source>Why do analyses leave this attempt out? It stays in the study and can be included again.</source>
-        <translation>Warum lassen die Auswertungen diesen Versuch weg? Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+        <source>Reason for excluding the attempt from the analyses. It remains in the study and can be included again.</source>
+        <translation>Grund, den Versuch von den Auswertungen auszuschließen. Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
     </message>
     <message>
         <source>Exclude attempt</source>
         <translation>Versuch ausschließen</translation>
     </message>
     <message>
-        <source>A file for the table</source>
-        <translation>Eine Datei für die Tabelle</translation>
+        <source>File for the table</source>
+        <translation>Datei für die Tabelle</translation>
     </message>
     <message>
         <source>Tab-separated table (*.tsv)</source>
         <translation>Tabulatorgetrennte Tabelle (*.tsv)</translation>
     </message>
     <message>
-        <source>The recording was not read: you cancelled it. It is read when the attempt is opened again.</source>
-        <translation>Die Aufzeichnung wurde nicht gelesen: der Vorgang wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
+        <source>Reading the recording was cancelled. It is read when the attempt is opened again.</source>
+        <translation>Das Lesen der Aufzeichnung wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
     </message>
     <message>
-        <source>The session is running, and who runs it is blind: what was felt and answered is shown here once it has ended.</source>
-        <translation>Die Sitzung läuft, und wer sie leitet, ist verblindet: Was gefühlt und geantwortet wurde, steht hier, sobald sie beendet ist.</translation>
+        <source>The session is running, and its experimenter is blind: stimuli and answers are shown here once it has ended.</source>
+        <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Reize und Antworten werden hier gezeigt, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
         <source>Writing %1 …</source>
         <translation>%1 wird geschrieben …</translation>
     </message>
     <message>
-        <source>%1 was not written: you cancelled it.</source>
-        <translation>%1 wurde nicht geschrieben: der Vorgang wurde abgebrochen.</translation>
+        <source>Writing %1 was cancelled.</source>
+        <translation>Das Schreiben von %1 wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Textures and models are shown by name, although the session is not complete: an experimenter who resumes it is no longer blind to them.</source>
@@ -5521,16 +5521,16 @@
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are done and stored.</source>
+        <source>Session %1 of %2 was interrupted: %3 of its %4 trials are completed and stored.</source>
         <translation>Sitzung %1 von %2 wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
-        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are done and stored.</source>
+        <source>Session %1 of %2 in the study “%5” was interrupted: %3 of its %4 trials are completed and stored.</source>
         <translation>Sitzung %1 von %2 in der Studie „%5“ wurde unterbrochen: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
-        <source>Others were interrupted as well: the page Sessions lists them.</source>
-        <translation>Weitere wurden unterbrochen: Die Seite „Sitzungen“ führt sie auf.</translation>
+        <source>Other sessions were interrupted as well; they are listed on the Sessions page.</source>
+        <translation>Weitere Sitzungen wurden unterbrochen; sie stehen auf der Seite „Sitzungen“.</translation>
     </message>
     <message>
         <source>Resume session %1 of %2</source>
@@ -5569,7 +5569,7 @@
     </message>
     <message>
         <source>Checking stimuli, device and timing (up to a minute)…</source>
-        <translation>Reize, Gerät und Takt werden geprüft (bis zu einer Minute)…</translation>
+        <translation>Reize, Gerät und Zeitverhalten werden geprüft (bis zu einer Minute)…</translation>
     </message>
     <message>
         <source>1 item must be resolved before the session can start.</source>
@@ -5590,8 +5590,8 @@
         </translation>
     </message>
     <message>
-        <source>The checks were cancelled. The session can start when they have run.</source>
-        <translation>Die Prüfung wurde abgebrochen. Die Sitzung kann beginnen, wenn sie gelaufen ist.</translation>
+        <source>The checks were cancelled. The session can start once they have been completed.</source>
+        <translation>Die Prüfungen wurden abgebrochen. Die Sitzung kann beginnen, sobald sie abgeschlossen sind.</translation>
     </message>
 </context>
 <context>
@@ -5613,8 +5613,8 @@
         <translation>Weiterlaufen lassen</translation>
     </message>
     <message>
-        <source>What is done is safe: every finished trial is stored, and the session can be resumed. The window closes once the session has ended.</source>
-        <translation>Was getan ist, ist sicher: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster schließt, sobald die Sitzung beendet ist.</translation>
+        <source>No data are lost: every finished trial is stored, and the session can be resumed. The window closes once the session has ended.</source>
+        <translation>Es gehen keine Daten verloren: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster wird geschlossen, sobald die Sitzung beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -5624,7 +5624,7 @@
         <translation>Einwilligung</translation>
     </message>
     <message>
-        <source>Seen by *</source>
+        <source>Witnessed by *</source>
         <translation>Bezeugt von *</translation>
     </message>
     <message>
@@ -5636,8 +5636,8 @@
         <translation>Die Versuchsperson hat der Erklärung noch nicht zugestimmt.</translation>
     </message>
     <message>
-        <source>It is not said who saw the participant agree.</source>
-        <translation>Es ist nicht angegeben, wer die Zustimmung gesehen hat.</translation>
+        <source>The witness of the participant&apos;s consent has not been entered.</source>
+        <translation>Es ist nicht angegeben, wer die Einwilligung bezeugt hat.</translation>
     </message>
     <message>
         <source>at %1</source>
@@ -5655,24 +5655,24 @@
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Who decides</source>
-        <translation>Wer entscheidet</translation>
+        <source>Decided by</source>
+        <translation>Entschieden von</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>It is written with the time; the data stay as they are.</source>
-        <translation>Es wird mit der Uhrzeit festgehalten; die Daten bleiben, wie sie sind.</translation>
+        <source>The decision is stored with the time; the data remain unchanged.</source>
+        <translation>Die Entscheidung wird mit der Uhrzeit gespeichert; die Daten bleiben unverändert.</translation>
     </message>
     <message>
-        <source>It could not be written: %1</source>
-        <translation>Es konnte nicht geschrieben werden: %1</translation>
+        <source>The decision could not be stored: %1</source>
+        <translation>Die Entscheidung konnte nicht gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>This study can only be read here: nothing can be decided.</source>
-        <translation>Diese Studie ist hier nur lesbar: Nichts kann entschieden werden.</translation>
+        <source>This study is read-only: no decision can be stored.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Entscheidung gespeichert werden.</translation>
     </message>
     <message>
         <source>A reason is required, so that the decision can be understood later.</source>
@@ -5702,8 +5702,8 @@
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Why others cannot be used</source>
-        <translation>Warum andere nicht benutzbar sind</translation>
+        <source>Why other devices cannot be used</source>
+        <translation>Warum andere Geräte nicht benutzbar sind</translation>
     </message>
     <message>
         <source>Try this device</source>
@@ -5722,24 +5722,24 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Several virtual participants are simulated on the simulated device as it is.</source>
-        <translation>Mehrere virtuelle Versuchspersonen werden auf dem simulierten Gerät simuliert, wie es ist.</translation>
+        <source>Several virtual participants are simulated on the plain simulated device.</source>
+        <translation>Mehrere virtuelle Versuchspersonen werden mit dem einfachen simulierten Gerät simuliert.</translation>
     </message>
     <message>
-        <source>It cannot be used now.</source>
-        <translation>Es ist jetzt nicht benutzbar.</translation>
+        <source>The device cannot be used at present.</source>
+        <translation>Das Gerät ist derzeit nicht benutzbar.</translation>
     </message>
     <message>
-        <source>Not tried yet. Trying it opens it and runs the loop for a third of a second, without force.</source>
-        <translation>Noch nicht ausprobiert. Dabei wird es geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+        <source>Not tried yet. “Try this device” opens it and runs the servo loop for a third of a second without force.</source>
+        <translation>Noch nicht ausprobiert. „Dieses Gerät ausprobieren“ öffnet es und lässt die Servoschleife eine Drittelsekunde lang ohne Kraft laufen.</translation>
     </message>
     <message>
         <source>The device is being tried.</source>
         <translation>Das Gerät wird ausprobiert.</translation>
     </message>
     <message>
-        <source>Let it move</source>
-        <translation>Bewegen lassen</translation>
+        <source>Allow motion</source>
+        <translation>Bewegung zulassen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5750,16 +5750,16 @@
         <translation>Einrichten…</translation>
     </message>
     <message>
-        <source>A device&apos;s firmware, its maker&apos;s library or service, where it is not found.</source>
-        <translation>Firmware eines Geräts, Bibliothek oder Dienst seines Herstellers, falls sie nicht gefunden werden.</translation>
+        <source>Location of a device&apos;s firmware or of its manufacturer&apos;s library or service, if it is not found.</source>
+        <translation>Ort der Firmware eines Geräts oder der Bibliothek oder des Dienstes seines Herstellers, falls sie nicht gefunden werden.</translation>
     </message>
     <message>
         <source>“Set up…”</source>
         <translation>„Einrichten…“</translation>
     </message>
     <message>
-        <source>Keep hands away: it moves by itself until it has found its zero. Esc, Cancel, or its power switch, stops it.</source>
-        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Esc, „Abbrechen“ oder sein Netzschalter hält es an.</translation>
+        <source>Keep hands away: the device moves by itself until it has found its zero position. Esc, Cancel or its power switch stops it.</source>
+        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. Esc, „Abbrechen“ oder sein Netzschalter hält es an.</translation>
     </message>
     <message>
         <source>A virtual hand holds it; the participant feels nothing.</source>
@@ -5767,7 +5767,7 @@
     </message>
     <message>
         <source>A virtual hand holds it, with the latency, steps and forces of the device as far as they are known. The participant feels nothing.</source>
-        <translation>Eine virtuelle Hand hält es, mit Latenz, Auflösung und Kräften des Geräts, soweit sie bekannt sind. Die Versuchsperson fühlt nichts.</translation>
+        <translation>Eine virtuelle Hand hält es, mit Latenz, Positionsschritten und Kräften des Geräts, soweit sie bekannt sind. Die Versuchsperson fühlt nichts.</translation>
     </message>
     <message>
         <source>The mouse over the participant&apos;s window moves the probe, and presses while its button is held; a pen presses according to its pressure. The participant feels no force.</source>
@@ -5794,8 +5794,8 @@
         <translation>Geräte werden gesucht …</translation>
     </message>
     <message>
-        <source>Tried: it answers. The checklist has the details.</source>
-        <translation>Ausprobiert: Es antwortet. Einzelheiten stehen in der Checkliste.</translation>
+        <source>Tried: the device responds. Details are in the checklist.</source>
+        <translation>Ausprobiert: Das Gerät antwortet. Einzelheiten stehen in der Checkliste.</translation>
     </message>
     <message>
         <source>Opening the device…</source>
@@ -5821,8 +5821,8 @@
         <translation>Kein Gerät ist gewählt</translation>
     </message>
     <message>
-        <source>The page of devices lists those that can be tested.</source>
-        <translation>Die Seite der Geräte zeigt die, die getestet werden können.</translation>
+        <source>The Devices page lists the devices that can be tested.</source>
+        <translation>Die Seite „Geräte“ führt die Geräte auf, die getestet werden können.</translation>
     </message>
     <message>
         <source>Show devices</source>
@@ -5833,8 +5833,8 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>Held to the limits of</source>
-        <translation>An den Grenzen gemessen von</translation>
+        <source>Limits of</source>
+        <translation>Grenzwerte von</translation>
     </message>
     <message>
         <source>No force above</source>
@@ -5842,7 +5842,7 @@
     </message>
     <message>
         <source>Not now</source>
-        <translation>Nicht jetzt</translation>
+        <translation>Jetzt nicht</translation>
     </message>
     <message>
         <source>Profiles of this device</source>
@@ -5861,16 +5861,16 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>It may move</source>
-        <translation>Es darf sich bewegen</translation>
+        <source>Allow motion</source>
+        <translation>Bewegung zulassen</translation>
     </message>
     <message>
-        <source>Do not move it</source>
-        <translation>Nicht bewegen</translation>
+        <source>Do not allow motion</source>
+        <translation>Bewegung nicht zulassen</translation>
     </message>
     <message>
-        <source>Stopped: the force is zero, and nothing was kept.</source>
-        <translation>Angehalten: Die Kraft ist null, und nichts wurde behalten.</translation>
+        <source>Stopped: the force is zero, and nothing was stored.</source>
+        <translation>Angehalten: Die Kraft ist null, und nichts wurde gespeichert.</translation>
     </message>
     <message>
         <source>Nothing was measured: %1</source>
@@ -5885,32 +5885,32 @@
         <translation>Beginnen: Der Griff bewegt sich</translation>
     </message>
     <message>
-        <source>This study can only be read here: no profile could be kept.</source>
-        <translation>Diese Studie kann hier nur gelesen werden: Ein Profil ließe sich nicht speichern.</translation>
+        <source>This study is read-only: no profile can be stored.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann kein Profil gespeichert werden.</translation>
     </message>
     <message>
-        <source>Esc, F12 and the red button take the force away at once. At the end you move the handle along the borders of its workspace.</source>
-        <translation>Esc, F12 und der rote Knopf nehmen die Kraft sofort weg. Am Ende führen Sie den Griff an den Grenzen seines Arbeitsraums entlang.</translation>
+        <source>Esc, F12 and the red button set the force to zero at once. At the end, move the handle along the borders of its workspace.</source>
+        <translation>Esc, F12 und der rote Knopf setzen die Kraft sofort auf null. Am Ende den Griff an den Grenzen seines Arbeitsraums entlangführen.</translation>
     </message>
     <message>
-        <source>The study has none yet. A session compares its plan with the latest one.</source>
-        <translation>Die Studie hat noch keins. Eine Sitzung vergleicht ihren Plan mit dem neuesten.</translation>
+        <source>The study has no profile of this device yet. Before a session, its plan is compared with the latest profile.</source>
+        <translation>Die Studie hat noch kein Profil dieses Geräts. Vor einer Sitzung wird ihr Plan mit dem neuesten Profil verglichen.</translation>
     </message>
     <message>
-        <source>Asperity, the usual ones</source>
-        <translation>Asperity, die üblichen</translation>
+        <source>Asperity (defaults)</source>
+        <translation>Asperity (Vorgaben)</translation>
     </message>
     <message>
-        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms.</source>
-        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms.</translation>
+        <source>Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms.</source>
+        <translation>Taktrate mindestens 950 Hz, 99. Perzentil der Verspätung höchstens 1 ms.</translation>
     </message>
     <message>
         <source>At %1 Hz: %2.</source>
         <translation>Bei %1 Hz: %2.</translation>
     </message>
     <message>
-        <source>A device is being measured. Stop that first.</source>
-        <translation>Ein Gerät wird gemessen. Halten Sie das zuerst an.</translation>
+        <source>A device is being measured. Stop the measurement first.</source>
+        <translation>Ein Gerät wird gemessen. Zuerst die Messung anhalten.</translation>
     </message>
     <message>
         <source>The device is being opened.</source>
@@ -5925,67 +5925,67 @@
         <translation>Esc, F12, Pause und Strg+Leertaste tun dasselbe.</translation>
     </message>
     <message>
-        <source>It has no motors: nothing moves by itself, and no force is given. The loop is timed; then you move the probe along the borders of its workspace.</source>
-        <translation>Es hat keine Motoren: Nichts bewegt sich von selbst, und es gibt keine Kraft. Der Takt wird gemessen; dann bewegen Sie die Sonde an den Grenzen ihres Arbeitsraums entlang.</translation>
+        <source>The device has no motors: it does not move by itself and exerts no force. The timing of the servo loop is measured; then the probe has to be moved by hand along the borders of its workspace.</source>
+        <translation>Das Gerät hat keine Motoren: Es bewegt sich nicht von selbst und übt keine Kraft aus. Das Zeitverhalten der Servoschleife wird gemessen; danach den Taster von Hand an den Grenzen seines Arbeitsraums entlangführen.</translation>
     </message>
     <message>
         <source>Not listed: %1</source>
         <translation>Nicht aufgeführt: %1</translation>
     </message>
     <message>
-        <source>Keep hands away: it moves by itself until it has found its zero. Stop, or its power switch, stops it.</source>
-        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Stopp oder sein Netzschalter hält es an.</translation>
+        <source>Keep hands away: the device moves by itself until it has found its zero position. Stop or its power switch stops it.</source>
+        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. „Halt“ oder sein Netzschalter hält es an.</translation>
     </message>
     <message>
-        <source>Stopped, and nothing was kept: %1</source>
-        <translation>Angehalten, und nichts wurde behalten: %1</translation>
+        <source>Stopped, and nothing was stored: %1</source>
+        <translation>Angehalten, und nichts wurde gespeichert: %1</translation>
     </message>
     <message>
-        <source>The profile is kept as %1.</source>
-        <translation>Das Profil ist gespeichert als %1.</translation>
+        <source>The profile is stored as %1.</source>
+        <translation>Das Profil ist als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of the study that has “limits” in its “device” would be listed here.</source>
-        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms. Ein Protokoll der Studie mit „limits“ in seinem „device“ stünde hier.</translation>
+        <source>Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols of the study with “limits” in their “device” are listed here; there are none.</source>
+        <translation>Taktrate mindestens 950 Hz, 99. Perzentil der Verspätung höchstens 1 ms. Protokolle der Studie mit „limits“ in ihrem „device“ werden hier aufgeführt; es gibt keine.</translation>
     </message>
     <message>
-        <source>Nothing moves: a virtual hand holds it, and its mechanics are measured faster than real time. Its timing is that of this computer.</source>
+        <source>Nothing moves: a virtual hand holds the device, and its mechanics are measured faster than real time. Its timing is that of this computer.</source>
         <translation>Nichts bewegt sich: Eine virtuelle Hand hält das Gerät, und seine Mechanik wird schneller als in Echtzeit gemessen. Das Zeitverhalten ist das dieses Rechners.</translation>
     </message>
 </context>
 <context>
     <name>asperity::DeviceTestSteps</name>
     <message>
-        <source>Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and the force has to be exactly zero.</source>
-        <translation>Lassen Sie den Griff in Ruhe: Er hängt frei, und nichts drückt ihn. Der Takt der Schleife wird gemessen, und die Kraft muss genau null sein.</translation>
+        <source>Do not touch the handle: it hangs free, and no force acts on it. The timing of the servo loop is measured, and the force has to be exactly zero.</source>
+        <translation>Den Griff nicht berühren: Er hängt frei, und keine Kraft wirkt auf ihn. Das Zeitverhalten der Servoschleife wird gemessen, und die Kraft muss genau null sein.</translation>
     </message>
     <message>
-        <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. What stands against it is friction and damping.</source>
-        <translation>Hände weg: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Was dagegen steht, ist Reibung und Dämpfung.</translation>
+        <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. The resistance gives the friction and the damping.</source>
+        <translation>Hände fernhalten: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Der Widerstand ergibt Reibung und Dämpfung.</translation>
     </message>
     <message>
-        <source>Keep hands away: sudden steps of force along %1, to and fro. When the motion begins is the latency, how fast it grows the mass.</source>
-        <translation>Hände weg: plötzliche Kraftsprünge entlang %1, hin und her. Wann die Bewegung beginnt, ist die Latenz; wie schnell sie wächst, die Masse.</translation>
+        <source>Keep hands away: sudden force steps along %1, to and fro. The delay until the motion begins gives the latency, the acceleration the mass.</source>
+        <translation>Hände fernhalten: Kraftsprünge entlang %1, hin und her. Die Zeit bis zum Beginn der Bewegung ergibt die Latenz, die Beschleunigung die Masse.</translation>
     </message>
     <message>
-        <source>Keep hands away: the handle hums along %1, from 8 to 200 Hz. Where it answers most is its resonance.</source>
-        <translation>Hände weg: Der Griff summt entlang %1, von 8 bis 200 Hz. Wo er am stärksten antwortet, ist seine Resonanz.</translation>
+        <source>Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. Its response gives its resonance.</source>
+        <translation>Hände fernhalten: Der Griff wird entlang %1 mit Frequenzen von 8 bis 200 Hz angetrieben. Seine Antwort ergibt seine Resonanz.</translation>
     </message>
     <message>
-        <source>Keep hands away: ever stiffer springs along %1, each with a small kick. The stiffest on which the handle comes to rest counts.</source>
-        <translation>Hände weg: immer steifere Federn entlang %1, jede mit einem kleinen Anstoß. Es zählt die steifste, auf der der Griff zur Ruhe kommt.</translation>
+        <source>Keep hands away: increasingly stiff springs along %1, each with a small impulse. The result is the stiffest spring on which the handle comes to rest.</source>
+        <translation>Hände fernhalten: immer steifere Federn entlang %1, jede mit einem kleinen Impuls. Das Ergebnis ist die steifste Feder, auf der der Griff zur Ruhe kommt.</translation>
     </message>
     <message>
-        <source>Keep hands away: ever stronger small pushes along %1, until the handle moves.</source>
-        <translation>Hände weg: immer stärkere kleine Stöße entlang %1, bis sich der Griff bewegt.</translation>
+        <source>Keep hands away: increasingly strong small pushes along %1, until the handle moves.</source>
+        <translation>Hände fernhalten: immer stärkere kleine Stöße entlang %1, bis sich der Griff bewegt.</translation>
     </message>
     <message>
-        <source>Now take the handle, and move it along all borders of its workspace: to both sides, away and near, up and down. You have %1 seconds; no force is given.</source>
-        <translation>Nehmen Sie jetzt den Griff und führen Sie ihn an allen Grenzen seines Arbeitsraums entlang: zu beiden Seiten, weg und heran, auf und ab. Sie haben %1 Sekunden; es wirkt keine Kraft.</translation>
+        <source>Now take the handle and move it along all borders of its workspace: left and right, forwards and backwards, up and down. This step lasts %1 seconds; no force is exerted.</source>
+        <translation>Jetzt den Griff nehmen und an allen Grenzen seines Arbeitsraums entlangführen: nach links und rechts, nach vorn und hinten, nach oben und unten. Dieser Schritt dauert %1 Sekunden; es wirkt keine Kraft.</translation>
     </message>
     <message>
         <source>Zero force and timing</source>
-        <translation>Kraft null und Takt</translation>
+        <translation>Kraft null und Zeitverhalten</translation>
     </message>
     <message>
         <source>Safety</source>
@@ -5996,12 +5996,12 @@
         <translation>Langsame Bewegungen</translation>
     </message>
     <message>
-        <source>Steps of force</source>
+        <source>Force steps</source>
         <translation>Kraftsprünge</translation>
     </message>
     <message>
-        <source>Sweep of tones</source>
-        <translation>Tonfolge</translation>
+        <source>Frequency sweep</source>
+        <translation>Frequenzdurchlauf</translation>
     </message>
     <message>
         <source>Stiff springs</source>
@@ -6031,7 +6031,7 @@
         <translation>%1 Freiheitsgrade</translation>
     </message>
     <message>
-        <source>Force given</source>
+        <source>Force output</source>
         <translation>Ausgegebene Kraft</translation>
     </message>
     <message>
@@ -6063,8 +6063,8 @@
         <translation>exakt (simuliert)</translation>
     </message>
     <message>
-        <source>Fastest loop</source>
-        <translation>Schnellste Schleife</translation>
+        <source>Highest servo rate</source>
+        <translation>Höchste Taktrate</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -6075,7 +6075,7 @@
         <translation>dieses Programm</translation>
     </message>
     <message>
-        <source>the maker&apos;s driver</source>
+        <source>the manufacturer&apos;s driver</source>
         <translation>der Treiber des Herstellers</translation>
     </message>
     <message>
@@ -6091,8 +6091,8 @@
         <translation>bereit</translation>
     </message>
     <message>
-        <source>The simulated device is always there: a virtual hand holds its probe. What a protocol asks for is compared with the device before a session starts.</source>
-        <translation>Das simulierte Gerät ist immer da: Eine virtuelle Hand hält seinen Taster. Was ein Protokoll verlangt, wird vor dem Start einer Sitzung mit dem Gerät verglichen.</translation>
+        <source>The simulated device is always available: a virtual hand holds its probe. The requirements of a protocol are compared with the device before a session starts.</source>
+        <translation>Das simulierte Gerät ist immer verfügbar: Eine virtuelle Hand hält seinen Taster. Die Anforderungen eines Protokolls werden vor dem Start einer Sitzung mit dem Gerät verglichen.</translation>
     </message>
     <message>
         <source>%1 ready</source>
@@ -6123,8 +6123,8 @@
         <translation>%1, an %2</translation>
     </message>
     <message>
-        <source>Devices could not be looked for: %1</source>
-        <translation>Geräte konnten nicht gesucht werden: %1</translation>
+        <source>The search for devices failed: %1</source>
+        <translation>Die Suche nach Geräten ist fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Simulated device</source>
@@ -6132,15 +6132,15 @@
     </message>
     <message>
         <source>Test this device…</source>
-        <translation>Dieses Gerät testen …</translation>
+        <translation>Dieses Gerät testen…</translation>
     </message>
     <message>
         <source>In place of a real device</source>
-        <translation>An Stelle eines wirklichen Geräts</translation>
+        <translation>Anstelle eines echten Geräts</translation>
     </message>
     <message>
-        <source>The simulated device with the workspace, forces, latency and steps of a real one, as far as they are known: to rehearse a protocol before the device is there.</source>
-        <translation>Das simulierte Gerät mit Arbeitsraum, Kräften, Verzögerung und Schritten eines wirklichen, soweit sie bekannt sind: um ein Protokoll zu proben, bevor das Gerät da ist.</translation>
+        <source>The simulated device with the workspace, forces, latency and steps of a real one, as far as they are known: for rehearsing a protocol before the device is available.</source>
+        <translation>Das simulierte Gerät mit Arbeitsraum, Kräften, Latenz und Positionsschritten eines echten, soweit sie bekannt sind: um ein Protokoll zu proben, bevor das Gerät verfügbar ist.</translation>
     </message>
     <message>
         <source>Simulated: %1</source>
@@ -6151,8 +6151,8 @@
         <translation>„Einrichten…“</translation>
     </message>
     <message>
-        <source>It is made of a recording, at a terminal only: asperity run PROTOCOL --device replay:FILE.</source>
-        <translation>Es entsteht aus einer Aufzeichnung, nur im Terminal: asperity run PROTOCOL --device replay:FILE.</translation>
+        <source>It replays a recording and is available only at a terminal: asperity run PROTOCOL --device replay:FILE.</source>
+        <translation>Es gibt eine Aufzeichnung wieder und ist nur im Terminal verfügbar: asperity run PROTOCOL --device replay:FILE.</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -6198,24 +6198,24 @@
         <translation>%1: Dienst</translation>
     </message>
     <message>
-        <source>The file that came with the device&apos;s software. A Falcon forgets its firmware when it is switched off; it is loaded when the device is opened.</source>
-        <translation>Die Datei, die mit der Software des Geräts kam. Ein Falcon vergisst seine Firmware beim Ausschalten; sie wird geladen, wenn das Gerät geöffnet wird.</translation>
+        <source>The file that came with the device&apos;s software. A Falcon loses its firmware when it is switched off; it is loaded when the device is opened.</source>
+        <translation>Die mit der Software des Geräts gelieferte Datei. Ein Falcon verliert seine Firmware beim Ausschalten; sie wird geladen, wenn das Gerät geöffnet wird.</translation>
     </message>
     <message>
-        <source>The file libHD.so of OpenHaptics, where the system does not find it by itself.</source>
-        <translation>Die Datei libHD.so von OpenHaptics, falls das System sie nicht selbst findet.</translation>
+        <source>The file libHD.so of OpenHaptics, if the system does not find it.</source>
+        <translation>Die Datei libHD.so von OpenHaptics, falls das System sie nicht findet.</translation>
     </message>
     <message>
-        <source>The file libdrd.so or libdhd.so of the maker&apos;s SDK, where the system does not find it by itself.</source>
-        <translation>Die Datei libdrd.so oder libdhd.so aus dem SDK des Herstellers, falls das System sie nicht selbst findet.</translation>
+        <source>The file libdrd.so or libdhd.so of the manufacturer&apos;s SDK, if the system does not find it.</source>
+        <translation>Die Datei libdrd.so oder libdhd.so aus dem SDK des Herstellers, falls das System sie nicht findet.</translation>
     </message>
     <message>
-        <source>Where Haply&apos;s Inverse Service listens, HOST:PORT, where not at 127.0.0.1:10001.</source>
-        <translation>Wo der Inverse Service von Haply lauscht, HOST:PORT, falls nicht unter 127.0.0.1:10001.</translation>
+        <source>Address of Haply&apos;s Inverse Service, HOST:PORT, if it is not 127.0.0.1:10001.</source>
+        <translation>Adresse des Inverse Service von Haply, HOST:PORT, falls nicht 127.0.0.1:10001.</translation>
     </message>
     <message>
         <source>no file: only a Falcon whose firmware is already loaded can be used</source>
-        <translation>keine Datei: nur ein Falcon, der sie geladen hat, ist benutzbar</translation>
+        <translation>keine Datei: nur ein Falcon mit bereits geladener Firmware ist benutzbar</translation>
     </message>
     <message>
         <source>where the system looks for libraries</source>
@@ -6266,8 +6266,8 @@
         <translation>Datei wählen: %1</translation>
     </message>
     <message>
-        <source>Chooses a file of this computer.</source>
-        <translation>Wählt eine Datei dieses Rechners.</translation>
+        <source>Opens a dialog for choosing a file on this computer.</source>
+        <translation>Öffnet einen Dialog zur Auswahl einer Datei auf diesem Rechner.</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -6278,8 +6278,8 @@
         <translation>Leeren: %1</translation>
     </message>
     <message>
-        <source>Forgets what is named here.</source>
-        <translation>Vergisst, was hier genannt ist.</translation>
+        <source>Clears this entry.</source>
+        <translation>Leert diesen Eintrag.</translation>
     </message>
     <message>
         <source>Libraries (*.so *.so.*)</source>
@@ -6290,16 +6290,16 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Devices could not be looked for: %1</source>
-        <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
+        <source>The search for devices failed: %1</source>
+        <translation>Die Suche nach Geräten ist fehlgeschlagen: %1</translation>
     </message>
     <message>
-        <source>The file has to be written in full, beginning with “/” or “~”.</source>
-        <translation>Die Datei muss vollständig geschrieben sein und mit „/“ oder „~“ beginnen.</translation>
+        <source>Enter the full path of the file, beginning with “/” or “~”.</source>
+        <translation>Den vollständigen Pfad der Datei eingeben; er beginnt mit „/“ oder „~“.</translation>
     </message>
     <message>
-        <source>Kept between starts, for all your studies. Commands at a terminal do not use these settings; they have options for them.</source>
-        <translation>Bleibt über Neustarts erhalten, für alle Ihre Studien. Befehle im Terminal verwenden diese Einstellungen nicht; sie haben dafür Optionen.</translation>
+        <source>These settings are stored for all studies. Commands at a terminal do not use them; they have options instead.</source>
+        <translation>Diese Einstellungen werden für alle Studien gespeichert. Befehle im Terminal verwenden sie nicht, sondern haben dafür Optionen.</translation>
     </message>
     <message>
         <source>Searching…</source>
@@ -6309,11 +6309,11 @@
 <context>
     <name>asperity::EndSummary</name>
     <message>
-        <source>See the table</source>
+        <source>Show the table</source>
         <translation>Tabelle ansehen</translation>
     </message>
     <message>
-        <source>See the trials</source>
+        <source>Show the trials</source>
         <translation>Durchgänge ansehen</translation>
     </message>
     <message>
@@ -6359,10 +6359,10 @@
     <message>
         <source>%1
 
-Resume the session now, or later from the page Sessions.</source>
+Resume the session now, or later on the Sessions page.</source>
         <translation>%1
 
-Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</translation>
+Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</translation>
     </message>
     <message>
         <source>Every finished trial is stored in %1, session %2 of %3.</source>
@@ -6372,7 +6372,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::FaultPanel</name>
     <message>
-        <source>It is safe: no hand is caught, nothing touches the device</source>
+        <source>It is safe: no hand is trapped, and nothing touches the device</source>
         <translation>Es ist sicher: Keine Hand ist eingeklemmt, nichts berührt das Gerät</translation>
     </message>
     <message>
@@ -6391,8 +6391,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::FigureSaver</name>
     <message>
-        <source>A file for the figure</source>
-        <translation>Eine Datei für die Abbildung</translation>
+        <source>File for the figure</source>
+        <translation>Datei für die Abbildung</translation>
     </message>
     <message>
         <source>SVG, for the web and for drawing programs (*.svg)</source>
@@ -6411,8 +6411,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Gerade wird eine andere Abbildung geschrieben; danach diese noch einmal speichern.</translation>
     </message>
     <message>
-        <source>There is a file %1 already.</source>
-        <translation>Die Datei %1 gibt es schon.</translation>
+        <source>The file %1 already exists.</source>
+        <translation>Die Datei %1 existiert bereits.</translation>
     </message>
     <message>
         <source>Replace “%1”</source>
@@ -6442,12 +6442,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Abbildung speichern</translation>
     </message>
     <message>
-        <source>As wide as a column of a journal, 85 mm…</source>
-        <translation>So breit wie die Spalte einer Zeitschrift, 85 mm…</translation>
+        <source>Width of a journal column, 85 mm…</source>
+        <translation>Breite einer Zeitschriftenspalte, 85 mm…</translation>
     </message>
     <message>
-        <source>As wide as a page, 170 mm…</source>
-        <translation>So breit wie eine Seite, 170 mm…</translation>
+        <source>Width of a page, 170 mm…</source>
+        <translation>Breite einer Seite, 170 mm…</translation>
     </message>
     <message>
         <source>Copy figure</source>
@@ -6477,19 +6477,19 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>nicht gefunden</translation>
     </message>
     <message>
-        <source>1 place</source>
-        <translation>1 Stelle</translation>
+        <source>1 match</source>
+        <translation>1 Treffer</translation>
     </message>
     <message>
-        <source>%1 places</source>
-        <translation>%1 Stellen</translation>
+        <source>%1 matches</source>
+        <translation>%1 Treffer</translation>
     </message>
 </context>
 <context>
     <name>asperity::ForceComparison</name>
     <message>
-        <source>Choose models, then drag the mouse over the relief: each shows the force that it would give to a hand on the same path.</source>
-        <translation>Modelle wählen, dann die Maus über das Relief ziehen: Jedes zeigt die Kraft, die es einer Hand auf demselben Weg gäbe.</translation>
+        <source>Choose models, then drag the mouse over the relief: for each model, the force on the same path of the hand is shown.</source>
+        <translation>Modelle wählen, dann mit der Maus über das Relief ziehen: Für jedes Modell wird die Kraft auf demselben Weg der Hand gezeigt.</translation>
     </message>
     <message>
         <source>Stroke once across</source>
@@ -6500,12 +6500,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Von links nach rechts mit 60 mm/s, immer gleich</translation>
     </message>
     <message>
-        <source>Pressing back (normal)</source>
-        <translation>Gegendruck (normal)</translation>
+        <source>Normal force</source>
+        <translation>Normalkraft</translation>
     </message>
     <message>
-        <source>Against the motion</source>
-        <translation>Gegen die Bewegung</translation>
+        <source>Force against the motion</source>
+        <translation>Kraft gegen die Bewegung</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -6525,22 +6525,22 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>There is no sound card. Connect one to hear a force.</source>
-        <translation>Es gibt keine Soundkarte, mit der eine Kraft zu hören wäre.</translation>
+        <translation>Es gibt keine Soundkarte. Eine anschließen, um eine Kraft zu hören.</translation>
     </message>
     <message>
-        <source>%1 could not be opened; another program may hold it.</source>
-        <translation>%1 ließ sich nicht öffnen; vielleicht hält ein anderes Programm es fest.</translation>
+        <source>%1 could not be opened; another program may be using it.</source>
+        <translation>%1 ließ sich nicht öffnen; möglicherweise wird es von einem anderen Programm benutzt.</translation>
     </message>
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
-        <translation>%1 gibt nichts wieder. Schließen Sie es neu an, oder wählen Sie in den Einstellungen des Computers eine andere Tonausgabe.</translation>
+        <translation>%1 gibt keinen Ton wieder. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
     <message>
-        <source>%1: RMS %2 m/s², greatest %3 m/s², %4 dB over the threshold of touch</source>
-        <translation>%1: effektiv %2 m/s², höchstens %3 m/s², %4 dB über der Tastschwelle</translation>
+        <source>%1: RMS %2 m/s², maximum %3 m/s², %4 dB above the vibrotactile threshold</source>
+        <translation>%1: effektiv %2 m/s², höchstens %3 m/s², %4 dB über der vibrotaktilen Schwelle</translation>
     </message>
     <message>
-        <source>%1: RMS %2 m/s², greatest %3 m/s²</source>
+        <source>%1: RMS %2 m/s², maximum %3 m/s²</source>
         <translation>%1: effektiv %2 m/s², höchstens %3 m/s²</translation>
     </message>
 </context>
@@ -6551,8 +6551,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>study.sqlite · gespeicherte Versuche: %1</translation>
     </message>
     <message>
-        <source>The device loop has not ticked yet</source>
-        <translation>Die Geräteschleife hat noch keinen Takt ausgeführt</translation>
+        <source>The servo loop has not run yet</source>
+        <translation>Die Servoschleife ist noch nicht gelaufen</translation>
     </message>
     <message>
         <source>masking noise on</source>
@@ -6575,8 +6575,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>keine Soundkarte: kein Maskierrauschen</translation>
     </message>
     <message>
-        <source>masking noise from elsewhere, as measured</source>
-        <translation>Maskierrauschen von anderswo, wie gemessen</translation>
+        <source>masking noise from another source, as measured</source>
+        <translation>Maskierrauschen aus einer anderen Quelle, wie gemessen</translation>
     </message>
 </context>
 <context>
@@ -6594,8 +6594,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Wann</translation>
     </message>
     <message>
-        <source>About</source>
-        <translation>Worüber</translation>
+        <source>Applies to</source>
+        <translation>Betrifft</translation>
     </message>
     <message>
         <source>Decision</source>
@@ -6606,20 +6606,20 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Who</source>
-        <translation>Wer</translation>
+        <source>Decided by</source>
+        <translation>Entschieden von</translation>
     </message>
     <message>
-        <source>What happened during the attempt</source>
-        <translation>Was während des Versuchs geschah</translation>
+        <source>Events during the attempt</source>
+        <translation>Ereignisse während des Versuchs</translation>
     </message>
     <message>
         <source>Time, s</source>
         <translation>Zeit, s</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Event</source>
+        <translation>Ereignis</translation>
     </message>
     <message>
         <source>this attempt</source>
@@ -6673,8 +6673,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>kein Kontakt</translation>
     </message>
     <message>
-        <source>nothing asked</source>
-        <translation>nichts verlangt</translation>
+        <source>no requirement</source>
+        <translation>keine Vorgabe</translation>
     </message>
     <message>
         <source>in band %1 %</source>
@@ -6701,7 +6701,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>speed, mm/s</source>
-        <translation>Tempo, mm/s</translation>
+        <translation>Geschwindigkeit, mm/s</translation>
     </message>
     <message>
         <source>contact, s</source>
@@ -6728,11 +6728,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 oder weniger</translation>
     </message>
     <message>
-        <source>nothing</source>
+        <source>none</source>
         <translation>nichts</translation>
     </message>
     <message>
-        <source>not judged</source>
+        <source>not assessed</source>
         <translation>nicht bewertet</translation>
     </message>
     <message>
@@ -6756,12 +6756,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Periode: Mittelwert</translation>
     </message>
     <message>
-        <source>period: 99 of 100 below</source>
-        <translation>Periode: 99 von 100 unter</translation>
+        <source>period: 99th percentile</source>
+        <translation>Periode: 99. Perzentil</translation>
     </message>
     <message>
-        <source>period: longest</source>
-        <translation>Periode: längste</translation>
+        <source>period: maximum</source>
+        <translation>Periode: größte</translation>
     </message>
     <message>
         <source>lateness: 99th percentile</source>
@@ -6780,12 +6780,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>verlorene Datensätze</translation>
     </message>
     <message>
-        <source>ticks at the limit of force</source>
-        <translation>Takte an der Kraftgrenze</translation>
+        <source>ticks with the force at its limit</source>
+        <translation>Takte mit der Kraft an ihrer Grenze</translation>
     </message>
     <message>
-        <source>ticks whose change of force was shortened</source>
-        <translation>Takte mit gekürzter Kraftänderung</translation>
+        <source>ticks with the rate of change of the force limited</source>
+        <translation>Takte mit begrenzter Änderungsrate der Kraft</translation>
     </message>
     <message>
         <source>ticks without a finite force</source>
@@ -6856,8 +6856,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Asked</source>
-        <translation>Verlangt</translation>
+        <source>Requested</source>
+        <translation>Vorgegeben</translation>
     </message>
     <message>
         <source>Median</source>
@@ -6873,15 +6873,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>In band</source>
-        <translation>Im Soll</translation>
+        <translation>Im Band</translation>
     </message>
     <message>
         <source>Met</source>
         <translation>Erfüllt</translation>
     </message>
     <message>
-        <source>How the servo loop ran</source>
-        <translation>Wie die Regelschleife lief</translation>
+        <source>Timing of the servo loop</source>
+        <translation>Zeitverhalten der Regelschleife</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -6920,7 +6920,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>in Ordnung</translation>
     </message>
     <message>
-        <source>look at it</source>
+        <source>check</source>
         <translation>ansehen</translation>
     </message>
     <message>
@@ -6932,52 +6932,48 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Gefühlte Oberflächen, mit Namen</translation>
     </message>
     <message>
-        <source>anything was touched</source>
-        <translation>etwas wurde berührt</translation>
+        <source>a surface was touched</source>
+        <translation>eine Oberfläche wurde berührt</translation>
     </message>
     <message>
         <source>viewed along the contact, a surface folds over itself; part of it is omitted</source>
         <translation>eine Oberfläche überlappt sich in Richtung des Kontakts, ein Teil bleibt außer Acht</translation>
     </message>
     <message>
-        <source>the deepest place lay at the border of what is looked at</source>
-        <translation>die tiefste Stelle lag am Rand des betrachteten Ausschnitts</translation>
+        <source>the deepest point lay at the border of the region searched</source>
+        <translation>die tiefste Stelle lag am Rand des durchsuchten Ausschnitts</translation>
     </message>
     <message>
-        <source>the finest detail of the texture was too fine for the samples</source>
+        <source>the finest detail of the texture was too fine for the sampling</source>
         <translation>das feinste Detail der Textur war zu fein für die Abtastung</translation>
     </message>
     <message>
-        <source>the tool moved more than half of the finest wave in a tick</source>
-        <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe feinste Welle</translation>
+        <source>the tool moved by more than half of the finest wavelength in one tick</source>
+        <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe feinste Wellenlänge</translation>
     </message>
     <message>
-        <source>a contact was too wide for the step that was asked for</source>
+        <source>a contact was too wide for the requested step</source>
         <translation>ein Kontakt war zu breit für den verlangten Schritt</translation>
     </message>
     <message>
-        <source>there were more contacts than there is room for</source>
-        <translation>es gab mehr Kontakte, als Platz haben</translation>
+        <source>there were more contacts than can be held</source>
+        <translation>es gab mehr Kontakte, als verwaltet werden können</translation>
     </message>
     <message>
-        <source>a contact went on although nothing was cut</source>
+        <source>a contact persisted although nothing intersected</source>
         <translation>ein Kontakt bestand weiter, obwohl sich nichts schnitt</translation>
     </message>
     <message>
-        <source>What the force model counted, in ticks</source>
-        <translation>Was das Kraftmodell gezählt hat, in Takten</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Counts of the force model, in ticks</source>
+        <translation>Zählungen des Kraftmodells, in Takten</translation>
     </message>
     <message>
         <source>Ticks</source>
         <translation>Takte</translation>
     </message>
     <message>
-        <source>a contact was deeper or steeper than the bodies bear out, and was bounded</source>
-        <translation>ein Kontakt war tiefer oder steiler, als die Körper es hergeben, und wurde begrenzt</translation>
+        <source>a contact was deeper or steeper than the bodies support, and was limited</source>
+        <translation>ein Kontakt war tiefer oder steiler, als die Körper zulassen, und wurde begrenzt</translation>
     </message>
     <message>
         <source>missed deadlines in contact</source>
@@ -6988,8 +6984,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>nicht gezählt</translation>
     </message>
     <message>
-        <source>Choices</source>
-        <translation>Auswahl</translation>
+        <source>Options</source>
+        <translation>Antwortmöglichkeiten</translation>
     </message>
     <message>
         <source>In the order in which they were shown.</source>
@@ -7007,6 +7003,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <source>Correct</source>
         <translation>Richtig</translation>
     </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MetadataDialog</name>
@@ -7015,7 +7015,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Angaben zur Studie</translation>
     </message>
     <message>
-        <source>Exports state them: archives of data ask for authors and a license.</source>
+        <source>Exports include them: data archives require authors and a license.</source>
         <translation>Exporte enthalten sie: Datenarchive verlangen Autorinnen und Autoren und eine Lizenz.</translation>
     </message>
     <message>
@@ -7061,7 +7061,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>PILOT: keine Studiendaten</translation>
     </message>
     <message>
-        <source>SIMULATED: no person</source>
+        <source>SIMULATED: no human participant</source>
         <translation>SIMULIERT: keine Person</translation>
     </message>
 </context>
@@ -7102,8 +7102,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Studie anlegen</translation>
     </message>
     <message>
-        <source>A study is a folder: its protocols, its stimuli, and everything that is answered.</source>
-        <translation>Eine Studie ist ein Ordner: ihre Protokolle, ihre Reize und alles, was geantwortet wird.</translation>
+        <source>A study is a folder with its protocols, its stimuli, and all responses and recordings.</source>
+        <translation>Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antworten und Aufzeichnungen.</translation>
     </message>
     <message>
         <source>for example: Rough surfaces 2026</source>
@@ -7118,8 +7118,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>In the folder</source>
-        <translation>Im Ordner</translation>
+        <source>Parent folder</source>
+        <translation>Übergeordneter Ordner</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7130,24 +7130,24 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Studie anlegen</translation>
     </message>
     <message>
-        <source>Where the study is to lie</source>
-        <translation>Wo die Studie liegen soll</translation>
+        <source>Folder for the study</source>
+        <translation>Ordner für die Studie</translation>
     </message>
     <message>
         <source>The study needs a name.</source>
         <translation>Die Studie braucht einen Namen.</translation>
     </message>
     <message>
-        <source>There is something at %1 already; choose another name.</source>
-        <translation>Bei %1 gibt es schon etwas; ein anderer Name ist nötig.</translation>
+        <source>%1 already exists; choose another name.</source>
+        <translation>%1 existiert bereits; einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>The name becomes that of a folder: it cannot be “%1”.</source>
-        <translation>Der Name wird der eines Ordners: „%1“ geht nicht.</translation>
+        <source>The name is used as the name of a folder: it cannot be “%1”.</source>
+        <translation>Der Name dient als Name eines Ordners: „%1“ ist nicht möglich.</translation>
     </message>
     <message>
-        <source>The folder has to be written in full, beginning with “/” or “~”.</source>
-        <translation>Der Ordner muss vollständig angegeben sein, mit „/“ oder „~“ am Anfang.</translation>
+        <source>Enter the full path of the folder, beginning with “/” or “~”.</source>
+        <translation>Den vollständigen Pfad des Ordners eingeben; er beginnt mit „/“ oder „~“.</translation>
     </message>
     <message>
         <source>The study is created in %1.</source>
@@ -7157,23 +7157,23 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::NoiseCheck</name>
     <message>
-        <source>This protocol plays no masking noise. Cues are played all the same.</source>
-        <translation>Dieses Protokoll spielt kein Maskierrauschen. Signale werden trotzdem gespielt.</translation>
+        <source>This protocol uses no masking noise. Cues are played nevertheless.</source>
+        <translation>Dieses Protokoll verwendet kein Maskierrauschen. Signale werden dennoch abgespielt.</translation>
     </message>
     <message>
-        <source>The protocol asks for white noise of %1 dB(A) at the ear.</source>
+        <source>The protocol requires white noise of %1 dB(A) at the ear.</source>
         <translation>Das Protokoll verlangt weißes Rauschen mit %1 dB(A) am Ohr.</translation>
     </message>
     <message>
-        <source>The protocol asks for pink noise of %1 dB(A) at the ear.</source>
+        <source>The protocol requires pink noise of %1 dB(A) at the ear.</source>
         <translation>Das Protokoll verlangt rosa Rauschen mit %1 dB(A) am Ohr.</translation>
     </message>
     <message>
-        <source>The protocol asks for white noise and states no level.</source>
+        <source>The protocol requires white noise and states no level.</source>
         <translation>Das Protokoll verlangt weißes Rauschen und nennt keinen Pegel.</translation>
     </message>
     <message>
-        <source>The protocol asks for pink noise and states no level.</source>
+        <source>The protocol requires pink noise and states no level.</source>
         <translation>Das Protokoll verlangt rosa Rauschen und nennt keinen Pegel.</translation>
     </message>
     <message>
@@ -7186,7 +7186,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Relative to the highest level that the sound card can play</source>
-        <translation>Bezogen auf den höchsten Pegel, den die Soundkarte spielen kann</translation>
+        <translation>Bezogen auf den höchsten Pegel, den die Soundkarte wiedergeben kann</translation>
     </message>
     <message>
         <source>&amp;Gain</source>
@@ -7225,28 +7225,28 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Der Pegel des Rauschens am Ohr wurde nicht gemessen.</translation>
     </message>
     <message>
-        <source>The noise was measured at %1 dB(A): more than %2 dB(A) harms hearing.</source>
-        <translation>Das Rauschen wurde mit %1 dB(A) gemessen: Mehr als %2 dB(A) schaden dem Gehör.</translation>
+        <source>The noise was measured at %1 dB(A): levels above %2 dB(A) can damage hearing.</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen: Pegel über %2 dB(A) können das Gehör schädigen.</translation>
     </message>
     <message>
-        <source>The noise was measured at %1 dB(A), the protocol wants %2 dB(A).</source>
-        <translation>Das Rauschen wurde mit %1 dB(A) gemessen, das Protokoll will %2 dB(A).</translation>
+        <source>The noise was measured at %1 dB(A); the protocol requires %2 dB(A).</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen; das Protokoll verlangt %2 dB(A).</translation>
     </message>
     <message>
-        <source>Who measured the noise is not written down.</source>
-        <translation>Wer das Rauschen gemessen hat, ist nicht festgehalten.</translation>
+        <source>It is not recorded who measured the noise.</source>
+        <translation>Es ist nicht angegeben, wer das Rauschen gemessen hat.</translation>
     </message>
     <message>
         <source>%1 dB</source>
         <translation>%1 dB</translation>
     </message>
     <message>
-        <source>Plays through %1.</source>
-        <translation>Spielt über %1.</translation>
+        <source>Sound output: %1.</source>
+        <translation>Tonausgabe: %1.</translation>
     </message>
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
-        <translation>%1 gibt nichts wieder. Schließen Sie es neu an, oder wählen Sie in den Einstellungen des Computers eine andere Tonausgabe.</translation>
+        <translation>%1 gibt keinen Ton wieder. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
 </context>
 <context>
@@ -7260,19 +7260,19 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Notiz, F2; Eingabetaste speichert</translation>
     </message>
     <message>
-        <source>Notes “%1”</source>
-        <translation>Notiert „%1“</translation>
+        <source>Adds the note “%1”</source>
+        <translation>Fügt die Notiz „%1“ hinzu</translation>
     </message>
     <message>
         <source>Keep as phrase</source>
         <translation>Als Textbaustein speichern</translation>
     </message>
     <message>
-        <source>Notes “%1”. The right mouse button forgets it.</source>
-        <translation>Notiert „%1“. Die rechte Maustaste vergisst es.</translation>
+        <source>Adds the note “%1”. Right-click to remove the phrase.</source>
+        <translation>Fügt die Notiz „%1“ hinzu. Ein Rechtsklick entfernt den Textbaustein.</translation>
     </message>
     <message>
-        <source>Forget this phrase</source>
+        <source>Remove this phrase</source>
         <translation>Diesen Textbaustein löschen</translation>
     </message>
     <message>
@@ -7292,15 +7292,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <name>asperity::ParameterForm</name>
     <message>
         <source>default</source>
-        <translation>üblich</translation>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source>↺ Reset</source>
-        <translation>↺ Zurück</translation>
+        <translation>↺ Zurücksetzen</translation>
     </message>
     <message>
         <source>The default is %1.</source>
-        <translation>Üblich ist %1.</translation>
+        <translation>Die Vorgabe ist %1.</translation>
     </message>
 </context>
 <context>
@@ -7318,7 +7318,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Schon in der Studie</translation>
     </message>
     <message>
-        <source>Label, in place of a name *</source>
+        <source>Label instead of a name *</source>
         <translation>Kürzel statt eines Namens *</translation>
     </message>
     <message>
@@ -7326,8 +7326,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Auswählen</translation>
     </message>
     <message>
-        <source>Who *</source>
-        <translation>Wer *</translation>
+        <source>Participant *</source>
+        <translation>Versuchsperson *</translation>
     </message>
     <message>
         <source>Virtual</source>
@@ -7367,7 +7367,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Session %1 of this protocol, on a simulated clock, is unfinished.</source>
-        <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollständig.</translation>
+        <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollendet.</translation>
     </message>
     <message>
         <source>Reason for resuming it *</source>
@@ -7382,15 +7382,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
     </message>
     <message>
-        <source>Session %1, on a simulated clock, is resumed: %2 of its %3 trials are done and stored.</source>
+        <source>Session %1, on a simulated clock, will be resumed: %2 of its %3 trials are completed and stored.</source>
         <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt: %2 von %3 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
-        <source>Session %1, begun %2, is resumed: %3 of its %4 trials are done and stored.</source>
-        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 ihrer %4 Durchgänge sind abgeschlossen und gespeichert.</translation>
+        <source>Session %1, begun %2, will be resumed: %3 of its %4 trials are completed and stored.</source>
+        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 von %4 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
-        <source>Resume session %1 (%2 of %3 trials done)</source>
+        <source>Resume session %1 (%2 of %3 trials completed)</source>
         <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
     </message>
 </context>
@@ -7401,8 +7401,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Was die Versuchsperson sieht</translation>
     </message>
     <message>
-        <source>Mirror of what the participant sees</source>
-        <translation>Spiegel dessen, was die Versuchsperson sieht</translation>
+        <source>Mirror of the participant&apos;s view</source>
+        <translation>Spiegel der Ansicht der Versuchsperson</translation>
     </message>
 </context>
 <context>
@@ -7439,8 +7439,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Händigkeit</translation>
     </message>
     <message>
-        <source>Sessions done</source>
-        <translation>Sitzungen fertig</translation>
+        <source>Sessions completed</source>
+        <translation>Abgeschlossen</translation>
     </message>
     <message>
         <source>Unfinished</source>
@@ -7455,7 +7455,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>People %1</source>
+        <source>Human %1</source>
         <translation>Personen %1</translation>
     </message>
     <message>
@@ -7471,7 +7471,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Teilnahme zurückziehen …</translation>
     </message>
     <message>
-        <source>Keep the data of the participant from being used, or delete them from the study.</source>
+        <source>Exclude the participant&apos;s data from all use, or delete them from the study.</source>
         <translation>Die Daten der Versuchsperson nicht mehr verwenden oder aus der Studie löschen.</translation>
     </message>
     <message>
@@ -7479,7 +7479,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 (zurückgezogen)</translation>
     </message>
     <message>
-        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press “Start session…”. The label is suggested, the protocol&apos;s questions are asked there.</source>
+        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press “Start session…”. A label is suggested there, and the protocol&apos;s questions are asked.</source>
         <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
     </message>
     <message>
@@ -7545,7 +7545,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Block %1 von %2, %3</translation>
     </message>
     <message>
-        <source>%1, before: %2</source>
+        <source>%1, previously: %2</source>
         <translation>%1, zuvor: %2</translation>
     </message>
     <message>
@@ -7621,7 +7621,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Surfaces in order</source>
-        <translation>Oberflächen, in Folge</translation>
+        <translation>Oberflächen, in Reihenfolge</translation>
     </message>
     <message>
         <source>Question</source>
@@ -7696,8 +7696,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Zufällige Reihenfolgen werden für jede Sitzung neu gezogen.</translation>
     </message>
     <message>
-        <source>The row of the counterbalancing: each participant gets the next one.</source>
-        <translation>Die Zeile der Ausbalancierung: Jede Versuchsperson erhält die nächste.</translation>
+        <source>Row of the counterbalancing: each new participant is assigned the least used one.</source>
+        <translation>Zeile der Ausbalancierung: Jede neue Versuchsperson erhält die bisher am seltensten verwendete.</translation>
     </message>
     <message>
         <source>Selected step</source>
@@ -7743,15 +7743,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>limit</source>
-        <translation>Grenze</translation>
+        <translation>Grenzwert</translation>
     </message>
     <message>
         <source>Along %1.</source>
         <translation>Entlang %1.</translation>
     </message>
     <message>
-        <source>It is simulated: its timing is reported without a verdict.</source>
-        <translation>Es ist simuliert: Das Zeitverhalten wird ohne Bewertung angegeben.</translation>
+        <source>Simulated device: its timing is reported, not evaluated.</source>
+        <translation>Simuliertes Gerät: Das Zeitverhalten wird angegeben, aber nicht bewertet.</translation>
     </message>
 </context>
 <context>
@@ -7777,7 +7777,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>No protocol is open</source>
-        <translation>Kein Protokoll ist offen</translation>
+        <translation>Kein Protokoll ist geöffnet</translation>
     </message>
     <message>
         <source>Show the protocols</source>
@@ -7820,12 +7820,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Das Protokoll konnte nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>This file cannot be changed here: it holds bytes that would be lost, because it is not UTF-8, or its lines end in different ways. Save it as UTF-8 with another program.</source>
-        <translation>Diese Datei kann hier nicht geändert werden: Sie enthält Bytes, die verloren gingen, weil sie nicht UTF-8 ist oder ihre Zeilen verschieden enden. Mit einem anderen Programm als UTF-8 speichern.</translation>
+        <source>This file cannot be edited here without loss: it is not UTF-8, or its line endings are mixed. Save it as UTF-8 with uniform line endings in another program.</source>
+        <translation>Diese Datei kann hier nicht ohne Verlust bearbeitet werden: Sie ist nicht UTF-8 oder hat gemischte Zeilenenden. Mit einem anderen Programm als UTF-8 mit einheitlichen Zeilenenden speichern.</translation>
     </message>
     <message>
-        <source>Cannot be changed here</source>
-        <translation>Hier nicht zu ändern</translation>
+        <source>Cannot be edited here</source>
+        <translation>Hier nicht zu bearbeiten</translation>
     </message>
     <message>
         <source>Saving…</source>
@@ -7844,7 +7844,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>gültig</translation>
     </message>
     <message>
-        <source>The plan appears here once the text is valid. It has %1 now; the first is in line %2.</source>
+        <source>The plan appears here once the text is valid. At present it has %1; the first is in line %2.</source>
         <translation>Der Plan erscheint hier, sobald der Text gültig ist. Jetzt: %1, das erste in Zeile %2.</translation>
     </message>
     <message>
@@ -7868,27 +7868,27 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Erneut versuchen</translation>
     </message>
     <message>
-        <source>Saved. Whether sessions were run with another text of this version could not be looked up: %1</source>
-        <translation>Gespeichert. Ob Sitzungen mit einem anderen Text dieser Version liefen, konnte nicht nachgesehen werden: %1</translation>
+        <source>Saved. Whether sessions were run with another text of this version could not be determined: %1</source>
+        <translation>Gespeichert. Ob Sitzungen mit einem anderen Text dieser Version liefen, konnte nicht ermittelt werden: %1</translation>
     </message>
     <message>
-        <source>%1 was changed by another program since it was opened here.</source>
+        <source>%1 has been changed by another program since it was opened here.</source>
         <translation>%1 wurde von einem anderen Programm geändert, seit es hier offen ist.</translation>
     </message>
     <message>
-        <source>Take theirs</source>
+        <source>Use the other version</source>
         <translation>Andere Fassung nehmen</translation>
     </message>
     <message>
-        <source>The text of the other program is shown. Undo brings yours back.</source>
-        <translation>Der Text des anderen Programms wird gezeigt. „Rückgängig“ holt den eigenen zurück.</translation>
+        <source>The text of the other program is shown. Undo restores yours.</source>
+        <translation>Der Text des anderen Programms wird gezeigt. „Rückgängig“ stellt den eigenen wieder her.</translation>
     </message>
     <message>
-        <source>Keep mine and save</source>
+        <source>Keep my version and save</source>
         <translation>Eigene behalten und speichern</translation>
     </message>
     <message>
-        <source>Keep mine</source>
+        <source>Keep my version</source>
         <translation>Eigene behalten</translation>
     </message>
     <message>
@@ -7905,18 +7905,18 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>The file was changed by another program and its new text is shown. Undo restores the previous text.</source>
-        <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ holt den vorigen zurück.</translation>
+        <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ stellt den vorigen wieder her.</translation>
     </message>
     <message>
-        <source>This study can only be read here</source>
-        <translation>Diese Studie ist hier nur lesbar</translation>
+        <source>This study is read-only</source>
+        <translation>Diese Studie ist schreibgeschützt</translation>
     </message>
     <message>
-        <source>Choose one among the study&apos;s protocols and press “Edit”.</source>
+        <source>Choose one of the study&apos;s protocols and press “Edit”.</source>
         <translation>Unter den Protokollen der Studie eines auswählen und „Bearbeiten“ drücken.</translation>
     </message>
     <message>
-        <source>Saved as %1: the file is called after the protocol.</source>
+        <source>Saved as %1: the file is named after the protocol.</source>
         <translation>Gespeichert als %1: Die Datei heißt wie das Protokoll.</translation>
     </message>
     <message>
@@ -7967,10 +7967,10 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Abbrechen</translation>
     </message>
     <message numerus="yes">
-        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</source>
+        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>
         <translation>
-            <numerusform>%1 wurde durchgeführt (%n Sitzung). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Für ein weiteres Protokoll dieses duplizieren.</numerusform>
-            <numerusform>%1 wurde durchgeführt (%n Sitzungen). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Für ein weiteres Protokoll dieses duplizieren.</numerusform>
+            <numerusform>%1 wurde durchgeführt (%n Sitzung). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
+            <numerusform>%1 wurde durchgeführt (%n Sitzungen). Sitzungen beziehen sich auf Namen und Text: Es kann weder umbenannt noch gelöscht werden. Um ein weiteres Protokoll daraus zu erstellen, dieses duplizieren.</numerusform>
         </translation>
     </message>
     <message>
@@ -8105,7 +8105,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Problem</translation>
     </message>
     <message>
-        <source>The protocol could not be made: %1</source>
+        <source>The protocol could not be created: %1</source>
         <translation>Das Protokoll konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
@@ -8117,12 +8117,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Zuletzt mit simulierter Uhr, %1, %2.</translation>
     </message>
     <message>
-        <source>Can only be read here</source>
-        <translation>Nur lesbar</translation>
+        <source>Read-only</source>
+        <translation>Schreibgeschützt</translation>
     </message>
     <message>
-        <source>This study can only be read here: no session can be stored.</source>
-        <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
+        <source>This study is read-only: no session can be stored.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden.</translation>
     </message>
     <message>
         <source>The protocols are being read.</source>
@@ -8156,8 +8156,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::QuestionForm</name>
     <message>
-        <source>* has to be answered</source>
-        <translation>* muss beantwortet werden</translation>
+        <source>* required</source>
+        <translation>* Pflichtangabe</translation>
     </message>
     <message>
         <source>%1 *</source>
@@ -8186,12 +8186,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::RecipePanel</name>
     <message>
-        <source>It changes mostly in one direction: a grain, or light from one side? More at the end of this list.</source>
-        <translation>Es ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Mehr am Ende dieser Liste.</translation>
+        <source>The picture varies mostly in one direction: a grain, or light from one side? See the end of this list.</source>
+        <translation>Das Bild ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Siehe das Ende dieser Liste.</translation>
     </message>
     <message>
-        <source>It has narrow bright parts. If they lie low, as light mortar does, dark parts stand out.</source>
-        <translation>Es hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen dunkle Teile hervor.</translation>
+        <source>The picture has narrow bright parts. If they are low, as light mortar is, the dark parts stand out.</source>
+        <translation>Das Bild hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen die dunklen Teile hervor.</translation>
     </message>
     <message>
         <source>&lt;b&gt;What does the photograph show?&lt;/b&gt;</source>
@@ -8214,8 +8214,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Farbe, Druck oder Flecken</translation>
     </message>
     <message>
-        <source>&lt;b&gt;What the picture tells about itself&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Was das Bild über sich verrät&lt;/b&gt;</translation>
+        <source>&lt;b&gt;Indications in the picture&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Hinweise im Bild&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Heights</source>
@@ -8226,35 +8226,35 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Foto</translation>
     </message>
     <message>
-        <source>Even the light</source>
+        <source>Even out the light</source>
         <translation>Licht ausgleichen</translation>
     </message>
     <message>
-        <source>Take long waves away</source>
+        <source>Remove long waves</source>
         <translation>Lange Wellen entfernen</translation>
     </message>
     <message>
-        <source>▲ What comes back is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks like a relief and feels like one, of another surface. Take the picture again in even light if you can.</source>
-        <translation>▲ Heraus kommt die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus wie ein Relief und fühlt sich so an, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
+        <source>▲ The result is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks and feels like a relief, but that of a different surface. If possible, take the picture again in even light.</source>
+        <translation>▲ Das Ergebnis ist die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus und fühlt sich an wie ein Relief, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
     </message>
     <message>
-        <source>▲ The paint becomes relief: what is felt has nothing to do with the surface under it. Use it only if that is what you want.</source>
-        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, hat nichts mit der Oberfläche darunter zu tun. Nur benutzen, wenn das gewollt ist.</translation>
+        <source>▲ The paint becomes relief: what is felt does not correspond to the surface under it. Use it only if this is intended.</source>
+        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, entspricht nicht der Oberfläche darunter. Nur benutzen, wenn das beabsichtigt ist.</translation>
     </message>
     <message>
-        <source>Dark is high: for light mortar between bricks or light sand between pebbles, in even light. On five measured surfaces the heights resembled the relief only in part, and on four of them less than the plain brightness did.</source>
-        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln, in gleichmäßigem Licht. Bei fünf vermessenen Oberflächen glichen die Höhen dem Relief nur zum Teil, und bei vier davon weniger als die bloße Helligkeit.</translation>
+        <source>Dark is high: for light mortar between bricks or light sand between pebbles, in even light. On five measured surfaces the heights matched the relief only in part, and on four of them less well than the unprocessed brightness.</source>
+        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln, in gleichmäßigem Licht. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit.</translation>
     </message>
     <message>
-        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. On five measured surfaces the heights resembled the relief only in part, and on four of them less than the plain brightness did. How deep the relief is, a photograph does not show: set it below.</source>
-        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen glichen die Höhen dem Relief nur zum Teil, und bei vier davon weniger als die bloße Helligkeit. Wie tief das Relief ist, zeigt ein Foto nicht: Geben Sie es unten an.</translation>
+        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. On five measured surfaces the heights matched the relief only in part, and on four of them less well than the unprocessed brightness. A photograph does not show the depth of the relief: set it below.</source>
+        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Wie tief das Relief ist, zeigt ein Foto nicht: Die Tiefe unten einstellen.</translation>
     </message>
 </context>
 <context>
     <name>asperity::RecordingView</name>
     <message>
-        <source>What of the recording is seen</source>
-        <translation>Was von der Aufzeichnung zu sehen ist</translation>
+        <source>Visible part of the recording</source>
+        <translation>Sichtbarer Teil der Aufzeichnung</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -8311,8 +8311,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Methoden, Tabellen, Tests und Abbildungen, als PDF oder HTML.</translation>
     </message>
     <message>
-        <source>A file for the report</source>
-        <translation>Eine Datei für den Bericht</translation>
+        <source>File for the report</source>
+        <translation>Datei für den Bericht</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
@@ -8323,8 +8323,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Zum Drucken (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 exists already. Nothing was written.</source>
-        <translation>%1 gibt es schon. Es wurde nichts geschrieben.</translation>
+        <source>%1 already exists. Nothing was written.</source>
+        <translation>%1 existiert bereits. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>Replace it</source>
@@ -8335,12 +8335,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Der Bericht wird nach %1 geschrieben …</translation>
     </message>
     <message>
-        <source>The report was not written: you cancelled it.</source>
-        <translation>Der Bericht wurde nicht geschrieben: Sie haben abgebrochen.</translation>
+        <source>Writing the report was cancelled.</source>
+        <translation>Das Schreiben des Berichts wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The report is in %1.</source>
-        <translation>Der Bericht ist in %1.</translation>
+        <translation>Der Bericht liegt in %1.</translation>
     </message>
     <message>
         <source>Open it</source>
@@ -8365,15 +8365,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>ANTWORT mm/N, Bewegung durch Kraft</translation>
     </message>
     <message>
-        <source>No response to tones is stored with this profile.</source>
-        <translation>Mit diesem Profil ist keine Antwort auf Töne gespeichert.</translation>
+        <source>No frequency response is stored with this profile.</source>
+        <translation>Mit diesem Profil ist kein Frequenzgang gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>asperity::SavePanel</name>
     <message>
         <source>The photograph does not fit into the memory of this computer as a whole; scale it down and open it again</source>
-        <translation>Die Fotografie passt als ganze nicht in den Speicher dieses Rechners; verkleinern und neu öffnen</translation>
+        <translation>Das Foto passt als Ganzes nicht in den Speicher dieses Rechners; es verkleinern und erneut öffnen</translation>
     </message>
     <message>
         <source>Name in the study</source>
@@ -8392,12 +8392,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
     </message>
     <message>
-        <source>Goes to stimuli/ with its sidecar and its photograph.</source>
-        <translation>Kommt nach stimuli/, mit Begleitdatei und Foto.</translation>
+        <source>Is saved in stimuli/ with its sidecar and its photograph.</source>
+        <translation>Wird in stimuli/ gespeichert, mit Begleitdatei und Foto.</translation>
     </message>
     <message>
-        <source>A relief that comes from a file is saved already.</source>
-        <translation>Ein Relief aus einer Datei ist schon gespeichert.</translation>
+        <source>A relief from a file is already saved.</source>
+        <translation>Ein Relief aus einer Datei ist bereits gespeichert.</translation>
     </message>
     <message>
         <source>The relief needs a name.</source>
@@ -8416,16 +8416,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Die Studie hat einen Reiz dieses Namens; vor dem Ersetzen wird gefragt.</translation>
     </message>
     <message>
-        <source>The study has a stimulus “%1” already. Protocols that use it would present the new one; sessions that were run keep the mark of the old.</source>
-        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten die Kennung des alten.</translation>
+        <source>The study already has a stimulus “%1”. Protocols that use it would present the new one; sessions that were run keep the SHA-256 of the old one.</source>
+        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten den SHA-256 des alten.</translation>
     </message>
     <message>
         <source>Replace “%1”</source>
         <translation>„%1“ ersetzen</translation>
     </message>
     <message>
-        <source>“%1” was not saved: you cancelled it.</source>
-        <translation>„%1“ wurde nicht gespeichert: der Vorgang wurde abgebrochen.</translation>
+        <source>Saving “%1” was cancelled.</source>
+        <translation>Das Speichern von „%1“ wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
@@ -8436,12 +8436,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Das Relief wurde nicht gespeichert: %1</translation>
     </message>
     <message>
-        <source>This study can only be read here.</source>
-        <translation>Diese Studie ist hier nur lesbar.</translation>
+        <source>This study is read-only.</source>
+        <translation>Diese Studie ist schreibgeschützt.</translation>
     </message>
     <message>
-        <source>A name must not end in _photo: names of the photographs that are kept with the reliefs do.</source>
-        <translation>Ein Name darf nicht auf _photo enden: So enden die Namen der Fotografien, die mit den Reliefs aufbewahrt werden.</translation>
+        <source>Names ending in _photo are reserved for the photographs stored with the reliefs.</source>
+        <translation>Namen, die auf _photo enden, sind den Fotos vorbehalten, die mit den Reliefs gespeichert werden.</translation>
     </message>
 </context>
 <context>
@@ -8507,8 +8507,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 bis %2 Einträge</translation>
     </message>
     <message>
-        <source>A remark: the program does not read it.</source>
-        <translation>Eine Bemerkung: Das Programm liest sie nicht.</translation>
+        <source>A comment: it is ignored by the program.</source>
+        <translation>Ein Kommentar: Das Programm wertet ihn nicht aus.</translation>
     </message>
     <message>
         <source>required</source>
@@ -8602,15 +8602,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Es läuft keine Sitzung.</translation>
     </message>
     <message>
-        <source>Pause: the session is stopped already.</source>
-        <translation>Anhalten: Die Sitzung ist schon gestoppt.</translation>
+        <source>Pause: the session is already stopped.</source>
+        <translation>Anhalten: Die Sitzung ist bereits gestoppt.</translation>
     </message>
     <message>
-        <source>Repeat: the last trial is asked again next.</source>
-        <translation>Wiederholen: Der letzte Durchgang wird als Nächstes erneut gefragt.</translation>
+        <source>Repeat: the last trial is repeated next.</source>
+        <translation>Wiederholen: Der letzte Durchgang wird als Nächstes wiederholt.</translation>
     </message>
     <message>
-        <source>Repeat: no trial is finished yet.</source>
+        <source>Repeat: no trial has been finished yet.</source>
         <translation>Wiederholen: Noch ist kein Durchgang abgeschlossen.</translation>
     </message>
     <message>
@@ -8618,7 +8618,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Überspringen: Es läuft kein Durchgang.</translation>
     </message>
     <message>
-        <source>Note: the keys answer the trial now, use a phrase.</source>
+        <source>Note: the keys now answer the trial; use a phrase.</source>
         <translation>Notiz: Die Tasten beantworten gerade den Durchgang; einen Textbaustein verwenden.</translation>
     </message>
     <message>
@@ -8626,7 +8626,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Bringt das Fenster der Versuchsperson an seinen Platz zurück, vor die anderen.</translation>
     </message>
     <message>
-        <source>Show their window</source>
+        <source>Show participant&apos;s window</source>
         <translation>Fenster zeigen</translation>
     </message>
     <message>
@@ -8653,15 +8653,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Eine Sitzung läuft. Zuerst in ihrem eigenen Fenster beenden.</translation>
     </message>
     <message>
-        <source>Virtual participants go through their sessions. Stop the simulation first.</source>
-        <translation>Virtuelle Versuchspersonen gehen durch ihre Sitzungen. Zuerst die Simulation stoppen.</translation>
+        <source>The sessions of virtual participants are being simulated. Stop the simulation first.</source>
+        <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert. Zuerst die Simulation stoppen.</translation>
     </message>
     <message>
-        <source>One session at a time: close the window of the one that is open first.</source>
-        <translation>Nur eine Sitzung auf einmal: zuerst das Fenster der offenen schließen.</translation>
+        <source>Only one session can be open at a time: close the window of the open one first.</source>
+        <translation>Es kann nur eine Sitzung zugleich geöffnet sein: zuerst das Fenster der offenen schließen.</translation>
     </message>
     <message>
-        <source>The window of the session that has ended is open. Close it first.</source>
+        <source>The window of the session that has ended is still open. Close it first.</source>
         <translation>Das Fenster der beendeten Sitzung ist noch offen. Es zuerst schließen.</translation>
     </message>
 </context>
@@ -8684,8 +8684,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>▲ ENTBLINDET um %1</translation>
     </message>
     <message>
-        <source>Blind: codes stand for conditions</source>
-        <translation>Verblindet: Codes statt Namen</translation>
+        <source>Blind: conditions are shown as codes</source>
+        <translation>Verblindet: Bedingungen als Codes</translation>
     </message>
     <message>
         <source>Names are shown</source>
@@ -8736,8 +8736,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>F12 aus jedem Fenster</translation>
     </message>
     <message>
-        <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do.</source>
-        <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun es alle.</translation>
+        <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space do the same.</source>
+        <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun dasselbe.</translation>
     </message>
 </context>
 <context>
@@ -8763,15 +8763,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     <name>asperity::SessionQuestions</name>
     <message>
         <source>Why is the last trial repeated? Its response remains stored but no longer counts.</source>
-        <translation>Warum wird der letzte Durchgang wiederholt? Was geantwortet wurde, bleibt gespeichert und zählt nicht mehr.</translation>
+        <translation>Warum wird der letzte Durchgang wiederholt? Die Antwort bleibt gespeichert, zählt aber nicht mehr.</translation>
     </message>
     <message>
         <source>Repeat last trial</source>
         <translation>Letzten Durchgang wiederholen</translation>
     </message>
     <message>
-        <source>Why is trial %1 skipped? It is kept as skipped and not asked again.</source>
-        <translation>Warum wird Durchgang %1 übersprungen? Er bleibt als übersprungen erhalten und wird nicht erneut gefragt.</translation>
+        <source>Why is trial %1 skipped? It is stored as skipped and not presented again.</source>
+        <translation>Warum wird Durchgang %1 übersprungen? Er wird als übersprungen gespeichert und nicht erneut dargeboten.</translation>
     </message>
     <message>
         <source>Skip this trial</source>
@@ -8789,7 +8789,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</source>
+        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
         <translation>
             <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuch seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
             <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n Versuche seit dem letzten Start der Sitzung). Die Ursache beheben, dann diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
@@ -8803,24 +8803,24 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::SessionTroubles</name>
     <message>
-        <source>EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.</source>
-        <translation>NOT-HALT um %1. Vom Gerät wurde Kraft null verlangt; seine Antwort steht aus.</translation>
+        <source>EMERGENCY STOP at %1. The device was commanded to zero force; its response is awaited.</source>
+        <translation>NOT-HALT um %1. Dem Gerät wurde Kraft null befohlen; seine Rückmeldung steht aus.</translation>
     </message>
     <message>
         <source>EMERGENCY STOP at %1. %2</source>
         <translation>NOT-HALT um %1. %2</translation>
     </message>
     <message>
-        <source>EMERGENCY STOP at %1. The force is zero and is held there.</source>
-        <translation>NOT-HALT um %1. Die Kraft ist null und wird dort gehalten.</translation>
+        <source>EMERGENCY STOP at %1. The force is zero and is held at zero.</source>
+        <translation>NOT-HALT um %1. Die Kraft ist null und wird auf null gehalten.</translation>
     </message>
     <message>
-        <source>Stopped at %1, the force is held at zero. %2</source>
-        <translation>Gestoppt um %1, die Kraft wird auf null gehalten. %2</translation>
+        <source>Stopped at %1; the force is held at zero. %2</source>
+        <translation>Gestoppt um %1; die Kraft wird auf null gehalten. %2</translation>
     </message>
     <message>
-        <source>Stopped at %1, the force is held at zero: %2.</source>
-        <translation>Gestoppt um %1, die Kraft wird auf null gehalten: %2.</translation>
+        <source>Stopped at %1; the force is held at zero: %2.</source>
+        <translation>Gestoppt um %1; die Kraft wird auf null gehalten: %2.</translation>
     </message>
     <message>
         <source>%1  %2</source>
@@ -8835,28 +8835,28 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Fortsetzen</translation>
     </message>
     <message>
-        <source>The screen “%1” was unplugged. What was on it is now on another one. Pause, and plug it in again, if it was the participant&apos;s.</source>
-        <translation>Der Bildschirm „%1“ wurde abgezogen. Was darauf war, ist jetzt auf einem anderen. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anstecken.</translation>
+        <source>The screen “%1” was disconnected. Its contents are now on another screen. If it was the participant&apos;s screen, pause and reconnect it.</source>
+        <translation>Der Bildschirm „%1“ wurde getrennt. Sein Inhalt ist jetzt auf einem anderen Bildschirm. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anschließen.</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen “%1” is gone. The emergency stop was pressed for them: the force is zero, and the trial is asked again. Plug the screen in, put their window back, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Für sie wurde der NOT-HALT ausgelöst: Die Kraft ist null, und der Durchgang wird noch einmal gestellt. Bildschirm wieder anschließen, ihr Fenster zurückholen, dann den Halt aufheben.</translation>
+        <source>The participant&apos;s screen “%1” was disconnected. The program triggered the emergency stop: the force is zero, and the trial will be repeated. Reconnect the screen, restore the participant&apos;s window, then clear the stop.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Das Programm hat den NOT-HALT ausgelöst: Die Kraft ist null, und der Durchgang wird wiederholt. Den Bildschirm wieder anschließen, das Fenster der Versuchsperson zurückholen, dann den Halt aufheben.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen “%1” is gone. There is no force, and the session pauses before the next trial. Plug the screen in, put their window back, then resume with F5.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Es wirkt keine Kraft, und die Sitzung hält vor dem nächsten Durchgang an. Bildschirm wieder anschließen, ihr Fenster zurückholen, dann mit F5 fortfahren.</translation>
+        <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Es wirkt keine Kraft, und die Sitzung hält vor dem nächsten Durchgang an. Den Bildschirm wieder anschließen, das Fenster der Versuchsperson zurückholen, dann mit F5 fortsetzen.</translation>
     </message>
     <message>
-        <source>The screen “%1” is still not there. Until it is, the participant&apos;s window stands on the screen that is left.</source>
-        <translation>Der Bildschirm „%1“ ist noch nicht da. Bis dahin steht das Fenster der Versuchsperson auf dem verbliebenen Bildschirm.</translation>
+        <source>The screen “%1” is still disconnected. Until it is reconnected, the participant&apos;s window is shown on the remaining screen.</source>
+        <translation>Der Bildschirm „%1“ ist noch nicht wieder angeschlossen. Bis dahin wird das Fenster der Versuchsperson auf dem verbliebenen Bildschirm gezeigt.</translation>
     </message>
     <message>
-        <source>Put their window back</source>
-        <translation>Ihr Fenster zurückholen</translation>
+        <source>Restore participant&apos;s window</source>
+        <translation>Fenster der Versuchsperson zurückholen</translation>
     </message>
     <message>
         <source>%1  The device reports: %2</source>
@@ -8870,7 +8870,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sitzung – Asperity</translation>
     </message>
     <message>
-        <source>PARTICIPANT SEES</source>
+        <source>PARTICIPANT&apos;S VIEW</source>
         <translation>SICHT DER VERSUCHSPERSON</translation>
     </message>
     <message>
@@ -8898,8 +8898,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Angehalten seit %1, Fortsetzen F5</translation>
     </message>
     <message>
-        <source>Going on</source>
-        <translation>Es geht weiter</translation>
+        <source>Resuming</source>
+        <translation>Wird fortgesetzt</translation>
     </message>
     <message>
         <source>Pausing after this trial</source>
@@ -8922,8 +8922,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Störung wird behoben</translation>
     </message>
     <message>
-        <source>What ended it: %1</source>
-        <translation>Was sie beendete: %1</translation>
+        <source>Reason: %1</source>
+        <translation>Grund: %1</translation>
     </message>
     <message>
         <source>The session did not begin</source>
@@ -9017,36 +9017,36 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Eine Sitzung auswählen.</translation>
     </message>
     <message>
-        <source>It is running, here or in another program.</source>
-        <translation>Sie läuft, hier oder in einem anderen Programm.</translation>
+        <source>The session is running, here or in another program.</source>
+        <translation>Die Sitzung läuft, hier oder in einem anderen Programm.</translation>
     </message>
     <message>
-        <source>%1 of %2 trials are done and safe.</source>
-        <translation>%1 von %2 Durchgängen sind abgeschlossen und sicher.</translation>
+        <source>%1 of %2 trials are completed and stored.</source>
+        <translation>%1 von %2 Durchgängen sind abgeschlossen und gespeichert.</translation>
     </message>
     <message>
         <source>excluded</source>
         <translation>ausgeschlossen</translation>
     </message>
     <message>
-        <source>%1; analyses leave it out: %2</source>
-        <translation>%1; Auswertungen lassen sie weg: %2</translation>
+        <source>%1; excluded from analyses: %2</source>
+        <translation>%1; von den Auswertungen ausgeschlossen: %2</translation>
     </message>
     <message>
-        <source>It is running: until it ends, its own window shows what may be known.</source>
-        <translation>Sie läuft: Bis sie endet, zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
+        <source>The session is running: until it ends, only its own window shows its data, as far as the blinding permits.</source>
+        <translation>Die Sitzung läuft: Bis sie endet, zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
     <message>
-        <source>This study can only be read here: no session can be stored.</source>
-        <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
+        <source>This study is read-only: no session can be stored.</source>
+        <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden.</translation>
     </message>
     <message>
         <source>%1 virtual</source>
         <translation>%1 virtuell</translation>
     </message>
     <message>
-        <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: virtual participants need minutes where a session takes an hour.</source>
-        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
+        <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes where a session takes an hour.</source>
+        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, wo eine Sitzung eine Stunde dauert.</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -9057,12 +9057,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Diese Sitzung fortsetzen…</translation>
     </message>
     <message>
-        <source>It is complete: there is nothing to resume.</source>
-        <translation>Sie ist vollständig: Es gibt nichts fortzusetzen.</translation>
+        <source>The session is complete: there is nothing to resume.</source>
+        <translation>Die Sitzung ist vollständig: Es gibt nichts fortzusetzen.</translation>
     </message>
     <message>
-        <source>It has ended as its protocol specifies: there is nothing to resume.</source>
-        <translation>Sie ist so zu Ende gegangen, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
+        <source>The session has ended as its protocol specifies: there is nothing to resume.</source>
+        <translation>Die Sitzung wurde so beendet, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
     </message>
     <message>
         <source>None of the study&apos;s protocols has the text that the session began with. Restore %1 version %2 to resume.</source>
@@ -9096,8 +9096,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Fenster der Versuchsperson</translation>
     </message>
     <message>
-        <source>With one keyboard for both, your text fields are greyed while an answer is open.</source>
-        <translation>Bei einer gemeinsamen Tastatur sind die eigenen Textfelder grau, während eine Antwort offen ist.</translation>
+        <source>If both use one keyboard, the experimenter&apos;s text fields are disabled while an answer is expected.</source>
+        <translation>Bei einer gemeinsamen Tastatur sind die Textfelder der Versuchsleitung gesperrt, solange eine Antwort erwartet wird.</translation>
     </message>
     <message>
         <source>The workspace and the strokes are mirrored left to right.</source>
@@ -9132,7 +9132,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>Members of the group can read and change everything in %1 and run sessions. Other users of this computer cannot read it.</source>
-        <translation>Mitglieder der Gruppe können alles in %1 lesen und ändern und Sitzungen durchführen. Andere Benutzer dieses Computers können es nicht lesen.</translation>
+        <translation>Mitglieder der Gruppe können alles in %1 lesen und ändern und Sitzungen durchführen. Andere Benutzer dieses Rechners können es nicht lesen.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -9148,15 +9148,15 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>At present the study is shared with the group “%1”.</source>
-        <translation>Derzeit ist die Studie mit der Gruppe „%1“ geteilt.</translation>
+        <translation>Derzeit ist die Studie für die Gruppe „%1“ freigegeben.</translation>
     </message>
     <message>
         <source>At present every user of this computer can read the study.</source>
-        <translation>Derzeit kann jeder Nutzer dieses Rechners die Studie lesen.</translation>
+        <translation>Derzeit kann jeder Benutzer dieses Rechners die Studie lesen.</translation>
     </message>
     <message>
         <source>At present the study is not shared.</source>
-        <translation>Derzeit ist die Studie nicht geteilt.</translation>
+        <translation>Derzeit ist die Studie nicht freigegeben.</translation>
     </message>
 </context>
 <context>
@@ -9198,11 +9198,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Wiedererkennung</translation>
     </message>
     <message>
-        <source>hand and screen seen</source>
+        <source>hand and screen visible</source>
         <translation>Hand und Bildschirm sichtbar</translation>
     </message>
     <message>
-        <source>hand hidden, screen seen</source>
+        <source>hand hidden, screen visible</source>
         <translation>Hand verdeckt, Bildschirm sichtbar</translation>
     </message>
     <message>
@@ -9222,11 +9222,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>weißes Maskierrauschen</translation>
     </message>
     <message>
-        <source>pink masking noise, %1 dBA</source>
+        <source>pink masking noise, %1 dB(A)</source>
         <translation>rosa Maskierrauschen, %1 dB(A)</translation>
     </message>
     <message>
-        <source>white masking noise, %1 dBA</source>
+        <source>white masking noise, %1 dB(A)</source>
         <translation>weißes Maskierrauschen, %1 dB(A)</translation>
     </message>
     <message>
@@ -9308,12 +9308,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Dieses Protokoll ist nicht gültig, Zeile %1: %2.</translation>
     </message>
     <message>
-        <source>The study has no protocol yet: make one on the Protocols page.</source>
+        <source>The study has no protocol yet: create one on the Protocols page.</source>
         <translation>Die Studie hat noch kein Protokoll: auf der Seite „Protokolle“ eines anlegen.</translation>
     </message>
     <message>
-        <source>Choose what is to be run.</source>
-        <translation>Wählen, was durchgeführt werden soll.</translation>
+        <source>Choose a protocol.</source>
+        <translation>Ein Protokoll wählen.</translation>
     </message>
     <message>
         <source>%1 · version %2 · SHA-256 %3</source>
@@ -9339,16 +9339,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Studiendaten. Plan und Kurven zeigen Codes statt Namen.</translation>
     </message>
     <message>
-        <source>A person tries it out. Kept apart from the study&apos;s data.</source>
-        <translation>Eine Person probiert es aus. Getrennt von den Studiendaten aufbewahrt.</translation>
+        <source>A test of the experiment with a participant. Stored separately from the study data.</source>
+        <translation>Ein Test des Experiments mit einer Versuchsperson. Getrennt von den Studiendaten gespeichert.</translation>
     </message>
     <message>
-        <source>Virtual participants exercise the study. Their answers say nothing about people.</source>
-        <translation>Virtuelle Versuchspersonen proben die Studie. Ihre Antworten sagen nichts über Menschen.</translation>
+        <source>Virtual participants test the study. Their answers are not data about human perception.</source>
+        <translation>Virtuelle Versuchspersonen testen die Studie. Ihre Antworten sind keine Daten über die Wahrnehmung von Menschen.</translation>
     </message>
     <message>
-        <source>Real time takes one virtual participant at a time.</source>
-        <translation>Echtzeit nimmt eine virtuelle Versuchsperson auf einmal.</translation>
+        <source>In real time, only one virtual participant can be simulated at a time.</source>
+        <translation>In Echtzeit kann jeweils nur eine virtuelle Versuchsperson simuliert werden.</translation>
     </message>
     <message>
         <source>One session, shown while it runs.</source>
@@ -9359,11 +9359,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Alle ihre Sitzungen, im Hintergrund.</translation>
     </message>
     <message>
-        <source>The program names virtual participants; the next one is %1.</source>
+        <source>The program assigns the labels of virtual participants; the next one is %1.</source>
         <translation>Das Programm benennt virtuelle Versuchspersonen; die nächste ist %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The program names virtual participants; the next %n begin with %1.</source>
+        <source>The program assigns the labels of virtual participants; the next %n begin with %1.</source>
         <translation>
             <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächste (%n) ist %1.</numerusform>
             <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächsten %n beginnen mit %1.</numerusform>
@@ -9379,7 +9379,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>%1 Counterbalancing row %2 of %3, the least used one.</source>
-        <translation>%1 Zeile %2 von %3 der Ausbalancierung, die bisher seltenste.</translation>
+        <translation>%1 Zeile %2 von %3 der Ausbalancierung, die bisher am seltensten verwendete.</translation>
     </message>
     <message numerus="yes">
         <source>Simulate %n participants</source>
@@ -9389,8 +9389,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         </translation>
     </message>
     <message>
-        <source>Virtual participants go through their sessions.</source>
-        <translation>Virtuelle Versuchspersonen gehen durch ihre Sitzungen.</translation>
+        <source>The sessions of virtual participants are being simulated.</source>
+        <translation>Die Sitzungen der virtuellen Versuchspersonen werden simuliert.</translation>
     </message>
     <message>
         <source>Ready.</source>
@@ -9441,8 +9441,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Eine Sitzung, %1 Antworten: Tabelle ansehen.</translation>
     </message>
     <message>
-        <source>A device is being tried: wait until it has answered.</source>
-        <translation>Ein Gerät wird ausprobiert: Warten Sie, bis es geantwortet hat.</translation>
+        <source>A device is being tried: wait for the result.</source>
+        <translation>Ein Gerät wird ausprobiert: das Ergebnis abwarten.</translation>
     </message>
     <message>
         <source>The checks were cancelled: press “Check again”.</source>
@@ -9453,8 +9453,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Die Prüfungen laufen…</translation>
     </message>
     <message>
-        <source>The session of %1 cannot be resumed with this protocol: its text has changed since the session began. Restore the earlier text to resume it; what follows here is a new session.</source>
-        <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text hat sich seit Beginn der Sitzung geändert. Zum Fortsetzen den früheren Text wiederherstellen; was hier folgt, ist eine neue Sitzung.</translation>
+        <source>The session of %1 cannot be resumed with this protocol: its text has changed since the session began. To resume it, restore the earlier text; a session started here is a new one.</source>
+        <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text hat sich seit Beginn der Sitzung geändert. Zum Fortsetzen den früheren Text wiederherstellen; eine hier gestartete Sitzung ist eine neue.</translation>
     </message>
     <message>
         <source>A session is resumed in the mode in which it began.</source>
@@ -9488,8 +9488,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Filter</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Was es ist</translation>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Size, mm</source>
@@ -9568,8 +9568,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Hergestellt aus %1.</translation>
     </message>
     <message>
-        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
-        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Erzeugen Sie einen aus einem Foto auf der Seite Werkstatt oder kopieren Sie Dateien dorthin: Sie erscheinen hier sofort.</translation>
+        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, or copy files into the folder: they appear here at once.</source>
+        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Einen aus einem Foto auf der Seite „Werkstatt“ erzeugen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
     </message>
 </context>
 <context>
@@ -9626,8 +9626,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Die Studie konnte nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>The study is no longer at %1: its folder was removed, renamed, or is on a medium that is gone. Bring it back, or close the study.</source>
-        <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der nicht mehr angeschlossen ist. Den Ordner zurückbringen oder die Studie schließen.</translation>
+        <source>The study is no longer at %1: its folder was removed or renamed, or is on a medium that is no longer connected. Restore the folder, or close the study.</source>
+        <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der nicht mehr angeschlossen ist. Den Ordner wiederherstellen oder die Studie schließen.</translation>
     </message>
     <message>
         <source>Close study</source>
@@ -9666,7 +9666,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>No study was opened yet</source>
+        <source>No study has been opened yet</source>
         <translation>Noch wurde keine Studie geöffnet</translation>
     </message>
     <message>
@@ -9706,7 +9706,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>&amp;Über Asperity</translation>
     </message>
     <message>
-        <source>The study could not be made: %1</source>
+        <source>The study could not be created: %1</source>
         <translation>Die Studie konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
@@ -9714,16 +9714,16 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Ordner einer Studie öffnen</translation>
     </message>
     <message>
-        <source>An earlier version of Asperity made this study. It is read as it is. The first thing that is stored brings it up to date: the earlier version cannot open it any more then, and finds what it was in the file %1.</source>
-        <translation>Eine frühere Version von Asperity hat diese Studie angelegt. Sie wird gelesen, wie sie ist. Das erste Speichern bringt sie auf den neuen Stand: Die frühere Version kann sie dann nicht mehr öffnen und findet den alten Stand in der Datei %1.</translation>
+        <source>This study was created by an earlier version of Asperity. It is read without conversion and converted when something is first stored; the earlier version can then no longer open it, but can open the unconverted copy in the file %1.</source>
+        <translation>Diese Studie wurde mit einer früheren Version von Asperity angelegt. Sie wird ohne Umwandlung gelesen und beim ersten Speichern umgewandelt; die frühere Version kann sie dann nicht mehr öffnen, wohl aber die nicht umgewandelte Kopie in der Datei %1.</translation>
     </message>
     <message>
         <source>S&amp;hare…</source>
         <translation>Fr&amp;eigeben…</translation>
     </message>
     <message>
-        <source>The study is shared with the group %1, but its members cannot get to it: the folder %2 is closed to them. Open that folder to the group, or move the study out of it.</source>
-        <translation>Die Studie ist für die Gruppe %1 freigegeben, aber deren Mitglieder erreichen sie nicht: Der Ordner %2 ist für sie geschlossen. Öffnen Sie diesen Ordner für die Gruppe, oder verschieben Sie die Studie.</translation>
+        <source>The study is shared with the group %1, but its members cannot access it: they have no permission for the folder %2. Give the group access to that folder, or move the study out of it.</source>
+        <translation>Die Studie ist für die Gruppe %1 freigegeben, aber deren Mitglieder haben keinen Zugriff: Für den Ordner %2 fehlt ihnen die Berechtigung. Der Gruppe Zugriff auf diesen Ordner geben oder die Studie verschieben.</translation>
     </message>
     <message>
         <source>The study is shared with the group %1. Other users cannot read it.</source>
@@ -9812,7 +9812,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Zeit seit Beginn des Versuchs, s</translation>
     </message>
     <message>
-        <source>asked</source>
+        <source>requested</source>
         <translation>verlangt</translation>
     </message>
     <message>
@@ -9831,8 +9831,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
 <context>
     <name>asperity::TrialsPage</name>
     <message>
-        <source>to come</source>
-        <translation>steht aus</translation>
+        <source>pending</source>
+        <translation>ausstehend</translation>
     </message>
     <message>
         <source>not valid: %1</source>
@@ -9899,8 +9899,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Event</source>
+        <translation>Ereignis</translation>
     </message>
     <message>
         <source>Notes and events</source>
@@ -9931,20 +9931,20 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Sitzung ausschließen…</translation>
     </message>
     <message>
-        <source>Select a trial that was begun to read it in full.</source>
-        <translation>Einen begonnenen Durchgang auswählen, um ihn ganz zu lesen.</translation>
+        <source>To show details, select a trial that has begun.</source>
+        <translation>Einen begonnenen Durchgang auswählen, um seine Einzelheiten anzuzeigen.</translation>
     </message>
     <message>
-        <source>Why do analyses count this session again?</source>
-        <translation>Warum zählen die Auswertungen diese Sitzung wieder?</translation>
+        <source>Reason for including the session in the analyses again</source>
+        <translation>Grund, die Sitzung wieder in die Auswertungen einzuschließen</translation>
     </message>
     <message>
         <source>Include session</source>
         <translation>Sitzung einschließen</translation>
     </message>
     <message>
-        <source>Why is the whole session excluded from analyses? It stays in the study and can be included again.</source>
-        <translation>Warum lassen die Auswertungen die ganze Sitzung weg? Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+        <source>Reason for excluding the whole session from the analyses. It remains in the study and can be included again.</source>
+        <translation>Grund, die ganze Sitzung von den Auswertungen auszuschließen. Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
     </message>
     <message>
         <source>Exclude session</source>
@@ -9952,7 +9952,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
     </message>
     <message>
         <source>The whole session is excluded from analyses: %1</source>
-        <translation>Auswertungen lassen die ganze Sitzung weg: %1</translation>
+        <translation>Die ganze Sitzung ist von den Auswertungen ausgeschlossen: %1</translation>
     </message>
     <message>
         <source>Include session again…</source>
@@ -9963,12 +9963,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Block %1</translation>
     </message>
     <message>
-        <source>This study can only be read here.</source>
-        <translation>Diese Studie ist hier nur lesbar.</translation>
+        <source>This study is read-only.</source>
+        <translation>Diese Studie ist schreibgeschützt.</translation>
     </message>
     <message>
-        <source>What was felt and answered is shown once the session has ended.</source>
-        <translation>Was gefühlt und geantwortet wurde, steht hier, sobald die Sitzung beendet ist.</translation>
+        <source>Stimuli and answers are shown once the session has ended.</source>
+        <translation>Reize und Antworten werden gezeigt, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
         <source>on a simulated clock</source>
@@ -9983,8 +9983,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>%1 %2 · %3 · %4 von %5 Durchgängen in %6 · %7 · Gerät %8 · asperity %9</translation>
     </message>
     <message>
-        <source>It is running, and who runs it is blind: until it ends, its own window shows what may be known.</source>
-        <translation>Sie läuft, und wer sie leitet, ist verblindet: Bis zum Ende zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
+        <source>The session is running, and its experimenter is blind: until it ends, only its own window shows its data, as far as the blinding permits.</source>
+        <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Bis zum Ende zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -10018,8 +10018,8 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Studie öffnen…</translation>
     </message>
     <message>
-        <source>See it work</source>
-        <translation>Sehen, wie es geht</translation>
+        <source>Demonstration</source>
+        <translation>Demonstration</translation>
     </message>
     <message>
         <source>Open the demo study</source>
@@ -10034,12 +10034,12 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stopping after the texture that is being made…</source>
-        <translation>Stoppt nach der Textur, die gerade entsteht…</translation>
+        <source>Stopping after the current texture…</source>
+        <translation>Stoppt nach der aktuellen Textur…</translation>
     </message>
     <message>
-        <source>Where the demo study is to lie</source>
-        <translation>Wo die Demostudie liegen soll</translation>
+        <source>Folder for the demo study</source>
+        <translation>Ordner für die Demostudie</translation>
     </message>
     <message>
         <source>Recent studies</source>
@@ -10074,11 +10074,11 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Eine Studie in der Liste auswählen.</translation>
     </message>
     <message>
-        <source>There is no study in this folder any more.</source>
-        <translation>In diesem Ordner ist keine Studie mehr.</translation>
+        <source>This folder no longer contains a study.</source>
+        <translation>Dieser Ordner enthält keine Studie mehr.</translation>
     </message>
     <message>
-        <source>The demo study could not be made: %1</source>
+        <source>The demo study could not be created: %1</source>
         <translation>Die Demostudie konnte nicht angelegt werden: %1</translation>
     </message>
     <message>
@@ -10090,7 +10090,7 @@ Die Sitzung jetzt fortsetzen, oder später auf der Seite „Sitzungen“.</trans
         <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
     </message>
     <message>
-        <source>Making the demo study in %1…</source>
+        <source>Creating the demo study in %1…</source>
         <translation>Die Demostudie entsteht in %1…</translation>
     </message>
     <message>
@@ -10139,8 +10139,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         </translation>
     </message>
     <message>
-        <source>What was made before %1 is not recorded.</source>
-        <translation>Was vor %1 entstand, ist nicht verzeichnet.</translation>
+        <source>Outputs made before %1 are not recorded.</source>
+        <translation>Vor %1 erzeugte Ausgaben sind nicht verzeichnet.</translation>
     </message>
     <message>
         <source>Withdraw a participant</source>
@@ -10151,19 +10151,19 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>%1 zieht die Teilnahme zurück</translation>
     </message>
     <message>
-        <source>Keep the data and never use them</source>
-        <translation>Die Daten behalten und nie verwenden</translation>
+        <source>Keep the data but exclude them from all analyses</source>
+        <translation>Die Daten behalten, aber von allen Auswertungen ausschließen</translation>
     </message>
     <message>
-        <source>Delete every trace from the folder of the study</source>
-        <translation>Jede Spur aus dem Ordner der Studie löschen</translation>
+        <source>Delete all data from the folder of the study</source>
+        <translation>Alle Daten aus dem Ordner der Studie löschen</translation>
     </message>
     <message>
-        <source>This was done before.</source>
+        <source>This has already been done.</source>
         <translation>Das ist bereits geschehen.</translation>
     </message>
     <message>
-        <source>All sessions are excluded for good, none can be begun or resumed, and the place in the counterbalancing is free again.</source>
+        <source>All sessions are excluded permanently, none can be begun or resumed, and the place in the counterbalancing is free again.</source>
         <translation>Alle Sitzungen sind endgültig ausgeschlossen, keine kann begonnen oder fortgesetzt werden, und der Platz in der Ausbalancierung ist wieder frei.</translation>
     </message>
     <message>
@@ -10203,16 +10203,16 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Zurückziehen</translation>
     </message>
     <message>
-        <source>This study can only be read here.</source>
-        <translation>Diese Studie ist hier nur lesbar.</translation>
+        <source>This study is read-only.</source>
+        <translation>Diese Studie ist schreibgeschützt.</translation>
     </message>
     <message>
-        <source>Enter who decided it; it is stored with the time.</source>
-        <translation>Geben Sie an, wer es entschieden hat; es wird mit der Zeit gespeichert.</translation>
+        <source>Enter who decided this; the name is stored with the time.</source>
+        <translation>Eingeben, wer dies entschieden hat; der Name wird mit der Zeit gespeichert.</translation>
     </message>
     <message>
         <source>Type %1 to confirm the deletion.</source>
-        <translation>Geben Sie zur Bestätigung der Löschung %1 ein.</translation>
+        <translation>Zur Bestätigung der Löschung %1 eingeben.</translation>
     </message>
     <message>
         <source>Deleting the data …</source>
@@ -10235,8 +10235,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
     </message>
     <message>
-        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be brought back. What remains is that a participant withdrew, when and why.</source>
-        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Es bleibt nur, dass jemand die Teilnahme zurückzog, wann und warum.</translation>
+        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be brought back. Only the fact, the time and the reason of the withdrawal remain stored.</source>
+        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur die Tatsache, der Zeitpunkt und der Grund des Rückzugs.</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -10256,7 +10256,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Exports, reports and copies of the study, which are not changed. Each may contain data of %1:</source>
-        <translation>Exporte, Berichte und Kopien der Studie, die nicht geändert werden. Jede kann Daten von %1 enthalten:</translation>
+        <translation>Exporte, Berichte und Kopien der Studie, die nicht geändert werden. Sie können Daten von %1 enthalten:</translation>
     </message>
 </context>
 <context>
@@ -10266,8 +10266,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Hier ein Foto einer Oberfläche ablegen</translation>
     </message>
     <message>
-        <source>It becomes a relief that can be felt: its light is evened out, long waves are taken away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. Best is a picture in even light, taken from straight above.</source>
-        <translation>Daraus wird ein Relief zum Fühlen: Sein Licht wird ausgeglichen, lange Wellen werden entfernt, und was an Helligkeit bleibt, gilt als Höhe. Gelesen werden PNG, JPEG, TIFF, BMP und WebP. Am besten ist ein Bild in gleichmäßigem Licht, senkrecht von oben.</translation>
+        <source>It becomes a relief that can be felt: uneven light is corrected, long waves are removed, and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. A picture in even light, taken from directly above, gives the best result.</source>
+        <translation>Daraus wird ein Relief zum Fühlen: Ungleichmäßiges Licht wird ausgeglichen, lange Wellen werden entfernt, und die verbleibende Helligkeit gilt als Höhe. Gelesen werden PNG, JPEG, TIFF, BMP und WebP. Am besten eignet sich ein Bild in gleichmäßigem Licht, senkrecht von oben aufgenommen.</translation>
     </message>
     <message>
         <source>Open a photograph…</source>
@@ -10279,7 +10279,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Make a relief</source>
-        <translation>Relief machen</translation>
+        <translation>Relief erzeugen</translation>
     </message>
     <message>
         <source>Compare force models</source>
@@ -10302,8 +10302,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Höhe, µm</translation>
     </message>
     <message>
-        <source>Its spectrum</source>
-        <translation>Sein Spektrum</translation>
+        <source>Spectrum of the profile</source>
+        <translation>Spektrum des Profils</translation>
     </message>
     <message>
         <source>Waves per mm</source>
@@ -10354,7 +10354,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Die Datei konnte nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>Heights are drawn %1 times too high.</source>
+        <source>Heights are exaggerated by a factor of %1.</source>
         <translation>Höhen sind %1-fach überhöht gezeichnet.</translation>
     </message>
     <message>
@@ -10382,16 +10382,16 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren: erst speichern, dann Farben oder Sprache wechseln.</translation>
     </message>
     <message>
-        <source>The file was not read: you cancelled it.</source>
+        <source>Reading the file was cancelled.</source>
         <translation>Das Lesen der Datei wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>%1 files were dropped; the workbench shows one at a time, the first: %2.</source>
-        <translation>Es wurden %1 Dateien abgelegt; die Werkstatt zeigt eine auf einmal, die erste: %2.</translation>
+        <source>%1 files were dropped; only the first is shown: %2.</source>
+        <translation>Es wurden %1 Dateien abgelegt; gezeigt wird nur die erste: %2.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief is finished, it comes from a file of the study. Compare how the force models render it, or open a photograph to make another one.</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief ist fertig, es kommt aus einer Datei der Studie. Vergleichen, wie die Kraftmodelle es wiedergeben, oder ein Foto öffnen, um ein anderes zu machen.</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief comes from a file of the study and is finished. Compare how the force models render it, or open a photograph to make another relief.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief stammt aus einer Datei der Studie und ist fertig. Vergleichen, wie die Kraftmodelle es wiedergeben, oder ein Foto öffnen, um ein anderes Relief zu erzeugen.</translation>
     </message>
     <message>
         <source>Predicted roughness</source>
@@ -10406,8 +10406,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Nach einer halben Sekunde</translation>
     </message>
     <message>
-        <source>How the force of the last second would shake a tool of 50 g in a hand: the prediction of asperity sweep, of this stroke.</source>
-        <translation>Wie die Kraft der letzten Sekunde ein Werkzeug von 50 g in einer Hand schütteln würde: was asperity sweep vorhersagt, für diesen Strich.</translation>
+        <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as by asperity sweep.</source>
+        <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g unter der Kraft der letzten Sekunde dieses Strichs, berechnet wie mit asperity sweep.</translation>
     </message>
 </context>
 </TS>

@@ -18,7 +18,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>README.txt states %n further warning(s).</source>
+        <source>README.txt contains %n further warning(s).</source>
         <translation>
             <numerusform>README.txt states %n further warning.</numerusform>
             <numerusform>README.txt states %n further warnings.</numerusform>
@@ -62,20 +62,20 @@
 <context>
     <name>asperity::ProtocolFileActions</name>
     <message numerus="yes">
-        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</source>
+        <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>
         <translation>
-            <numerusform>%1 has been run (%n session). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</numerusform>
-            <numerusform>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to make another one of it.</numerusform>
+            <numerusform>%1 has been run (%n session). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</numerusform>
+            <numerusform>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</source>
+        <source>The force is zero and the session has stopped. Every finished trial is stored (%n attempt(s) since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</source>
         <translation>
-            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempt since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</numerusform>
-            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempts since the session was started or resumed). Fix the cause, then resume this session from the page Sessions.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempt since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
+            <numerusform>The force is zero and the session has stopped. Every finished trial is stored (%n attempts since the session was started or resumed). Fix the cause, then resume this session on the Sessions page.</numerusform>
         </translation>
     </message>
 </context>
@@ -96,10 +96,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The program names virtual participants; the next %n begin with %1.</source>
+        <source>The program assigns the labels of virtual participants; the next %n begin with %1.</source>
         <translation>
-            <numerusform>The program names virtual participants; the next one is %1.</numerusform>
-            <numerusform>The program names virtual participants; the next %n begin with %1.</numerusform>
+            <numerusform>The program assigns the labels of virtual participants; the next one is %1.</numerusform>
+            <numerusform>The program assigns the labels of virtual participants; the next %n begin with %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -48,15 +48,14 @@ std::vector<Parameter> surface_parameters() {
                      .meaning = meaning};
   };
   return {number("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
-                 "How hard the surface is, the same for every model"),
+                 "Stiffness of the surface, the same for every model"),
           number("friction", "1", 0.0, 2.0, usual.friction,
-                 "Friction along the surface over the force that presses, the same for every "
-                 "model"),
+                 "Ratio of the friction to the normal force, the same for every model"),
           number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
-                 "How deep the probe is held below the mean height while it strokes"),
+                 "Depth of the probe below the mean height during the stroke"),
           number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
-                 "Of the ball that a model with two bodies strokes with; the others touch with a "
-                 "point")};
+                 "Diameter of the ball with which a model of two bodies strokes; the other models "
+                 "use a point")};
 }
 
 QString model_name(const ForceModel& model) {
@@ -88,8 +87,8 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, kGrid, 0);
   layout->setSpacing(kMargin);
-  layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: each shows "
-                                 "the force that it would give to a hand on the same path."),
+  layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: for each "
+                                 "model, the force on the same path of the hand is shown."),
                               this, true));
   auto* across = make_button(tr("Stroke once across"), ButtonRole::plain, this);
   across->setObjectName("stroke_across");
@@ -98,7 +97,7 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   layout->addWidget(across);
   component_ = new ChoiceBox(this);
   component_->setObjectName("force_component");
-  component_->addItems({tr("Pressing back (normal)"), tr("Against the motion")});
+  component_->addItems({tr("Normal force"), tr("Force against the motion")});
   connect(component_, &QComboBox::currentIndexChanged, this, &ForceComparison::advanced);
   heard_ = new ChoiceBox(this);
   heard_->setObjectName("heard");
@@ -352,7 +351,7 @@ void ForceComparison::look_at_card() {
   no_sound_->setVisible(is_silent || speaker_->is_refused());
   no_sound_->setText(
       speaker_->is_refused()
-          ? tr("%1 could not be opened; another program may hold it.").arg(output_.name)
+          ? tr("%1 could not be opened; another program may be using it.").arg(output_.name)
           : tr("%1 does not play. Connect it again, or choose another sound output in the settings "
                "of the computer.")
                 .arg(output_.name));
@@ -430,9 +429,9 @@ QString ForceComparison::roughness_in_words() const {
     const QString rms = in_m_per_s2(newest->rms_accel_m_per_s2);
     const QString greatest = in_m_per_s2(newest->max_accel_m_per_s2);
     lines << (newest->pacinian_dB
-                  ? tr("%1: RMS %2 m/s², greatest %3 m/s², %4 dB over the threshold of touch")
+                  ? tr("%1: RMS %2 m/s², maximum %3 m/s², %4 dB above the vibrotactile threshold")
                         .arg(name, rms, greatest, shown_number(*newest->pacinian_dB, 'f', 0))
-                  : tr("%1: RMS %2 m/s², greatest %3 m/s²").arg(name, rms, greatest));
+                  : tr("%1: RMS %2 m/s², maximum %3 m/s²").arg(name, rms, greatest));
   }
   return lines.join('\n');
 }

@@ -37,18 +37,20 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 is a folder; open one of the pictures in it.").arg(name));
   }
   if (!std::filesystem::exists(status)) {
-    refuse(OpeningWords::tr("%1 is not there any more; was it moved, or its medium taken out?")
-               .arg(name));
+    refuse(
+        OpeningWords::tr("%1 was not found; it may have been moved, or its storage medium removed.")
+            .arg(name));
   }
   if (!std::filesystem::is_regular_file(status)) {
     refuse(OpeningWords::tr("%1 is not a picture file.").arg(name));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (!error && bytes > kPictureFile.most_bytes) {
-    refuse(OpeningWords::tr("%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut "
-                            "a piece out.")
-               .arg(name)
-               .arg(shown_number(static_cast<double>(bytes) / (1U << 30U), 'f', 1)));
+    refuse(
+        OpeningWords::tr(
+            "%1 is %2 GiB in size; pictures of up to 2 GiB can be read. Scale it down or crop it.")
+            .arg(name)
+            .arg(shown_number(static_cast<double>(bytes) / (1U << 30U), 'f', 1)));
   }
 }
 
@@ -74,14 +76,15 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
   QStringList remarks{};
   if (facts.channels == 2 || facts.channels == 4) {
     remarks << OpeningWords::tr(
-        "The picture has an alpha channel, which is left out: a pixel counts with its colour, "
-        "however transparent.");
+        "The picture has an alpha channel, which is ignored: each pixel has its full colour, "
+        "whatever its transparency.");
   }
   if (facts.format == PictureFormat::jpeg || facts.format == PictureFormat::tiff) {
     if (QImageReader(path_text(file)).transformation() != QImageIOHandler::TransformationNone) {
       remarks << OpeningWords::tr(
-          "The camera noted that the picture is to be turned when it is shown; here it lies as it "
-          "is stored. Turn and save it with another program if that matters.");
+          "The camera stored a rotation with the picture; here the picture is shown without this "
+          "rotation. If the orientation matters, rotate and save the picture with another "
+          "program.");
     }
   }
   return remarks;
@@ -145,8 +148,8 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
     opened->original = colour_picture(file, shown);
     opened->remarks = remarks_on(file, opened->loaded.photograph.facts);
   } catch (const std::bad_alloc&) {
-    refuse(OpeningWords::tr("%1 does not fit into the memory of this computer. Scale it down or "
-                            "cut a piece out.")
+    refuse(OpeningWords::tr(
+               "%1 does not fit into the memory of this computer. Scale it down or crop it.")
                .arg(path_text(file.filename())));
   }
   return opened;

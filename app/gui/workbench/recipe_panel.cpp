@@ -33,12 +33,12 @@ QString hint_of(PhotographResemblance resemblance) {
   switch (resemblance) {
     case PhotographResemblance::directed:
       return RecipePanel::tr(
-          "It changes mostly in one direction: a grain, or light from one "
-          "side? More at the end of this list.");
+          "The picture varies mostly in one direction: a grain, or light from one side? See the "
+          "end of this list.");
     case PhotographResemblance::bright_spots:
       return RecipePanel::tr(
-          "It has narrow bright parts. If they lie low, as light mortar "
-          "does, dark parts stand out.");
+          "The picture has narrow bright parts. If they are low, as light mortar is, the dark "
+          "parts stand out.");
     case PhotographResemblance::dark_grooves:
     case PhotographResemblance::nothing_clear:
       break;
@@ -100,7 +100,7 @@ QWidget* RecipePanel::make_kind_card() {
 QWidget* RecipePanel::make_evidence_card() {
   QVBoxLayout* inside = nullptr;
   QFrame* card = make_card(controls_, inside);
-  inside->addWidget(make_text(tr("<b>What the picture tells about itself</b>"), card));
+  inside->addWidget(make_text(tr("<b>Indications in the picture</b>"), card));
   advice_ = make_text({}, card, true);
   advice_->setObjectName("advice");
   advice_->setFont(text_font(TextSize::small));
@@ -116,9 +116,9 @@ void RecipePanel::add_groups(QLayout* layout) {
   const std::array<Group, 4> groups{
       Group{tr("Heights"), declared({"rms_m"})},
       Group{tr("Photograph"), declared({"width_m", "histogram"})},
-      Group{tr("Even the light"),
+      Group{tr("Even out the light"),
             declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
-      Group{tr("Take long waves away"), declared({"gaussian_wavelength_m"})}};
+      Group{tr("Remove long waves"), declared({"gaussian_wavelength_m"})}};
   for (const Group& group : groups) {
     QVBoxLayout* inside = nullptr;
     QFrame* card = make_card(controls_, inside);
@@ -188,29 +188,28 @@ void RecipePanel::show_refusal(const QString& why) {
 void RecipePanel::say_what_it_shows(int kind) {
   switch (kind) {
     case dark_high:
-      expectation_->setText(tr(
-          "Dark is high: for light mortar between bricks or light sand between pebbles, in even "
-          "light. On five measured surfaces the heights resembled the relief only in part, and on "
-          "four of them less than the plain brightness did."));
+      expectation_->setText(
+          tr("Dark is high: for light mortar between bricks or light sand between pebbles, in even "
+             "light. On five measured surfaces the heights matched the relief only in part, and on "
+             "four of them less well than the unprocessed brightness."));
       break;
     case side_light:
-      expectation_->setText(
-          tr("▲ What comes back is the slope towards the light, not the height: edges across the "
-             "light become ridges and grooves, edges along it vanish. It looks like a relief and "
-             "feels like one, of another surface. Take the picture again in even light if you "
-             "can."));
+      expectation_->setText(tr(
+          "▲ The result is the slope towards the light, not the height: edges across the light "
+          "become ridges and grooves, edges along it vanish. It looks and feels like a relief, but "
+          "that of a different surface. If possible, take the picture again in even light."));
       break;
     case paint:
       expectation_->setText(
-          tr("▲ The paint becomes relief: what is felt has nothing to do with "
-             "the surface under it. Use it only if that is what you want."));
+          tr("▲ The paint becomes relief: what is felt does not correspond to the surface under "
+             "it. Use it only if this is intended."));
       break;
     default:
-      expectation_->setText(tr(
-          "Bright is high: for a surface in even light, where grooves and gaps are dark. On five "
-          "measured surfaces the heights resembled the relief only in part, and on four of them "
-          "less than the plain brightness did. How deep the relief is, a photograph does not "
-          "show: set it below."));
+      expectation_->setText(
+          tr("Bright is high: for a surface in even light, where grooves and gaps are dark. On "
+             "five measured surfaces the heights matched the relief only in part, and on four of "
+             "them less well than the unprocessed brightness. A photograph does not show the depth "
+             "of the relief: set it below."));
   }
 }
 

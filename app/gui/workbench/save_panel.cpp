@@ -140,20 +140,19 @@ void SavePanel::show_facts(const HeightField& field) { facts_->setText(facts_of(
 
 void SavePanel::check_name() {
   QString problem{};
-  QString advice = tr("Goes to stimuli/ with its sidecar and its photograph.");
+  QString advice = tr("Is saved in stimuli/ with its sidecar and its photograph.");
   const QString name = name_->text();
   if (opened_ == nullptr || !opened_->is_photograph()) {
-    problem = tr("A relief that comes from a file is saved already.");
+    problem = tr("A relief from a file is already saved.");
   } else if (!study_.can_be_written()) {
-    problem = tr("This study can only be read here.");
+    problem = tr("This study is read-only.");
   } else if (name.isEmpty()) {
     problem = tr("The relief needs a name.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
     problem = tr("Letters without accents, digits, _ and - only.");
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
-        tr("A name must not end in _photo: names of the photographs that are kept with the reliefs "
-           "do.");
+        tr("Names ending in _photo are reserved for the photographs stored with the reliefs.");
   } else if (saving_.is_running()) {
     problem = tr("Saving …");
   } else if (StimulusFiles(study_.folder() / "stimuli", name.toStdString()).any_exists()) {
@@ -169,14 +168,15 @@ void SavePanel::save(Overwrite overwrite) {
   const std::filesystem::path folder = study_.folder() / "stimuli";
   const StimulusFiles files(folder, shown.toStdString());
   if (overwrite == Overwrite::refuse && files.any_exists()) {
-    banner_.show_news(State::look,
-                      tr("The study has a stimulus “%1” already. Protocols that use it would "
-                         "present the new one; sessions that were run keep the mark of the old.")
-                          .arg(shown),
-                      tr("Replace “%1”").arg(shown), [this, shown] {
-                        // Another name may have been typed since.
-                        save(name_->text() == shown ? Overwrite::allow : Overwrite::refuse);
-                      });
+    banner_.show_news(
+        State::look,
+        tr("The study already has a stimulus “%1”. Protocols that use it would present the new "
+           "one; sessions that were run keep the SHA-256 of the old one.")
+            .arg(shown),
+        tr("Replace “%1”").arg(shown), [this, shown] {
+          // Another name may have been typed since.
+          save(name_->text() == shown ? Overwrite::allow : Overwrite::refuse);
+        });
     return;
   }
   saving_.run<bool>(
@@ -197,7 +197,7 @@ void SavePanel::save(Overwrite overwrite) {
       },
       [this, shown, opened = opened_, recipe = recipe_()](bool written) {
         if (!written) {
-          banner_.show_news(State::look, tr("“%1” was not saved: you cancelled it.").arg(shown));
+          banner_.show_news(State::look, tr("Saving “%1” was cancelled.").arg(shown));
           return;
         }
         banner_.show_news(

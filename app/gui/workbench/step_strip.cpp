@@ -31,7 +31,7 @@ QString name_of(Step step) {
     case Step::grey:
       return StepWords::tr("Grey");
     case Step::evened:
-      return StepWords::tr("Light evened");
+      return StepWords::tr("Evened lighting");
     case Step::low_pass:
       return StepWords::tr("Long waves");
     case Step::heights:
@@ -45,21 +45,22 @@ QString name_of(Step step) {
 QString meaning_of(Step step) {
   switch (step) {
     case Step::photograph:
-      return StepWords::tr("The photograph as it was dropped.");
+      return StepWords::tr("The photograph, unchanged.");
     case Step::grey:
       return StepWords::tr(
-          "Its brightness alone; with “Equalize” every brightness is equally frequent.");
+          "Its brightness only; with “Equalized”, every brightness is equally frequent.");
     case Step::evened:
-      return StepWords::tr("Slow changes of the lighting are weakened and fine detail is raised.");
+      return StepWords::tr(
+          "Gradual changes of lighting are attenuated and fine detail is amplified.");
     case Step::low_pass:
       return StepWords::tr(
-          "What is longer than the longest wave kept; it is taken away from the step before.");
+          "Everything longer than the longest wave kept; it is subtracted from the previous step.");
     case Step::heights:
-      return StepWords::tr("What is left, as heights: low is dark, high is bright.");
+      return StepWords::tr("The remainder, as heights: dark is low, bright is high.");
     case Step::relief:
       break;
   }
-  return StepWords::tr("The heights as a surface in light.");
+  return StepWords::tr("The heights as an illuminated surface.");
 }
 
 StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {

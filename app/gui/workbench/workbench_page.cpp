@@ -66,7 +66,7 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   connect(strip_, &StepStrip::stepChosen, this, &WorkbenchPage::choose_step);
   connect(reading_, &TaskLine::cancelWanted, this, [this] {
     opening_.abandon();
-    banner_->show_news(State::look, tr("The file was not read: you cancelled it."));
+    banner_->show_news(State::look, tr("Reading the file was cancelled."));
   });
   connect(recipe_, &RecipePanel::edited, this, &WorkbenchPage::recompute);
   connect(save_, &SavePanel::saved, this, [this] { keep_unsaved(false); });
@@ -87,9 +87,9 @@ WorkbenchPage::~WorkbenchPage() = default;
 QWidget* WorkbenchPage::make_empty() {
   auto* empty = new EmptyState(
       tr("Drop a photograph of a surface here"),
-      tr("It becomes a relief that can be felt: its light is evened out, long waves are taken "
-         "away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and "
-         "WebP are read. Best is a picture in even light, taken from straight above."),
+      tr("It becomes a relief that can be felt: uneven light is corrected, long waves are removed, "
+         "and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. "
+         "A picture in even light, taken from directly above, gives the best result."),
       pages_);
   empty->setObjectName("drop_area");
   empty->setAttribute(Qt::WA_StyledBackground);
@@ -170,7 +170,7 @@ QWidget* WorkbenchPage::make_workspace() {
   profile_ = new SignalPlots({.heading = tr("Profile along the orange line"),
                               .x = tr("Position, mm"),
                               .y = tr("Height, µm")},
-                             {.heading = tr("Its spectrum"),
+                             {.heading = tr("Spectrum of the profile"),
                               .x = tr("Waves per mm"),
                               .y = tr("Power, µm² mm"),
                               .x_scale = PlotScale::logarithmic,
@@ -179,7 +179,7 @@ QWidget* WorkbenchPage::make_workspace() {
   profile_->setObjectName("profile");
   auto* felt = new QWidget(plots_);
   forces_ = new SignalPlots({.heading = tr("Force"), .x = tr("Time, s"), .y = tr("Force, N")},
-                            {.heading = tr("Its spectrum"),
+                            {.heading = tr("Spectrum of the profile"),
                              .x = tr("Frequency, Hz"),
                              .y = tr("Power, N²/Hz"),
                              .y_scale = PlotScale::logarithmic},
@@ -286,7 +286,7 @@ void WorkbenchPage::dropEvent(QDropEvent* event) {
   const std::filesystem::path first = urls.first().toLocalFile().toStdString();
   QStringList remarks{};
   if (urls.size() > 1) {
-    remarks << tr("%1 files were dropped; the workbench shows one at a time, the first: %2.")
+    remarks << tr("%1 files were dropped; only the first is shown: %2.")
                    .arg(urls.size())
                    .arg(path_text(first.filename()));
   }
@@ -327,9 +327,8 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
     recipe_->show_opened(*opened_);
   } else {
     finished_->setText(
-        tr("<b>%1</b>: %2. This relief is finished, it comes from a file of the study. "
-           "Compare how the force models render it, or open a photograph to make "
-           "another one.")
+        tr("<b>%1</b>: %2. This relief comes from a file of the study and is finished. Compare how "
+           "the force models render it, or open a photograph to make another relief.")
             .arg(path_text(opened_->file.stem()).toHtmlEscaped(),
                  facts_of(*opened_->preview.field)));
   }
@@ -415,7 +414,7 @@ void WorkbenchPage::choose_step(Step step) {
   }
   const bool making = mode_->checkedId() == static_cast<int>(Mode::making);
   const double times = preview_.fine->exaggeration;
-  const QString height = times > 1.0 ? tr("Heights are drawn %1 times too high.").arg(times)
+  const QString height = times > 1.0 ? tr("Heights are exaggerated by a factor of %1.").arg(times)
                                      : tr("Heights are drawn to scale.");
   caption_->setText(
       making ? tr("%1 Drag to turn, right button: light, wheel: zoom.").arg(height)
@@ -446,8 +445,8 @@ void WorkbenchPage::show_forces() {
   forces_->show_spectrum(comparison_->spectra(), tr("After a quarter of a second"));
   roughness_->show_series(comparison_->roughness(), tr("After half a second"));
   const QString meaning =
-      tr("How the force of the last second would shake a tool of 50 g in a hand: the prediction of "
-         "asperity sweep, of this stroke.");
+      tr("Predicted acceleration of a hand-held tool of 50 g under the force of the last second of "
+         "this stroke, computed as by asperity sweep.");
   const QString numbers = comparison_->roughness_in_words();
   roughness_->setToolTip(numbers.isEmpty() ? meaning : meaning + '\n' + numbers);
   roughness_->setAccessibleDescription(roughness_->toolTip());

@@ -70,7 +70,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   ASSERT_NE(answer, nullptr);
   EXPECT_TRUE(answer->text().startsWith("height_map was chosen most often: in 75 % of"))
       << answer->text().toStdString();
-  EXPECT_TRUE(answer->text().contains("chance level is 50 %")) << answer->text().toStdString();
+  EXPECT_TRUE(answer->text().contains("chance level of 50 %")) << answer->text().toStdString();
   ASSERT_GE(page.findChildren<QTableView*>().size(), 2);
   // In the order of the analysis: whatever a header could sort by.
   const QAbstractItemModel* counts = page.findChild<QTableView*>("table_table_1")->model();
@@ -286,7 +286,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   NamedTable confusion{};
   confusion.name = kConfusion;
   confusion.table.columns = {"felt", "share"};
-  EXPECT_EQ(AnalysisWords::of_heading(confusion, "felt"), "<felt>");
+  EXPECT_EQ(AnalysisWords::of_heading(confusion, "felt"), "<stimulus>");
   EXPECT_EQ(AnalysisWords::of_heading(confusion, "share"), "share");
   QCoreApplication::removeTranslator(&brackets);
 }
@@ -403,7 +403,7 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   auto* banner = page.findChild<Banner*>();
   ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
   // A machine that is busy elsewhere may notice too late.
-  const bool in_time = banner->text().contains("you cancelled it");
+  const bool in_time = banner->text().contains("was cancelled");
   EXPECT_EQ(std::filesystem::exists(made.beside("tables")), !in_time);
   ASSERT_TRUE(eventually([&] { return export_tables->isEnabled(); }));
 }

@@ -190,11 +190,11 @@ TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
   detail.session.mode = SessionMode::pilot;
   EXPECT_EQ(AttemptWords::standing(detail), "Counts among the pilots");
   detail.planned.phase = "practice";
-  EXPECT_EQ(AttemptWords::standing(detail), "Practice: takes no part in analyses");
+  EXPECT_EQ(AttemptWords::standing(detail), "Practice: not included in analyses");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
   detail.attempt.flagged = true;
   detail.attempt.flag_reason = "late";
-  EXPECT_TRUE(AttemptWords::standing(detail).startsWith("Practice: takes no part in analyses; "));
+  EXPECT_TRUE(AttemptWords::standing(detail).startsWith("Practice: not included in analyses; "));
 }
 
 TEST(AttemptWords, StateThatAnAnchorIsNotAnalysed) {
@@ -203,11 +203,11 @@ TEST(AttemptWords, StateThatAnAnchorIsNotAnalysed) {
   detail.attempt.responses.emplace_back();
   detail.planned.phase = "main";
   detail.planned.repetition = 0;
-  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: takes no part in analyses");
+  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: not included in analyses");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
   detail.attempt.flagged = true;
   detail.attempt.flag_reason = "late";
-  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: takes no part in analyses; flagged: late");
+  EXPECT_EQ(AttemptWords::standing(detail), "Anchor: not included in analyses; flagged: late");
 }
 
 TEST(AttemptWords, StateThatAnUnansweredAttemptIsNotAnalysed) {
@@ -215,7 +215,7 @@ TEST(AttemptWords, StateThatAnUnansweredAttemptIsNotAnalysed) {
   detail.attempt.valid = true;
   detail.attempt.outcome = AttemptOutcome::timed_out;
   detail.planned.phase = "main";
-  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: there is no answer");
+  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: no answer");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
 }
 
@@ -364,7 +364,7 @@ TEST_F(DataView, ShowsWhatTheForceModelCountedWhereItDoes) {
   EXPECT_EQ(limits.text_at(0, 3), "");  // how long it was touched is no limit
   EXPECT_TRUE(limits.text_at(1, 1).contains("finest wave")) << limits.text_at(1, 1).toStdString();
   EXPECT_EQ(limits.text_at(1, 2), "12");
-  EXPECT_TRUE(limits.text_at(1, 3).contains("look at it"));
+  EXPECT_TRUE(limits.text_at(1, 3).contains("check"));
   EXPECT_TRUE(limits.text_at(2, 3).contains("fine"));
   EXPECT_FALSE(limits.isHidden());
 
@@ -438,7 +438,7 @@ TEST_F(DataView, WritesATableWholeOrNotAtAllWhenItIsCancelled) {
   child<TaskLine>(page, "recording_writing").findChild<QPushButton*>("task_cancel")->click();
   ASSERT_TRUE(eventually([&] { return page.findChild<Banner*>()->isVisible(); }));
   // A machine that is busy elsewhere may notice too late.
-  const bool in_time = page.findChild<Banner*>()->text().contains("you cancelled it");
+  const bool in_time = page.findChild<Banner*>()->text().contains("was cancelled");
   EXPECT_EQ(std::filesystem::exists(file), !in_time);
 }
 
@@ -504,7 +504,7 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   }));
   EXPECT_FALSE(child<QPushButton>(attempt_page, "attempt_exclude").isEnabled());
   EXPECT_EQ(text(attempt_page, "attempt_why_not"),
-            "The whole session is excluded; its page includes it again.");
+            "The whole session is excluded; it can be included again on its page.");
   window.show_page("trials");
   click(page, "trials_exclude");
   give_reason(page, "Excluded by mistake");
@@ -554,7 +554,7 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
   EXPECT_EQ(header(7, Qt::DisplayRole), "After contact, s");
   EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("after the first contact"));
   EXPECT_EQ(header(8, Qt::DisplayRole), "After cue, s");
-  EXPECT_TRUE(header(8, Qt::ToolTipRole).contains("the question was put first"));
+  EXPECT_TRUE(header(8, Qt::ToolTipRole).contains("the question was first asked"));
   take_screenshot(window, "data-trials-matching", {1366, 768});
 }
 

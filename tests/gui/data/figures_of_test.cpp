@@ -126,9 +126,9 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
     mean.confidence = 0.95;
   }
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
-            "Filled symbols: geometric means of normalised estimates with 95 % within-participant "
-            "intervals (Cousineau and Morey), which compare cells and do not contain the spread "
-            "between participants.");
+            "Filled symbols: geometric means of normalised estimates with within-participant 95 % "
+            "CIs (Cousineau and Morey), which serve to compare cells and do not include the "
+            "differences between participants.");
 }
 
 // 1, 1, 1 and 0.5: Student's interval of the mean, 0.875, goes to 1.27; that on the logit scale is drawn.
@@ -154,7 +154,7 @@ TEST(FiguresOf, MarkChanceInEachRowWhereItDiffers) {
   const Figure& figure = all.figure("proportions");
   EXPECT_TRUE(figure.references.empty());
   const FigureSeries& chances = figure.series.back();
-  EXPECT_EQ(chances.name.english(), "chance");
+  EXPECT_EQ(chances.name.english(), "chance level");
   EXPECT_GT(chances.points.size(), 2U);
 }
 
@@ -280,8 +280,8 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
   const Figure both = beside_prediction(estimates, two_tips(), {"small", "large"});
   ASSERT_EQ(both.series.size(), 5U);
   EXPECT_EQ(both.series[0].name.english(), "small");
-  EXPECT_EQ(both.series[3].name.english(), "pd_gradient predicts: probe 1 mm");
-  EXPECT_NE(both.note.english().find("that a sweep of pd_gradient predicts"), std::string::npos);
+  EXPECT_EQ(both.series[3].name.english(), "predicted by pd_gradient: probe 1 mm");
+  EXPECT_NE(both.note.english().find("predicted by a sweep of pd_gradient"), std::string::npos);
   double product = 1.0;
   for (std::size_t tip = 0; tip < 2; ++tip) {
     const FigureSeries& marks = both.series[3 + tip];
@@ -298,7 +298,7 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
 
   // A level goes where its condition is, in whatever order the study has them.
   const Figure turned = beside_prediction(estimates, two_tips(), {"large", "small"});
-  EXPECT_EQ(turned.series[3].name.english(), "pd_gradient predicts: probe 1 mm");
+  EXPECT_EQ(turned.series[3].name.english(), "predicted by pd_gradient: probe 1 mm");
   EXPECT_EQ(turned.series[3].style, 1);
 
   EXPECT_THROW(beside_prediction(estimates, two_tips(), {"small"}), std::runtime_error);
@@ -327,7 +327,7 @@ TEST(BesidePrediction, SaysInTheDrawingWhoseEstimatesTheyAreAndWhatHasNoEffect) 
   // A key has two names at least: the marks are told from the estimates.
   EXPECT_EQ(beside.series[0].name.english(), "estimates");
   EXPECT_EQ(beside.series[1].name.english(),
-            "pd_gradient predicts: probe 1 mm (no effect by construction)");
+            "predicted by pd_gradient: probe 1 mm (no effect by construction)");
   EXPECT_EQ(sweep_figure(sweep).series[0].name.english(), "probe 1 mm (no effect by construction)");
 }
 
@@ -465,7 +465,8 @@ TEST(FiguresOf, ShowBothGroupsAndTheirDifference) {
   EXPECT_EQ(points[1].x, all.number("diff", ""));
   EXPECT_EQ(points[1].x_interval->low, all.number("diff.newcombe.lower", ""));
   EXPECT_EQ(difference.references.front().value, 0.0);
-  EXPECT_NE(difference.note.english().find("pooled by Newcombe"), std::string::npos);
+  EXPECT_NE(difference.note.english().find("Newcombe's for all responses pooled"),
+            std::string::npos);
 }
 
 // Items of one go depend on each other, so that they are not pooled, and nothing says that they are.
@@ -641,9 +642,9 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
   EXPECT_EQ(singles.points[15].x, times.number("subject.geomean", "P01|texture=wood"));
   EXPECT_NEAR(singles.points[15].y, 3.0, 0.41);
   EXPECT_EQ(figure.note.english(),
-            "Points are geometric means over the participants, bars their 90 % CIs by t on the "
-            "logarithmic scale. From the cue to the response. Small pale marks: individual "
-            "participants.");
+            "Points are geometric means over the participants, bars their t-based 90 % CIs on the "
+            "logarithmic scale. Response times are measured from the cue to the response. Small "
+            "pale marks: individual participants.");
 }
 
 TEST(FiguresOf, PutALineOfEachParticipantBehindTheCourseOverTrials) {
@@ -676,7 +677,8 @@ TEST(FiguresOf, LeaveOutParticipantsThatAreTooMany) {
   const Figure figure = response_times_figure(FoundNumbers(findings));
   EXPECT_FALSE(shows_singles(figure));
   EXPECT_EQ(figure.note.english(),
-            "Points are geometric means over the participants. From the cue to the response.");
+            "Points are geometric means over the participants. Response times are measured from "
+            "the cue to the response.");
 }
 
 // The mean of the marks is the point before them.

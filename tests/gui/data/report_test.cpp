@@ -461,7 +461,7 @@ TEST_F(SavingAReport, LeavesNothingBehindWhenItIsCancelled) {
   line->findChild<QPushButton*>("task_cancel")->click();
   ASSERT_TRUE(eventually([this] { return button_->isEnabled(); }));
   // A machine that is busy elsewhere may notice too late.
-  const bool in_time = banner_->text().contains("you cancelled it");
+  const bool in_time = banner_->text().contains("was cancelled");
   EXPECT_EQ(std::filesystem::exists(made_.beside("report.pdf")), !in_time);
 }
 

@@ -226,9 +226,10 @@ TEST_F(DeviceTests, MeasureInTheWindowWhatTheTerminalDoesAndKeepIt) {
   const DeviceProfile at_terminal = measure_device(*device, stepped(), {}).profile;
   EXPECT_EQ(without_date(json_text_of(kept.front())), without_date(json_text_of(at_terminal)));
 
-  EXPECT_NE(news().find("kept as profiles/simulated-"), std::string::npos) << news();
-  EXPECT_NE(news().find("Limited, but not measured: Share of the workspace reached"),
-            std::string::npos)
+  EXPECT_NE(news().find("stored as profiles/simulated-"), std::string::npos) << news();
+  EXPECT_NE(
+      news().find("Not measured, although a limit applies: Fraction of the workspace reached"),
+      std::string::npos)
       << news();
   EXPECT_EQ(find<StudyTable>("device_test_profiles").shown_rows(), 0) << "until it is read again";
   require([this] { return find<StudyTable>("device_test_profiles").shown_rows() == 1; }, "row");
@@ -251,7 +252,7 @@ TEST_F(DeviceTests, SayWhatWillMoveAndOpenNothingWhenTheAnswerIsNo) {
   make_page(stepped(), arm());
   const std::string told = shown("device_test_what");
   EXPECT_NE(told.find("Test arm 7 will move by itself"), std::string::npos) << told;
-  EXPECT_NE(told.find("with at most 3.0 N"), std::string::npos) << told;
+  EXPECT_NE(told.find("with a force of at most 3.0 N"), std::string::npos) << told;
   QSignalSpy back(page.get(), &DeviceTestPage::back_wanted);
   click("device_test_not_now");
   EXPECT_EQ(back.size(), 1);
@@ -277,17 +278,17 @@ TEST_F(DeviceTests, PromiseNoMotionOfADeviceWithoutMotors) {
 TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   make_page(stepped(), simulated());
   click("device_test_begin");
-  EXPECT_TRUE(has_step("Sweep of tones"));
+  EXPECT_TRUE(has_step("Frequency sweep"));
   wait_until_it_ended();
   make_page(stepped(), {.device = "simulated:delta.3",
                         .name = "Simulated: delta.3",
                         .which = which_device("simulated:delta.3"),
                         .is_simulated = true});
   click("device_test_begin");
-  for (const char* name : {"Safety", "Slow sweeps", "Steps of force"}) {
+  for (const char* name : {"Safety", "Slow sweeps", "Force steps"}) {
     EXPECT_TRUE(has_step(name)) << name;
   }
-  for (const char* name : {"Sweep of tones", "Stiff springs", "Weakest force"}) {
+  for (const char* name : {"Frequency sweep", "Stiff springs", "Weakest force"}) {
     EXPECT_FALSE(has_step(name)) << name;
   }
   wait_until_it_ended();
@@ -297,9 +298,10 @@ TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
   EXPECT_TRUE(known.starts_with("Simulated model of delta.3; known: workspace, peak force,"))
       << known;
   EXPECT_NE(known.find("unknown: continuous force, position step"), std::string::npos);
-  EXPECT_NE(news().find("The device met every limit that was measured. Limited, but not measured: "
-                        "Share of the workspace reached. The profile is kept as"),
-            std::string::npos)
+  EXPECT_NE(
+      news().find("The device met every limit that was measured. Not measured, although a limit "
+                  "applies: Fraction of the workspace reached. The profile is stored as"),
+      std::string::npos)
       << news();
 }
 
@@ -366,7 +368,7 @@ TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
   EXPECT_EQ(bench.force_N.load(), 0.0);
   EXPECT_FALSE(bench.is_open);
   EXPECT_FALSE(has_profiles());
-  EXPECT_NE(news().find("nothing was kept"), std::string::npos) << news();
+  EXPECT_NE(news().find("nothing was stored"), std::string::npos) << news();
   EXPECT_TRUE(page->property("keep").toString().isEmpty());
   EXPECT_TRUE(find<QPushButton>("device_test_begin").isVisible());
   EXPECT_EQ(page->focusWidget(), &find<QPushButton>("device_test_back"))
@@ -401,7 +403,7 @@ TEST_F(DeviceTests, StopByCtrlSpaceWhichAgreesToNothing) {
   QTest::keyClick(&yes, Qt::Key_Space, Qt::ControlModifier);
   wait_until_it_ended();
   EXPECT_EQ(bench.openings, 0);
-  EXPECT_NE(news().find("nothing was kept"), std::string::npos) << news();
+  EXPECT_NE(news().find("nothing was stored"), std::string::npos) << news();
 }
 
 // A dialog would take the button that stops the arm out of reach.
@@ -494,8 +496,8 @@ TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
   EXPECT_EQ(shown("result_moving_mass_kg"), "✕ fail");
   EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
   EXPECT_EQ(shown("result_latency_s"), "✓ pass");
-  EXPECT_NE(news().find("did not meet every limit: Moving mass. Limited, but not measured: Share "
-                        "of the workspace reached. The profile is kept as"),
+  EXPECT_NE(news().find("did not meet every limit: Moving mass. Not measured, although a limit "
+                        "applies: Fraction of the workspace reached. The profile is stored as"),
             std::string::npos)
       << news();
   EXPECT_FALSE(find<QLabel>("profile_known").isVisible()) << "it stands for no real device";

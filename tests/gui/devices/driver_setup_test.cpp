@@ -43,7 +43,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kButton = "“Set up…”";
-constexpr const char* kElsewhere = "“Set up…” on the page Devices";
+constexpr const char* kElsewhere = "“Set up…” on the Devices page";
 
 class DriversToSetUp : public testing::Test {
  protected:
@@ -271,16 +271,14 @@ TEST_F(DriversToSetUp, KeepNoFileThatIsNotWrittenInFull) {
   start_program();
   open_setup("falcon");
   type("falcon", "falcon.bin");
-  EXPECT_NE(found("falcon").find("has to be written in full"), std::string::npos)
-      << found("falcon");
+  EXPECT_NE(found("falcon").find("Enter the full path"), std::string::npos) << found("falcon");
   click(dialog(), "driver_setup_done");
   EXPECT_TRUE(dialog().isVisible()) << "somebody believes that it was taken";
   EXPECT_TRUE(driver_places().empty());
   QTest::keyClick(&field("falcon"), Qt::Key_A, Qt::ControlModifier);
   QTest::keyClick(&field("falcon"), Qt::Key_Delete);
   QTest::keyClick(&field("falcon"), Qt::Key_Return);
-  EXPECT_EQ(found("falcon").find("has to be written in full"), std::string::npos)
-      << found("falcon");
+  EXPECT_EQ(found("falcon").find("Enter the full path"), std::string::npos) << found("falcon");
   close_setup();
 }
 
@@ -357,7 +355,7 @@ TEST_F(DriversToSetUp, AreSpokenOfInWordsOfTheWindow) {
   EXPECT_EQ(words_in(&page()).find("--library"), std::string::npos);
   EXPECT_EQ(words_in(&page()).find("--firmware"), std::string::npos);
   EXPECT_EQ(words_in(&page()).find("--service"), std::string::npos);
-  EXPECT_NE(card("replay").find("at a terminal only: asperity run"), std::string::npos)
+  EXPECT_NE(card("replay").find("available only at a terminal: asperity run"), std::string::npos)
       << card("replay");
   EXPECT_EQ(page().findChild<QPushButton*>("device_setup_spacemouse"), nullptr)
       << "it needs nothing of the kind";
@@ -369,7 +367,7 @@ TEST_F(DriversToSetUp, AreSpokenOfInWordsOfTheWindow) {
     FAIL() << "it moved";
   } catch (const std::exception& refusal) {
     const QString said = words_of(phrase_of(refusal));
-    EXPECT_TRUE(said.contains("First run “Test this device…” on the page Devices, which asks"))
+    EXPECT_TRUE(said.contains("First run “Test this device…” on the Devices page, which asks"))
         << said.toStdString();
   }
 }

@@ -329,8 +329,8 @@ TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
   ASSERT_TRUE(checked());
   EXPECT_EQ(side.currentIndex(), 1);
   EXPECT_EQ(label("editor_why_no_plan"),
-            "The plan appears here once the text is valid. It has 1 problem now; the first is in "
-            "line 22.");
+            "The plan appears here once the text is valid. At present it has 1 problem; the first "
+            "is in line 22.");
 }
 
 TEST_F(ProtocolEditor, SaysWhatTheKeyUnderTheCursorMeans) {
@@ -366,10 +366,10 @@ TEST_F(ProtocolEditor, FindsWords) {
   ASSERT_TRUE(words.hasFocus());
   QTest::keyClicks(&words, "masking");
   EXPECT_EQ(edit().textCursor().selectedText(), "masking");
-  EXPECT_EQ(label("find_count"), "1 place");
+  EXPECT_EQ(label("find_count"), "1 match");
   words.clear();
   QTest::keyClicks(&words, "\"phase\"");
-  EXPECT_EQ(label("find_count"), "3 places");
+  EXPECT_EQ(label("find_count"), "3 matches");
   const int first = edit().textCursor().selectionStart();
   QTest::keyClick(&words, Qt::Key_Return);
   EXPECT_GT(edit().textCursor().selectionStart(), first);

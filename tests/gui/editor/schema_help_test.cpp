@@ -46,7 +46,7 @@ TEST_F(SchemaHelpTest, SaysWhatAForceModelDeclaresOfAParameter) {
 }
 
 TEST_F(SchemaHelpTest, KnowsRemarksAndSaysNothingOfKeysThatTheFormatDoesNotHave) {
-  EXPECT_EQ(of({"observer", "$comment"}).meaning, "A remark: the program does not read it.");
+  EXPECT_EQ(of({"observer", "$comment"}).meaning, "A comment: it is ignored by the program.");
   EXPECT_FALSE(help_.of({"environment", "visoin"}));
   EXPECT_FALSE(help_.of({}));
 }

@@ -105,7 +105,7 @@ TEST(OutcomeWords, ShowWhatEarlierStudiesStoredInBothLanguages) {
   const std::string typed[] = {"hesitated for long", "interrupted by a fire alarm",
                                "was run to try things out", "looked away, 2 s", "Hörte kurz auf"};
   std::map<std::string, std::string> english{
-      {"agreement seen by AB", "agreement witnessed by AB"},
+      {"agreement seen by AB", "consent witnessed by AB"},
       {"as asked, after the trial", "on request, after the trial"},
       {"the emergency stop was pressed", "the emergency stop was pressed"},
       {"not explored as asked: normal_force_N of surface 1, normal_force_N of surface 2, "

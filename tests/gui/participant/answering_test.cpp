@@ -177,7 +177,7 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   room.key(Qt::Key_Return);
   ASSERT_TRUE(room.sees([](const ParticipantScene& scene) { return !scene.cue.empty(); }));
   room.view().grab();
-  EXPECT_TRUE(room.view().drawn_texts().contains("A number is needed, 18 or more."));
+  EXPECT_TRUE(room.view().drawn_texts().contains("Please enter a number of at least 18."));
   room.key(Qt::Key_0);
   room.key(Qt::Key_Return);
   EXPECT_EQ(answer.get(), "70");

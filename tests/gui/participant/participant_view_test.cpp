@@ -444,7 +444,7 @@ TEST(ParticipantView, KeepsWhatWasBegunThroughARefusalAndForgetsItAfter) {
   ParticipantScene scene = scenes::form_number();
   seat.show(scene);
   seat.key(Qt::Key_9);
-  scene.cue = "A number is needed, 18 or more, 120 or less.";
+  scene.cue = "Please enter a number from 18 to 120.";
   scene.cue_number = 1;
   seat.show(scene);
   seat.key(Qt::Key_0);

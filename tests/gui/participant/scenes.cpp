@@ -167,7 +167,7 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("text", to_read());
   scenes.emplace_back("feel", feel(4));
   ParticipantScene lifting = feel(4);
-  lifting.text = "That is enough of surface B. Please lift the handle.";
+  lifting.text = "You have finished with surface B. Please lift the handle.";
   scenes.emplace_back("feel-enough", lifting);
   ParticipantScene with_pictures = feel(1);
   with_pictures.choices = recognition(6).choices;

@@ -255,10 +255,10 @@ TEST(SessionWindow, TellsTheLastScreenFromTheFirst) {
   FilledMonitor session{};
   session.monitor.update([](SessionSnapshot& s) { s.trials_done = 0; });
   session.set_phase(SessionPhase::ready);
-  EXPECT_TRUE(child<QLabel>(*session.window(), "now").text().startsWith("Getting ready"));
+  EXPECT_TRUE(child<QLabel>(*session.window(), "now").text().startsWith("Preparation"));
   session.monitor.update([](SessionSnapshot& s) { s.trials_done = s.trials; });
   EXPECT_EQ(child<QLabel>(*session.window(), "now").text(),
-            "After the last trial: the participant reads");
+            "After the last trial: the participant is reading");
 }
 
 TEST(SessionWindow, ShowsNoTimeLeftThatIsUnknown) {
@@ -426,7 +426,7 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_TRUE(text(10, 2).endsWith(" · attempt 2")) << text(10, 2).toStdString();
   const QString history =
       model.index(model.row_of(10), 2).data(Qt::ToolTipRole).toString().section('\n', 0, 0);
-  EXPECT_TRUE(history.endsWith("before: not explored as instructed")) << history.toStdString();
+  EXPECT_TRUE(history.endsWith("previously: not explored as instructed")) << history.toStdString();
   EXPECT_EQ(text(6, 2), "▲ skipped");
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
@@ -494,7 +494,7 @@ TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
   session.set_phase(SessionPhase::iti);
   EXPECT_EQ(marked(*window), QStringList{"17: next"}) << "of the same block";
   const auto& header = child<QLabel>(*window, "now");
-  EXPECT_EQ(header.text(), "Between trials, next is trial 17");
+  EXPECT_EQ(header.text(), "Between trials; next: trial 17");
   session.monitor.update([](SessionSnapshot& s) { s.block = 1; });
   EXPECT_EQ(marked(*window), QStringList{}) << "the block is over";
   EXPECT_EQ(header.text(), "Between trials");
@@ -514,8 +514,8 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   EXPECT_TRUE(health(MaskingState::none).endsWith("0 saturated"));
   EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound card: no masking noise"));
   EXPECT_TRUE(health(MaskingState::no_card).contains("▲"));
-  EXPECT_TRUE(
-      health(MaskingState::elsewhere).endsWith(" · masking noise from elsewhere, as measured"));
+  EXPECT_TRUE(health(MaskingState::elsewhere)
+                  .endsWith(" · masking noise from another source, as measured"));
   EXPECT_FALSE(health(MaskingState::elsewhere).contains("▲"));
   EXPECT_TRUE(
       health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
@@ -726,7 +726,7 @@ TEST(SessionWindow, SaysBesideTheButtonsWhyOneCannotBePressed) {
   EXPECT_FALSE(child<QPushButton>(*window, "repeat_last").isEnabled());
   EXPECT_FALSE(child<QPushButton>(*window, "skip").isEnabled());
   const QString why = child<QLabel>(*window, "why_disabled").text();
-  EXPECT_TRUE(why.contains("no trial is finished yet"));
+  EXPECT_TRUE(why.contains("no trial has been finished yet"));
   EXPECT_TRUE(why.contains("no trial is under way"));
 }
 
@@ -1082,13 +1082,13 @@ TEST(SessionWindow, SaysWhatWasDoneForALostScreenAndTakesTheWindowBack) {
   const auto window = session.window();
   auto& news = child<Banner>(*window, "news");
   window->tell_screen_lost("HDMI-1", ScreenLoss::force_stopped);
-  EXPECT_TRUE(news.text().contains("“HDMI-1” is gone")) << news.text().toStdString();
+  EXPECT_TRUE(news.text().contains("“HDMI-1” was disconnected")) << news.text().toStdString();
   EXPECT_TRUE(news.text().contains("the force is zero"));
   window->tell_screen_lost("HDMI-1", ScreenLoss::pausing);
   EXPECT_TRUE(news.text().contains("the session pauses"));
   const auto buttons = news.findChildren<QPushButton*>();
   const auto back = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
-    return button->text() == "Put their window back";
+    return button->text() == "Restore participant's window";
   });
   ASSERT_NE(back, buttons.end());
   QSignalSpy wanted(window.get(), &SessionWindow::participant_screen_back);

@@ -192,7 +192,7 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   EXPECT_TRUE(news.text().contains("the force is zero")) << news.text().toStdString();
   EXPECT_TRUE(desk->participant_window()->isVisible());
   for (QPushButton* button : news.findChildren<QPushButton*>()) {
-    if (button->text() == "Put their window back") click(*button);
+    if (button->text() == "Restore participant's window") click(*button);
   }
   EXPECT_FALSE(news.isVisible()) << "it is back";
   auto& panel = child<FaultPanel>(experimenter(), "fault_panel");

@@ -84,7 +84,7 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
   EXPECT_EQ(stored_session().state, SessionState::completed);
   const std::vector<EventRow> seen = stored_events("consent_seen");
   ASSERT_EQ(seen.size(), 1U);
-  EXPECT_EQ(seen.front().text, "agreement witnessed by AB");
+  EXPECT_EQ(seen.front().text, "consent witnessed by AB");
 
   const std::filesystem::path tables = export_tables();
   const std::vector<Row> felt = read_exported(tables / "presentations.tsv");

@@ -101,11 +101,11 @@ TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
   NoiseCheck check(declared_noise(), output_of(card));
   EXPECT_TRUE(check.reservation().contains("was not measured"));
   child<QDoubleSpinBox>(check, "measured_level").setValue(71.0);
-  EXPECT_TRUE(check.reservation().contains("measured at 71.0 dB(A), the protocol wants 65.0"));
+  EXPECT_TRUE(check.reservation().contains("measured at 71.0 dB(A); the protocol requires 65.0"));
   child<QDoubleSpinBox>(check, "measured_level").setValue(86.0);
-  EXPECT_TRUE(check.reservation().contains("harms hearing"));
+  EXPECT_TRUE(check.reservation().contains("can damage hearing"));
   child<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
-  EXPECT_TRUE(check.reservation().contains("Who measured"));
+  EXPECT_TRUE(check.reservation().contains("who measured"));
   QTest::keyClicks(&child<QLineEdit>(check, "verified_by"), "M. Weber ");
   EXPECT_EQ(check.reservation(), "");
   EXPECT_EQ(check.value().measured_dBA, 64.0);

@@ -262,7 +262,7 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
   EXPECT_TRUE(row.consent_utc);
   const std::vector<EventRow> events = stored.events(row.id);
   EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const EventRow& event) {
-    return event.kind == "consent_seen" && event.text == "agreement witnessed by MW";
+    return event.kind == "consent_seen" && event.text == "consent witnessed by MW";
   }));
 }
 

@@ -192,7 +192,8 @@ TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
   EXPECT_TRUE(can_start()) << shown_reason();
   find<QLineEdit>("consent_seen_by").clear();
   EXPECT_FALSE(can_start());
-  EXPECT_NE(shown_reason().find("who saw"), std::string::npos) << shown_reason();
+  EXPECT_NE(shown_reason().find("witness of the participant's consent"), std::string::npos)
+      << shown_reason();
 }
 
 TEST_F(TheStartPage, RefusesToStartWhereTheLoopIsTooSlow) {
@@ -244,8 +245,8 @@ TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
 TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
   page->show();
   choose(protocol);
-  EXPECT_TRUE(has_reason("\"How old are you?\" is not answered."));
-  EXPECT_TRUE(has_reason("\"Which hand?\" is not answered."));
+  EXPECT_TRUE(has_reason("\"How old are you?\" has not been answered."));
+  EXPECT_TRUE(has_reason("\"Which hand?\" has not been answered."));
   EXPECT_FALSE(has_reason("What do you like?"));
   fill_in();
   EXPECT_FALSE(has_reason("How old are you?"));
@@ -412,7 +413,9 @@ TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
   click("speed_real_time");
   EXPECT_EQ(page->order().inputs.pacing, RunPacing::real_time);
   EXPECT_FALSE(find<QSpinBox>("virtual_participants").isEnabled());
-  EXPECT_TRUE(find<QLabel>("simulation_text").text().contains("one virtual participant at a time"));
+  EXPECT_TRUE(find<QLabel>("simulation_text")
+                  .text()
+                  .contains("only one virtual participant can be simulated at a time"));
 }
 
 TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
@@ -427,7 +430,7 @@ TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
   EXPECT_TRUE(is_shown("consent_statement"));  // a person is a person
   EXPECT_EQ(page->order().inputs.mode, SessionMode::pilot);
   click("mode_simulate");
-  EXPECT_EQ(band->text(), "SIMULATED: no person");
+  EXPECT_EQ(band->text(), "SIMULATED: no human participant");
 }
 
 TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
@@ -504,13 +507,13 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
   choose(protocol, "virtual0001");
-  EXPECT_EQ(find<QPushButton>("go_on").text(), "Resume session 1 (1 of 3 trials done)");
+  EXPECT_EQ(find<QPushButton>("go_on").text(), "Resume session 1 (1 of 3 trials completed)");
   EXPECT_FALSE(page->order().inputs.resume);
   click("go_on");
   EXPECT_TRUE(page->order().inputs.resume);
   EXPECT_EQ(page->order().inputs.mode, SessionMode::simulate);
   EXPECT_FALSE(find<QPushButton>("mode_run").isEnabled());
-  EXPECT_TRUE(find<QLabel>("unfinished").text().contains("1 of its 3 trials are done"));
+  EXPECT_TRUE(find<QLabel>("unfinished").text().contains("1 of its 3 trials"));
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
   EXPECT_EQ(find<QPushButton>("start").text(), "Resume session 1");

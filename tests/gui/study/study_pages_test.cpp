@@ -258,7 +258,7 @@ TEST_F(StudyPages, TellOfASessionThatWasBrokenOffAndOfferToGoOnWithIt) {
   auto& banner = child<Banner>(window_, "protocols_broken_off");
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_EQ(banner.text(),
-            "Session 1 of P012 was interrupted: 3 of its 12 trials are done and stored.");
+            "Session 1 of P012 was interrupted: 3 of its 12 trials are completed and stored.");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   press(banner, "Resume session 1 of P012");
   ASSERT_EQ(wanted.count(), 1);
@@ -462,7 +462,7 @@ TEST_F(StudyPages, LeaveRoomForTheProtocolOfASession) {
 TEST_F(StudyPages, KeepVirtualParticipantsApart) {
   open_lively();
   StudyTable& table = table_of("participants", "participants_table", 12);
-  EXPECT_EQ(child<QPushButton>(window_, "participants_people").text(), "People 12");
+  EXPECT_EQ(child<QPushButton>(window_, "participants_people").text(), "Human 12");
   click("participants_virtual");
   EXPECT_EQ(table.shown_rows(), 2);
   EXPECT_EQ(table.text_at(0, 0), "virtual0001");
@@ -498,7 +498,8 @@ TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
   child<QLineEdit>(window_, "sessions_filter").setText("P004");
   table.selectRow(0);
   ASSERT_TRUE(resume.isEnabled());
-  EXPECT_EQ(child<QLabel>(window_, "sessions_reason").text(), "7 of 12 trials are done and safe.");
+  EXPECT_EQ(child<QLabel>(window_, "sessions_reason").text(),
+            "7 of 12 trials are completed and stored.");
   click("sessions_resume");
   ASSERT_EQ(wanted.count(), 1);
   const auto wish = wanted[0][0].value<SessionWish>();
@@ -522,7 +523,7 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   EXPECT_EQ(trials.text_at(7, 3), "column 1, texture metal") << "of what is to come too";
   EXPECT_EQ(trials.text_at(0, 4), "answered");
   EXPECT_EQ(trials.text_at(4, 10), "flagged: speed outside its band for 62 % of the contact");
-  EXPECT_EQ(trials.text_at(7, 4), "to come");
+  EXPECT_EQ(trials.text_at(7, 4), "pending");
   child<StudyTable>(window_, "trials_table").selectRow(4);
   EXPECT_EQ(child<QLabel>(window_, "trials_selected").text(),
             "Trial 5, attempt 1: answered; stone; flagged: speed outside its band for 62 % of the "

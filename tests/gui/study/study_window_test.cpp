@@ -122,7 +122,7 @@ TEST_F(StudyWindowTest, RefusesANameThatIsTaken) {
   child<QLineEdit>(dialog, "new_study_name").setText("taken");
   EXPECT_FALSE(child<QPushButton>(dialog, "new_study_create").isEnabled());
   EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
-            "There is something at ~/taken already; choose another name.");
+            "~/taken already exists; choose another name.");
 }
 
 TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
@@ -197,7 +197,7 @@ TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) 
     }
     EXPECT_TRUE(child<QPushButton>(window, "protocol_preview").isEnabled());
     EXPECT_EQ(child<QLabel>(window, "protocol_reason").text(),
-              "This study can only be read here: no session can be stored.");
+              "This study is read-only: no session can be stored.");
     take_screenshot(window, "study-read-only");
     window.show_page("sessions");
     auto& sessions = child<StudyTable>(window, "sessions_table");
@@ -207,7 +207,7 @@ TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) 
     sessions.selectRow(0);
     EXPECT_FALSE(child<QPushButton>(window, "sessions_resume").isEnabled());
     EXPECT_EQ(child<QLabel>(window, "sessions_reason").text(),
-              "This study can only be read here: no session can be stored.");
+              "This study is read-only: no session can be stored.");
     click(window, "sessions_open");
     EXPECT_FALSE(child<QPushButton>(window, "trials_exclude").isEnabled());
   }

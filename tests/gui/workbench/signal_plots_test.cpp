@@ -35,7 +35,7 @@ TEST(SignalPlot, HasTwoNumbersAtEachAxisHoweverNarrowItIs) {
     EXPECT_GE(numbers_at(*plot_in(plot).xAxis), 2) << high;
   }
   for (const double high : {2.0, 7.0, 15.0, 90.0}) {
-    SignalPlot plot({.heading = "Its spectrum",
+    SignalPlot plot({.heading = "Spectrum of the profile",
                      .x = "Waves per mm",
                      .y = "Power",
                      .x_scale = PlotScale::logarithmic,

@@ -369,7 +369,7 @@ TEST_F(Workbench, ProposesANameThatCanBeSavedForThePhotographOfAStimulus) {
   EXPECT_TRUE(std::filesystem::exists(study_folder() / "stimuli/brick_2.png"));
   find<QLineEdit>("name").setText("brick_photo");
   EXPECT_FALSE(find<QPushButton>("save").isEnabled());
-  EXPECT_TRUE(find<QLabel>("name_problem").text().contains("must not end in _photo"));
+  EXPECT_TRUE(find<QLabel>("name_problem").text().contains("Names ending in _photo are reserved"));
 }
 
 TEST_F(Workbench, IsUnsavedWhenTheRecipeIsChangedWhileItIsBeingSaved) {
@@ -393,7 +393,7 @@ TEST_F(Workbench, SavesAllOrNothingWhenSavingIsCancelled) {
   settle();
   const std::filesystem::path stimuli = study_folder() / "stimuli";
   // A machine that is busy elsewhere may notice too late.
-  const bool in_time = find<Banner>("banner").text().contains("you cancelled it");
+  const bool in_time = find<Banner>("banner").text().contains("was cancelled");
   for (const char* name : {"brick.png", "brick.png.json", "brick_photo.png"}) {
     EXPECT_EQ(std::filesystem::exists(stimuli / name), !in_time) << name;
   }
@@ -406,7 +406,7 @@ TEST_F(Workbench, ForgetsAFileWhoseReadingIsCancelled) {
   page_->open_file(stone);
   find<TaskLine>("reading").findChild<QPushButton*>("task_cancel")->click();
   EXPECT_TRUE(page_->is_settled());
-  EXPECT_TRUE(find<Banner>("banner").text().contains("you cancelled it"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("was cancelled"));
   drop(brick);  // by then the other has been read to its end, for nobody
   EXPECT_EQ(page_->field()->grid().columns, 128U);
   EXPECT_EQ(find<QLineEdit>("name").text(), "brick");
@@ -433,13 +433,13 @@ TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
   std::filesystem::resize_file(huge, std::uintmax_t{3} << 30U);  // a hole; nobody may read it
   const std::vector<std::pair<std::filesystem::path, const char*>> drops{
       {wide, "30000 by 16 pixels; at most 16384"},
-      {words, "is not a picture that is read here"},
+      {words, "is not a picture in a format that is read"},
       {nothing, "is empty"},
       {folder() / "pictures.png", "is a folder"},
       {half, "is truncated or damaged"},
       {folder() / "pipe.png", "is not a picture file"},
-      {huge, "3.0 GiB; pictures of up to 2 GiB"},
-      {folder() / "gone.png", "is not there any more"}};
+      {huge, "3.0 GiB in size; pictures of up to 2 GiB"},
+      {folder() / "gone.png", "was not found"}};
   for (const auto& [file, words_for_it] : drops) {
     drop(file);
     const auto& banner = find<Banner>("banner");
@@ -461,7 +461,7 @@ TEST_F(Workbench, TakesTheFirstOfSeveralFilesAndSaysSo) {
   std::rotate(files.begin(), files.begin() + 1, files.end());
   drop_all(files);  // the first is not there
   EXPECT_TRUE(find<Banner>("banner").text().contains("10 files were dropped"));
-  EXPECT_TRUE(find<Banner>("banner").text().contains("other1.png is not there any more"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("other1.png was not found"));
 }
 
 TEST_F(Workbench, ReadsSixteenBitsOfATiff) {
@@ -488,7 +488,7 @@ TEST_F(Workbench, SaysThatTransparencyIsLeftOut) {
   ASSERT_TRUE(clear.save(file.c_str()));
   drop(file);
   ASSERT_NE(page_->field(), nullptr);
-  EXPECT_TRUE(find<Banner>("banner").text().contains("alpha channel, which is left out"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("alpha channel, which is ignored"));
   const QImage shown = find<StepStrip>("steps").picture(Step::photograph);
   EXPECT_EQ(shown.pixel(9, 5), brick.pixel(9, 5)) << "as it counts";
   drop(folder() / "brick.png");
@@ -504,7 +504,7 @@ TEST_F(Workbench, SaysThatAPictureLiesAsItIsStored) {
   write_turned(turned, read_file(plain));
   drop(turned);
   ASSERT_NE(page_->field(), nullptr) << find<Banner>("banner").text().toStdString();
-  EXPECT_TRUE(find<Banner>("banner").text().contains("lies as it is stored"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("is shown without this rotation"));
   EXPECT_EQ(page_->field()->grid().columns, 128U);
   EXPECT_EQ(find<StepStrip>("steps").picture(Step::photograph).width(), 128);
   drop(plain);
