@@ -41,7 +41,16 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
                        study);
   }
   make_folders(path_.parent_path());
-  while (!take(study, name)) {
+  // Each try that fails means that another program has released the lock in between.
+  constexpr int kMostTries = 1000;
+  for (int left = kMostTries; !take(study, name); --left) {
+    if (left == 0) {
+      throw ResultsError(
+          "the file " + path_.string() +
+              " cannot be locked: its file system shows another file under its name; "
+              "move the study to a local disk",
+          path_);
+    }
   }
 }
 
@@ -52,12 +61,20 @@ bool StudyLock::take(const std::filesystem::path& study, const std::string& name
   try {
     give_to_group(descriptor_, path_);
     if (!take_lock(descriptor_, path_)) {
+      if (!leads_to(path_, descriptor_)) {  // its holder has released it meanwhile
+        ::close(descriptor_);
+        return false;
+      }
       throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
                              holder_in_lock(descriptor_).description +
                              "; wait until it has finished, or stop it there",
                          path_, EAGAIN);
     }
   } catch (...) {
+    // Locked and not written, on a full disk: the name of the file is a participant's label.
+    struct flock lock = lock_of_whole_file(F_WRLCK);
+    const bool is_free = ::fcntl(descriptor_, F_OFD_GETLK, &lock) == 0 && lock.l_type == F_UNLCK;
+    if (is_free && leads_to(path_, descriptor_)) ::unlink(path_.c_str());
     ::close(descriptor_);
     throw;
   }
@@ -86,9 +103,10 @@ std::optional<LockHolder> StudyLock::holder(const std::filesystem::path& study,
   const int result = ::fcntl(descriptor, F_OFD_GETLK, &lock);
   const int error_number = errno;
   LockHolder held_by = holder_in_lock(descriptor);
+  const bool is_current = leads_to(path, descriptor);
   ::close(descriptor);
   if (result != 0) fail_on_file(path, "examined", error_number);
-  if (lock.l_type == F_UNLCK) return std::nullopt;
+  if (lock.l_type == F_UNLCK || !is_current) return std::nullopt;
   return held_by;
 }
 

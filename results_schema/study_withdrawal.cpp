@@ -258,8 +258,7 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
   }
   WithdrawalRow row = withdrawal;
   count_rows(database, label);  // before a lock is made for a label that is not there
-  const std::string lock_name = session_lock_name(label);
-  std::optional<StudyLock> lock(std::in_place, store_->folder, lock_name);
+  std::optional<StudyLock> lock(std::in_place, store_->folder, session_lock_name(label));
   const WithdrawalRow counts = count_rows(database, label);
   row.is_virtual = counts.is_virtual;
   row.sessions = counts.sessions;
@@ -284,8 +283,7 @@ WithdrawalRow Study::withdraw(const std::string& label, const WithdrawalRow& wit
   sync_folder(store_->folder / "recordings");
   sync_folder(store_->folder);
   delete_rows(database, label, row);
-  remove_file(store_->folder / "locks" / (lock_name + ".lock"));
-  lock.reset();
+  lock.reset();  // removes its file
   // For pages that were free before: in the others what was removed is overwritten.
   database.execute("VACUUM");
   empty_log(database);
