@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <pthread.h>
 
 #include <termios.h>
 
@@ -13,10 +14,10 @@ namespace {
 
 constexpr int kNoTerminal = -1;
 // Every standard signal whose default action ends a program (signal(7)), but for SIGKILL, which cannot be handled.
-constexpr std::array kEndingSignals{SIGABRT,   SIGALRM, SIGBUS,  SIGFPE,  SIGHUP,  SIGILL,
-                                    SIGINT,    SIGIO,   SIGPIPE, SIGPROF, SIGPWR,  SIGQUIT,
-                                    SIGSEGV,   SIGSYS,  SIGTERM, SIGTRAP, SIGUSR1, SIGUSR2,
-                                    SIGVTALRM, SIGXCPU, SIGXFSZ};
+constexpr std::array kEndingSignals{SIGABRT, SIGALRM,   SIGBUS,  SIGFPE,  SIGHUP,  SIGILL,
+                                    SIGINT,  SIGIO,     SIGPIPE, SIGPROF, SIGPWR,  SIGQUIT,
+                                    SIGSEGV, SIGSTKFLT, SIGSYS,  SIGTERM, SIGTRAP, SIGUSR1,
+                                    SIGUSR2, SIGVTALRM, SIGXCPU, SIGXFSZ};
 
 // What a signal handler may touch; `echoing` is written before the terminal is named and not after.
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -40,12 +41,21 @@ void handle_ending_signals(void (*from)(int), void (*to)(int)) {
 }  // namespace
 
 void restore_echo() noexcept {
-  const int terminal = silent_terminal.exchange(kNoTerminal);
+  const int terminal = silent_terminal.load();
   if (terminal == kNoTerminal) return;
   const int error = errno;
+  // In the background either call would stop the program instead of restoring anything.
+  sigset_t stopping{};
+  sigset_t before{};
+  sigemptyset(&stopping);
+  sigaddset(&stopping, SIGTTOU);
+  ::pthread_sigmask(SIG_BLOCK, &stopping, &before);
   // Not TCSAFLUSH, which waits until the terminal has taken all output: a stopped one never takes it.
   ::tcsetattr(terminal, TCSANOW, &echoing);
   ::tcflush(terminal, TCIFLUSH);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  // Only now: a handler in another thread that finds none ends the program at once. Twice does no harm.
+  silent_terminal.store(kNoTerminal);
   errno = error;
 }
 
