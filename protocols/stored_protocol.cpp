@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -264,6 +265,21 @@ StoredProtocol stored_protocol(const std::string& source) {
     for (auto& [level, number] : levels_in(root, name)) read.pictures.push_back(std::move(level));
   }
   return read;
+}
+
+std::size_t count_protocols(const std::vector<std::string>& sources) {
+  std::map<std::string, std::map<std::string, std::size_t>> files_by_language{};
+  for (const std::string& source : sources) {
+    ++files_by_language[without_texts(source)][language_of(source)];
+  }
+  std::size_t all = 0;
+  for (const auto& [content, languages] : files_by_language) {
+    all += std::max_element(
+               languages.begin(), languages.end(),
+               [](const auto& one, const auto& other) { return one.second < other.second; })
+               ->second;
+  }
+  return all;
 }
 
 }  // namespace asperity

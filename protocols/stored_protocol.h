@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,5 +56,9 @@ std::string without_texts(const std::string& source);
 
 /// The language that the source states; "en" where it states none.
 std::string language_of(const std::string& source);
+
+/// How many protocols the files (no text twice) are. Those that differ in language and texts only are one in several
+/// languages; two of them in one language are two, because what participants read is part of the experiment.
+std::size_t count_protocols(const std::vector<std::string>& sources);
 
 }  // namespace asperity

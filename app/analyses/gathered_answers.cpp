@@ -85,7 +85,7 @@ class Gathering {
 
   void declare(const ProtocolRow& protocol) {
     if (!sources_.insert(protocol.source_sha256).second) return;
-    without_texts_.insert(without_texts(protocol.source));
+    texts_of_sources_.push_back(protocol.source);
     StoredProtocol specified = stored_protocol(protocol.source);
     if (auto& estimation = specified.estimation) {
       gathered.estimation.spacing = estimation->spacing;
@@ -117,7 +117,7 @@ class Gathering {
 
   GatheredAnswers finish() && {
     gathered.count.participants = participants_.size();
-    gathered.sources = without_texts_.size();
+    gathered.sources = count_protocols(texts_of_sources_);
     if (!gathered.declared_alike) gathered.declared = {};
     return std::move(gathered);
   }
@@ -213,8 +213,7 @@ class Gathering {
 
   std::set<std::string> participants_{};
   std::set<std::string> sources_{};
-  std::set<std::string>
-      without_texts_{};  ///< the same files without what differs between translations
+  std::vector<std::string> texts_of_sources_{};
   std::vector<Levels> levels_{};
   std::map<std::string, std::uint32_t> option_lists_{};
 };

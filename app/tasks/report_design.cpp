@@ -429,7 +429,7 @@ ReportSection design_section(const ReportFacts& facts) {
   if (facts.sources.size() > 1) {
     const std::string files = capitalised(count_in_words(facts.sources.size()));
     section.parts.emplace_back(
-        facts.differ_in_texts_only
+        facts.are_translations
             ? ReportText{files + " files carry the name and version of this protocol. They differ "
                                  "in language and texts only; the texts that follow are those of "
                                  "the first."}

@@ -233,6 +233,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
 
   std::map<std::tuple<std::string, std::string, AnswerGroup>, ReportFacts> groups{};
   const std::vector<SessionOverview> sessions = session_overviews(study, stop);
+  std::map<const ReportFacts*, std::vector<std::string>> texts_of_sources{};
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (stop.stop_requested()) break;
     if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
@@ -247,9 +248,9 @@ std::vector<ReportFacts> report_facts(const Study& study,
           check_protocol_text(of.source, of.name, built_in_models(), std::nullopt, std::nullopt);
     }
     facts.group = group;
-    if (facts.sources.insert(of.source_sha256).second && facts.sources.size() > 1) {
-      facts.differ_in_texts_only = facts.differ_in_texts_only &&
-                                   without_texts(of.source) == without_texts(facts.protocol.source);
+    if (facts.sources.insert(of.source_sha256).second) {
+      texts_of_sources[&facts].push_back(of.source);
+      facts.are_translations = count_protocols(texts_of_sources[&facts]) == 1;
     }
     if (facts.participants.empty() || facts.participants.back().label != person.label) {
       facts.participants.push_back(person);

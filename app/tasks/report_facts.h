@@ -83,7 +83,7 @@ struct ReportFacts {
   ProtocolRow protocol{};           ///< the first of its files
   ProtocolCheck file{};             ///< the same as a value, or why it cannot be read
   std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
-  bool differ_in_texts_only = true;  ///< those files: they are translations of each other
+  bool are_translations = true;     ///< those files are one protocol in several languages
   AnswerGroup group = AnswerGroup::people;
   std::vector<ParticipantRow> participants{};  ///< by label
   std::vector<ReportedSession> sessions{};     ///< by participant, session

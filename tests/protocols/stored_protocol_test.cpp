@@ -132,5 +132,15 @@ TEST(StoredProtocol, WithoutTextsIsTheSameInEveryLanguageAndInNothingElse) {
   EXPECT_EQ(without_texts("no JSON"), "no JSON");
 }
 
+TEST(StoredProtocol, IsOneInSeveralLanguagesAndTwoInOne) {
+  const std::string english = R"({"language": "en", "instructions": "Choose."})";
+  const std::string german = R"({"language": "de", "instructions": "Wählen."})";
+  const std::string reworded = R"({"instructions": "Choose the rougher one."})";
+  EXPECT_EQ(count_protocols({english, german}), 1U);
+  EXPECT_EQ(count_protocols({english, reworded}), 2U) << "participants read something else";
+  EXPECT_EQ(count_protocols({english, german, reworded}), 2U);
+  EXPECT_EQ(count_protocols({english, R"({"language": "de", "sessions": 2})"}), 2U);
+}
+
 }  // namespace
 }  // namespace asperity
