@@ -78,6 +78,9 @@ inline FindingName name_of(const Finding& finding) {
   return {finding.analysis, finding.quantity, finding.key};
 }
 
+/// Whether the protocol declares a family of tests before data collection.
+enum class FamilyDeclaration { none, declared, differs_between_files };
+
 /// The answers of one group to one version of one protocol, analysed.
 struct AnalysisOutcome {
   std::string protocol{};
@@ -86,6 +89,7 @@ struct AnalysisOutcome {
   std::string design{};
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
+  FamilyDeclaration family = FamilyDeclaration::none;
   bool declares_sexes = false;                ///< the protocol's family compares women and men
   std::size_t answers = 0;                    ///< attempts that the tables count
   std::vector<AnsweredQuestion> questions{};  ///< the one that the study is about first

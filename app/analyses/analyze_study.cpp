@@ -127,6 +127,9 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     outcome.group = gathered.group;
     outcome.count = gathered.count;
     const std::vector<std::string>& family = gathered.declared.family;
+    outcome.family = !gathered.declared_alike ? FamilyDeclaration::differs_between_files
+                     : family.empty()         ? FamilyDeclaration::none
+                                              : FamilyDeclaration::declared;
     outcome.declares_sexes = std::find(family.begin(), family.end(), "sexes") != family.end();
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);

@@ -52,19 +52,21 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
   const double chance = 1.0 / static_cast<double>(means.size());
   return {.text = "Mean proportions of choices were " + all_estimates(means, "", reading_percent) +
                   "; the chance level was " + reading_percent(chance) + '.',
-          .has_mean_interval = means.front()->low.has_value()};
+          .has_mean_interval = std::any_of(means.begin(), means.end(), [](const Finding* mean) {
+            return mean->low.has_value();
+          })};
 }
 
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
   if (means.empty()) return {};
   constexpr int kDecimals = 2;
-  return {.text =
-              "The mean slope of the log estimates over the log spacing (exponent of a power "
-              "function) was " +
-              all_estimates(means, "all",
-                            [](double value) { return reading_signed(value, kDecimals); }) +
-              '.'};
+  return {.text = (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
+                  " of the log estimates over the log spacing (exponent of a power function) " +
+                  (means.size() == 1 ? "was " : "were ") +
+                  all_estimates(means, "all",
+                                [](double value) { return reading_signed(value, kDecimals); }) +
+                  '.'};
 }
 
 }  // namespace

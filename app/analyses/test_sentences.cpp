@@ -176,7 +176,7 @@ TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kin
     const std::string about =
         words_of_cell("test", test.about.empty() ? test.name : test.name + '|' + test.about)
             .english();
-    sentence.text = Phrase("The test of %1 could not be made: %2")
+    sentence.text = Phrase("The test of %1 could not be computed: %2")
                         .with(about, words_of_cell("status", test.status))
                         .as_sentence()
                         .english();

@@ -143,7 +143,7 @@ std::string recorded_noise_text(const ReportFacts& facts) {
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
     sentences.push_back(
         "No masking noise is recorded " + unstored.text_after_not() +
-        "; the program version used stored nothing about it at a terminal, where none is played.");
+        "; the program version used did not store it in a terminal session, where none is played.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

@@ -65,27 +65,40 @@ std::string analysed_text(const ReportFacts& facts) {
          program_version() + '.' + of_participants;
 }
 
+std::string declaration_text(FamilyDeclaration family) {
+  switch (family) {
+    case FamilyDeclaration::none:
+      return "No test was declared in advance: all tests are exploratory.";
+    case FamilyDeclaration::differs_between_files:
+      return "The files of the protocol declare different tests: all tests are treated as "
+             "exploratory.";
+    case FamilyDeclaration::declared:
+      break;
+  }
+  return {};
+}
+
 std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
+  if (outcome.test_sentences.empty()) return {};
   std::vector<std::string> names{};  // of the tests in the family
   std::size_t family = 0;
   std::size_t made = 0;
-  bool is_declared = false;
   for (const TestSentence& each : outcome.test_sentences) {
     if (!is_of_family(each)) continue;
     ++family;
     if (!each.is_untested) ++made;
-    is_declared = each.role == TestRole::confirmatory;
     const std::string name = words_of_cell("family", each.test).english();
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  const std::string undeclared =
-      is_declared ? "" : "No test was declared in advance: all tests are exploratory.";
-  if (family < 2 || made == 0) return undeclared;
+  const bool is_declared = outcome.family == FamilyDeclaration::declared;
+  const std::string declaration = declaration_text(outcome.family);
+  if (family < 2 || made == 0) return declaration;
   return with_sentences(
-      {undeclared, "The p values of the " + reading_count(family) +
-                       (is_declared ? " confirmatory tests" : " tests") + " (" + listed(names) +
-                       ") were Holm-corrected" + cited("Holm 1979", sources) +
-                       (made < family ? "; a test that could not be made counts as p = 1." : ".")});
+      {declaration,
+       "The p values of the " + reading_count(family) +
+           (is_declared ? " confirmatory tests" : " tests") + " (" + listed(names) +
+           ") were Holm-corrected" + cited("Holm 1979", sources) +
+           (made < family ? "; a test that could not be computed counts as p = 1." : ".")});
 }
 
 /// A name with what it is cited for behind it: "Cohen’s d (Cohen, 1988)".

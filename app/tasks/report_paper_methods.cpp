@@ -30,15 +30,13 @@ std::string sessions_of_participants(const ReportFacts& facts) {
                                : " each");
 }
 
-/// "Two sessions were not completed (one was stopped and one was interrupted); the responses until then were included."
+/// "Two sessions were not completed (one was stopped and one was interrupted)."
 std::string unfinished_sessions(const ReportFacts& facts) {
   std::map<std::string, std::size_t> states{};
   std::size_t all = 0;
-  bool is_any_excluded = false;
   for (const ReportedSession& session : facts.sessions) {
     if (session.row.state == SessionState::completed) continue;
     ++all;
-    is_any_excluded = is_any_excluded || session.row.excluded;
     ++states[session.is_running                           ? "running"
              : session.row.state == SessionState::open    ? "left open"
              : session.row.state == SessionState::stopped ? "stopped"
@@ -51,8 +49,7 @@ std::string unfinished_sessions(const ReportFacts& facts) {
   }
   return capitalised(count_in_words(all)) +
          (all == 1 ? " session was not completed (" : " sessions were not completed (") +
-         (states.size() == 1 ? states.begin()->first : listed(parts)) +
-         (is_any_excluded ? ")." : "); the responses until then were included.");
+         (states.size() == 1 ? states.begin()->first : listed(parts)) + ").";
 }
 
 /// "Two sessions were excluded from the analysis (fire alarm; wrong hand)."
@@ -266,9 +263,14 @@ std::string paper_order(const ReportFacts& facts, Sources& sources) {
     const Protocol::Block& block = protocol.blocks.at(run->block);
     if (block.phase == Phase::main) orders.push_back(order_of_run(block, *run));
   }
+  const std::size_t runs = orders.size();
+  std::sort(orders.begin(), orders.end());
+  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
   for (const std::string& order : orders) {
     text += (text.empty() ? "" : " ") +
-            std::string(orders.size() == 1 ? "Trials were" : "Trials of one block were") +
+            std::string(runs == 1            ? "Trials were"
+                        : orders.size() == 1 ? "In each block, trials were"
+                                             : "In some blocks, trials were") +
             " presented " + order + '.';
   }
   switch (protocol.counterbalance) {
@@ -314,7 +316,7 @@ std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMe
                                    paper_environment(facts)};
   if (facts.file.protocol) {
     if (facts.sources.size() > 1) {
-      methods.push_back(facts.differ_in_texts_only
+      methods.push_back(facts.are_translations
                             ? "The protocol was run in " + count_in_words(facts.sources.size()) +
                                   " versions that differ in language and texts only."
                             : "The protocol has " + count_in_words(facts.sources.size()) +

@@ -450,10 +450,10 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     const Phrase text = uncompared.empty()
                             ? phrase("SessionChecks",
                                      "%1; every stimulus is within the capabilities of the device, "
-                                     "but it does not meet the protocol's limits.")
+                                     "but the device does not meet the protocol's limits.")
                             : phrase("SessionChecks",
                                      "%1; every stimulus is within the known capabilities of the "
-                                     "device, but it does not meet the protocol's limits.");
+                                     "device, but the device does not meet the protocol's limits.");
     profile.text = text.with(age);
   } else {
     const Phrase text =
@@ -528,8 +528,9 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
     zero.remedy = phrase("SessionChecks", "Fix the device, then check again.");
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;
-    zero.text = phrase("SessionChecks", "A force of %1 N was sent without a surface.")
-                    .with(fixed(trial.strongest_N, 3));
+    zero.text =
+        phrase("SessionChecks", "A force of %1 N was sent although no surface was presented.")
+            .with(fixed(trial.strongest_N, 3));
     zero.remedy = phrase("SessionChecks",
                          "Release the handle, switch the device off and on, then check again.");
   } else {

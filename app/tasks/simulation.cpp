@@ -98,7 +98,7 @@ std::string deleted_text(int deleted) {
   if (deleted == 0) return "";
   const std::string number = deleted == 1 ? "1 virtual participant was"
                                           : std::to_string(deleted) + " virtual participants were";
-  return " (" + number + " deleted from the study, of which simulation is not stored)";
+  return " (" + number + " deleted from the study; their simulation is not stored)";
 }
 
 /// The batch to add, or the one to resume.

@@ -165,7 +165,7 @@ TEST(PaperText, ClaimsNothingOfADifferenceThatIsNotSignificant) {
 TEST(PaperText, StatesWhyAConfirmatoryTestCouldNotBeMade) {
   const std::string results = paragraph(report_of_choices({6}), "Results");
   EXPECT_THAT(results, HasSubstr(". The test of pairs"));
-  EXPECT_THAT(results, HasSubstr(" could not be made: "));
+  EXPECT_THAT(results, HasSubstr(" could not be computed: "));
 }
 
 TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
@@ -209,7 +209,24 @@ TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
   EXPECT_THAT(results_of(made), Not(HasSubstr("different files")));
   add(R"({"language": "de", "title": "Welche?", "sessions": 2})");
   EXPECT_THAT(design(), StartsWith("Three different files carry the name and version"));
-  EXPECT_THAT(results_of(made), HasSubstr("2 different files carry this protocol name"));
+  EXPECT_THAT(results_of(made), HasSubstr("2 different files have this protocol name"));
+}
+
+TEST(PaperText, DoesNotCallUndeclaredWhatFilesDeclareDifferently) {
+  MadeUpStudy made;
+  int sessions = 0;
+  for (const char* family : {R"(["pairs"])", R"(["preference"])"}) {
+    const std::int64_t id = made.add_protocol(
+        "which", "selection", std::string(R"({"analysis": {"family": )") + family + "}}");
+    for (int i = 0; i < 2; ++i) {
+      const std::string label = "p" + std::to_string(++sessions);
+      made.add_person(label, "F");
+      made.add_session(label, id, {one_of_two("sinusoid"), one_of_two("height_map")});
+    }
+  }
+  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  EXPECT_THAT(methods, HasSubstr("The files of the protocol declare different tests"));
+  EXPECT_THAT(methods, Not(HasSubstr("No test was declared")));
 }
 
 TEST(ReportOfTests, ExplainsTheSymbolsOfItsTableOnly) {

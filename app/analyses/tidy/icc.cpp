@@ -64,7 +64,7 @@ std::string meaning_of(std::string_view form) {
 std::string interval_meaning_of(std::string_view form) {
   return form.starts_with("ICC2")
              ? "; interval by Satterthwaite's degrees of freedom, which in simulations of normal "
-               "ratings covered 93 to 97 % instead of 95 %, with three raters 87 to 98 %, of two "
+               "ratings covered 93 to 97 % instead of 95 %, with three raters 87 to 98 %, with two "
                "targets 80 to 94 %"
              : "; interval by F, exact for normal ratings";
 }

@@ -399,7 +399,7 @@ class MagnitudeList final {
                            : "slope of the mean curve at the high end, one-sided t: falling");
     }
     number("invU.p", probe, fit.interior_maximum_p(),
-           "interior maximum: the larger of both one-sided p (Lind and Mehlum)");
+           "interior maximum: the larger of the two one-sided p values (Lind and Mehlum)");
     list_.truth("invU.significant", probe,
                 fit.interior_maximum_p().value_or(1.0) < 1.0 - confidence_,
                 basis("whether the mean curve has a significant interior maximum"));

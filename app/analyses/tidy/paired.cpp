@@ -36,7 +36,9 @@ Paired paired_in(const TidyInput& input) {
     throw std::runtime_error("the option \"items\" must name at least two items");
   }
   if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
-    throw std::runtime_error("the option \"items\" names \"tie\", which as a winner means neither");
+    throw std::runtime_error(
+        "the option \"items\" names \"tie\", which as a winner means neither item; give this item "
+        "another name");
   }
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn first = table.labels("first", read.items);

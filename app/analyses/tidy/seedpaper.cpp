@@ -313,7 +313,7 @@ void add_matching_against_recognition(const RightAnswers& matching, const RightA
     findings.number("t2t3.mcnemar.p.max", block, bounds.high, {.n = n, .method = method});
     findings.number("t2t3.fisher.p", block,
                     fisher_test({.first = first, .second = second}, kConfidence).p_two_sided,
-                    {.n = n, .method = "Fisher's exact test, as if of different participants"});
+                    {.n = n, .method = "Fisher's exact test, tables treated as independent"});
   }
 }
 
