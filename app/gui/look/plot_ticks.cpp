@@ -27,7 +27,10 @@ template <typename Ticker>
 class WithMinus final : public Ticker {
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return Ticker::getTickLabel(tick, locale, format, precision).replace('-', "−");
+    // An exponent keeps its hyphen, by which the plot knows a power of ten.
+    QString label = Ticker::getTickLabel(tick, locale, format, precision);
+    if (label.startsWith('-')) label.replace(0, 1, "−");
+    return label;
   }
 };
 

@@ -63,7 +63,9 @@ QString words_as_published(const Phrase& phrase) {
 }
 
 QString shown_number(double value, char format, int precision) {
-  return QLocale().toString(value, format, precision).replace('-', "−");
+  QString text = QLocale().toString(value, format, precision);
+  if (text.startsWith('-')) text.replace(0, 1, "−");
+  return text;
 }
 
 QString words_of(const Phrase& phrase, const QString& control) {

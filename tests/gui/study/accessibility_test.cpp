@@ -157,11 +157,11 @@ TEST(AccessibleNames, AreMissedOfAButtonWithoutOne) {
 
 TEST(ColorAlone, IsFoundInALabelAndInACell) {
   QWidget window{};
-  auto* number = new QLabel(QString("<span style='color:%1'>4.2</span>").arg(theme().stop.name()),
-                            &window);
+  auto* number =
+      new QLabel(QString("<span style='color:%1'>4.2 mm</span>").arg(theme().stop.name()), &window);
   auto* table = new QTableWidget(1, 2, &window);
   table->setItem(0, 0, new QTableWidgetItem("4.2"));
-  table->setItem(0, 1, new QTableWidgetItem("4.2"));
+  table->setItem(0, 1, new QTableWidgetItem("12 ms"));
   table->item(0, 1)->setForeground(theme().look);
   table->move(0, 40);
   window.show();

@@ -71,8 +71,9 @@ QStringList told_by_color_alone(const QWidget& window) {
                        [&shown](const auto& color) { return theme().*color == shown; });
   };
   const auto has_words_or_shape = [](const QString& text) {
+    static const QRegularExpression kNumbers("[-−+]?\\d[\\d.,]*\\s*\\S{0,5}");  // with their units
     static const QRegularExpression kWords("\\p{L}{2}|[✓▲✕●■▼!]");
-    return kWords.match(text).hasMatch();
+    return kWords.match(QString(text).remove(kNumbers)).hasMatch();
   };
   QStringList found{};
   for (const QLabel* label : window.findChildren<QLabel*>()) {
