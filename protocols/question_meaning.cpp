@@ -122,7 +122,8 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
                "this to false");
       }
       if (!question.correct_factor.empty()) {
-        report(place + "/correct_factor", "no response of a magnitude is correct or incorrect");
+        report(place + "/correct_factor",
+               "a magnitude estimate is neither correct nor incorrect; remove this key");
       }
       break;
   }

@@ -68,8 +68,8 @@ void add_metadata_options(CLI::App& command, MetadataOptions& options, EmptyText
       .add_option("--author", options.authors,
                   "An author, \"Family, Given\"; repeat the option for each author, in order")
       ->transform(words("an author"));
-  command.add_option("--license", options.license, "License of the data, such as CC-BY-4.0")
-      ->transform(words("a license"));
+  command.add_option("--license", options.license, "Licence of the data, such as CC-BY-4.0")
+      ->transform(words("a licence"));
   command
       .add_option("--ethics", options.ethics,
                   "Ethics approval: committee and number of the approval")
@@ -84,7 +84,7 @@ void add_metadata(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "metadata", "Show or change the authors, the license and the ethics approval of a study.");
+      "metadata", "Show or change the authors, the licence and the ethics approval of a study.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   add_metadata_options(*command, options->metadata, EmptyText::takes_away);
   command->add_flag("--json", options->json, "Print one JSON document");

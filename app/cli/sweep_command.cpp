@@ -399,7 +399,7 @@ Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
   if (alike > 1) {
     say("asperity: warning: " + std::to_string(alike) + " different files are " + outcome.protocol +
         ' ' + outcome.version +
-        ", and their answers are counted together; the sweep is compared with the first of them");
+        ", and their responses are counted together; the sweep is compared with the first of them");
   }
   return read_protocol(found->source, found->name, declarations_of(models));
 }

@@ -441,7 +441,8 @@ class DeviceRehearsal final {
           .device = device_N_s_per_m,
           .text = phrase("Rehearsal",
                          "The virtual coupling of \"%1\", %2 N/m and %3 N s/m, requires a device "
-                         "with a damping of %4 N s/m at %5 Hz; the measured value is %6 N s/m. "
+                         "with a damping of %4 N s/m at %5 Hz; the measured stiffness of this one "
+                         "corresponds to %6 N s/m. "
                          "Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.")
                       .with(name, in_three_digits(coupling.stiffness_N_per_m),
                             in_three_digits(coupling.damping_N_s_per_m),

@@ -80,7 +80,7 @@ Columns StimulusTable::columns() {
       "intended RMS of the texture force on the prescribed path", "no equal force was requested");
   add("achieved_presentations", "integer", "1",
       "presentations in the following two columns: touched for long enough, in attempts that "
-      "analyses count");
+      "analyses include");
   add("achieved_texture_force_mean_N", "number", "N",
       "RMS of the texture force along the participants' own paths: mean over presentations",
       "no such presentation");

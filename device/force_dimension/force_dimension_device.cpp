@@ -111,7 +111,7 @@ Identity identity_of(const DhdFunctions& sdk, int index, int id) {
 Identity open_index(const DhdFunctions& sdk, int index) {
   const int id = sdk.dhdOpenID(static_cast<char>(index));
   if (id < 0) {
-    throw std::runtime_error("The device of Force Dimension at " + place_of(index) +
+    throw std::runtime_error("The Force Dimension device at " + place_of(index) +
                              " cannot be opened: " + last_error_of(sdk) +
                              ". Check that no other program uses it and that this user may open it "
                              "(udev rule for USB vendor 1451).");

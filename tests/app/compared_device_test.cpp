@@ -166,7 +166,7 @@ TEST_F(ComparedDevice, IsComparedWithFrictionBeforeItWasMeasured) {
   const auto buzz = HasSubstr("acts as a damper of 20.0 N s/m at 1.00 N");
   const auto assumed = HasSubstr(
       "assumes a moving mass of 50.0 g, which was not measured, and a "
-      "velocity 4.50 ms old");
+      "velocity delayed by 4.50 ms");
   EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(AllOf(buzz, assumed)));
   EXPECT_THAT(warnings(compared("simulated")), Each(Not(buzz))) << "its limit is 100 N s/m";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Each(Not(buzz))) << "28 N s/m";

@@ -780,7 +780,7 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   trial.question.allow_revisit = false;
   const Reply reply = person.ask(trial, {}, {}, [](double) {});
   EXPECT_EQ(reply.estimate, 7.5);
-  EXPECT_NE(shown.str().find("How rough was it?\nYour number: A number above 0 is needed"),
+  EXPECT_NE(shown.str().find("How rough was it?\nYour number: Please enter a number above 0"),
             std::string::npos)
       << shown.str();
   EXPECT_NE(shown.str().find("1,000 is ambiguous."), std::string::npos) << shown.str();

@@ -69,7 +69,7 @@ TEST(EarlierWordings, AreFoundThoughTheirCodesWereReworded) {
       remark_of_earlier("the handle ran farther than 30 mm away, and the force was let go of");
   EXPECT_EQ(meaning(ran_away), "device_test_handle_ran_away(30)");
   EXPECT_EQ(ran_away.english(),
-            "the handle moved more than 30 mm away, and the force was switched off");
+            "the handle moved away by more than 30 mm, and the force was switched off");
 }
 
 // The windows of then stored what was chosen in their own language.

@@ -957,7 +957,7 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
   type(1.0, "old");
   look(1.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.kind, ParticipantScene::Kind::form);
-    EXPECT_EQ(scene.cue, "A number from 18 to 120 is needed.");
+    EXPECT_EQ(scene.cue, "Please enter a number from 18 to 120.");
     EXPECT_EQ(scene.cue_saying.minimum, 18.0);
   });
   type(2.0, "17");

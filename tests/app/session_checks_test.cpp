@@ -513,7 +513,8 @@ TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor)
             "Unknown for delta.3 and not compared: friction, damping.");
   ask_for(R"("limits": {"friction_N": 0.1})");
   const std::string limited = check("calibration").text.english();
-  EXPECT_NE(limited.find("is within its known capabilities, but it does not meet the protocol's "
+  EXPECT_NE(limited.find("is within the known capabilities of the device, but the device does not "
+                         "meet the protocol's "
                          "limits. Unknown for delta.3"),
             std::string::npos)
       << limited;
@@ -559,7 +560,7 @@ TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   measure(1.0, 0.0002);
   EXPECT_EQ(check("calibration").text.english(),
             "Measured 24 hours ago; every stimulus is within the capabilities of the device, but "
-            "it does not meet the protocol's limits.");
+            "the device does not meet the protocol's limits.");
   const std::vector<SessionCheck> lines = rehearsed();
   ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
   EXPECT_EQ(lines[0].text.english(),

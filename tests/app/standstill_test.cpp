@@ -87,7 +87,7 @@ TEST_F(Standstill, IsShownToTheExperimenterWhoHasNothingToDo) {
   };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_FALSE(waited);
-  EXPECT_THAT(shown, HasSubstr("stood still for more than 50 ms"));
+  EXPECT_THAT(shown, HasSubstr("stalled for more than 50 ms"));
 }
 
 TEST_F(Standstill, EndsTheSessionTheThirdTimeAndItCanBeResumed) {

@@ -533,7 +533,7 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                 "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
                 "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
                 "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the program "
-                "version used stored nothing about it at a terminal, where none is played."));
+                "version used did not store it in a terminal session, where none is played."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {

@@ -171,9 +171,9 @@ std::span<const CoveragePart> model_parts() {
   static const std::array kParts{
       CoveragePart{.name = "psychometric",
                    .model = "hits at equally spaced levels (as many as the design has "
-                            "participants) by a logistic function with fixed guesses and 2 % "
-                            "lapses; two identical conditions",
-                   .effect = "hits by guessing",
+                            "participants) by a logistic function with a fixed guess rate and a "
+                            "lapse rate of 2 %; two identical conditions",
+                   .effect = "guess rate",
                    .spread = "one participant",
                    .settings = kOfGuessRates,
                    .draw = draw_two_functions,
@@ -183,7 +183,7 @@ std::span<const CoveragePart> model_parts() {
       CoveragePart{.name = "bootstrapped",
                    .model = "one condition of `psychometric`, with 1000 tables of the parametric "
                             "bootstrap for each; five levels or more",
-                   .effect = "hits by guessing",
+                   .effect = "guess rate",
                    .spread = "one participant",
                    .settings = kOfDrawn,
                    .draw = draw_one_function,
@@ -191,20 +191,20 @@ std::span<const CoveragePart> model_parts() {
                    .intervals = bootstrap_intervals,
                    .tests = bootstrap_tests,
                    .tables = 500},
-      CoveragePart{
-          .name = "crossed_textures",
-          .model = "correct responses to four textures in turn; logits of participants and of "
-                   "textures are normal; analysed by the function that the analysis of a study "
-                   "calls (`ask_other_textures`), which requires five participants",
-          .effect = "proportion correct of an average participant with an average "
-                    "texture; .25 is the chance level",
-          .spread = "SD of the logits of participants, and of textures",
-          .settings = kCrossed,
-          .draw = draw_crossed<4>,
-          .findings = findings_of_other_textures,
-          .intervals = crossed_intervals,
-          .tests = crossed_tests,
-          .tables = 1000},
+      CoveragePart{.name = "crossed_textures",
+                   .model =
+                       "correct responses to four textures in turn; logits of participants and of "
+                       "textures are normal; analysed by the function that the analysis of a study "
+                       "calls (`ask_other_textures`), which requires five participants",
+                   .effect = "proportion correct of an average participant with an average "
+                             "texture; .25 is the chance level",
+                   .spread = "SD of the logits of participants, and of textures",
+                   .settings = kCrossed,
+                   .draw = draw_crossed<4>,
+                   .findings = findings_of_other_textures,
+                   .intervals = crossed_intervals,
+                   .tests = crossed_tests,
+                   .tables = 1000},
       CoveragePart{.name = "crossed_ten_textures",
                    .model = "as `crossed_textures`, with ten textures",
                    .effect = "proportion correct of an average participant with an average "

@@ -610,7 +610,7 @@ INSTANTIATE_TEST_SUITE_P(
               R"("exploration": {"factor": "texture"})", R"("spacing_05", "spacing_07")",
               "/factors/texture/levels/0", "there is no exploration \"spacing_05\""},
         Fault{"AnExpectation", R"("magnitude_of": "lateral_force",)", R"("expectation": "prior",)",
-              R"("prior")", "/observer/expectation", "expects \"none\""}),
+              R"("prior")", "/observer/expectation", "set this to \"none\""}),
     [](const auto& given) { return given.param.name; });
 
 /// Every layer finds something: a form that is wrong hides no meaning, and neither the other.

@@ -8,7 +8,7 @@ import sys
 import tempfile
 
 PROGRAM = sys.argv[1]
-WARNING = "asperity: warning: The study states"
+WARNING = "asperity: warning: The study has"
 
 
 def asperity(*arguments):
@@ -42,10 +42,10 @@ with tempfile.TemporaryDirectory() as folder:
     asperity("new", bare)
     assert stated(bare) == ([], None, None)
     told = asperity("export", bare, "--out", folder / "not_stated", "--formats", "none").stderr
-    assert f"{WARNING} neither authors nor a license" in told and f"asperity metadata {bare} --author" in told, told
+    assert f"{WARNING} neither authors nor a licence" in told and f"asperity metadata {bare} --author" in told, told
     asperity("metadata", bare, "--license", "CC0-1.0")
     told = asperity("export", bare, "--out", folder / "no_authors", "--formats", "none").stderr
     assert f"{WARNING} no authors" in told and "--author" in told and "--license" not in told, told
     asperity("metadata", bare, "--license", "", "--author", "Doe, Jane")
     told = asperity("export", bare, "--out", folder / "no_license", "--formats", "none").stderr
-    assert f"{WARNING} no license" in told and "--author" not in told and "--license" in told, told
+    assert f"{WARNING} no licence" in told and "--author" not in told and "--license" in told, told

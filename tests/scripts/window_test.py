@@ -19,6 +19,6 @@ def expect(name, environment, arguments, status, words):
 expect("no screen", SCREENLESS, [], 1, "there is no screen to show a window on")
 expect("a screen that does not answer", {**SCREENLESS, "DISPLAY": ":4321"}, [], 1, "no window can be shown")
 expect("neither subcommand nor folder", SCREENLESS, ["nonsense"], 2, 'there is no subcommand and no folder "nonsense"')
-expect("a folder before a subcommand", SCREENLESS, ["/tmp", "models"], 2, "a subcommand comes first")
+expect("a folder before a subcommand", SCREENLESS, ["/tmp", "models"], 2, "before the subcommand models has no meaning")
 if complaints:
     sys.exit("\n".join(complaints))

@@ -80,7 +80,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   layout->addWidget(report_->line());
   analysing_ = new TaskLine(analysis_, this);
   analysing_->setObjectName("analysing");
-  analysing_->set_words(tr("Counting the answers…"));
+  analysing_->set_words(tr("Counting the responses…"));
   layout->addWidget(analysing_);
   writing_ = new TaskLine(exporting_, this);
   writing_->setObjectName("exporting");
@@ -88,8 +88,8 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   stack_ = new QStackedWidget(this);
   layout->addWidget(stack_, 1);
   stack_->addWidget(
-      new EmptyState(tr("No answers yet"),
-                     tr("When a session has been run or simulated, its answers are counted and "
+      new EmptyState(tr("No responses yet"),
+                     tr("When a session has been run or simulated, its responses are counted and "
                         "tested here. Start a session on the Protocols page."),
                      stack_));
   auto* both = new QWidget(stack_);
@@ -111,7 +111,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
     banner_->show_news(State::look,
-                       tr("The answers were not counted; the previous results are shown."),
+                       tr("The responses were not counted; the previous results are shown."),
                        tr("Count again"), [this] { refresh(); });
   });
   connect(writing_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
@@ -189,7 +189,7 @@ void AnalysisPage::show_outcome(int index) {
   const AnalysisOutcome& outcome = outcomes_.at(static_cast<std::size_t>(index));
   if (outcome.group == AnswerGroup::people && running_.contains(outcome.protocol)) {
     area_->setWidget(new EmptyState(
-        tr("Blind while a session runs"),
+        tr("Blinding during a session"),
         tr("A session of %1 is running. Its results by name are shown once it has ended.")
             .arg(QString::fromStdString(outcome.protocol))));
     return;
@@ -255,8 +255,7 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
         if (exported.files == 0) {
           banner_->show_news(
               State::look,
-              tr("The tables were not written: was cancelled. No part of them remains in %1.")
-                  .arg(folder));
+              tr("Writing the tables was cancelled. No part of them remains in %1.").arg(folder));
           return;
         }
         banner_->show_news(

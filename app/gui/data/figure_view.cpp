@@ -88,9 +88,9 @@ FigureView::FigureView(Figure figure, QWidget* parent)
   QPushButton* save = make_button(tr("Save figure"), ButtonRole::plain, this);
   save->setObjectName("save_figure");
   auto* widths = new QMenu(save);
-  widths->addAction(tr("Width of a journal column, 85 mm…"), this,
+  widths->addAction(tr("Save at the width of a journal column, 85 mm…"), this,
                     [this] { emit saveWanted(kColumnWidth_mm); });
-  widths->addAction(tr("Width of a page, 170 mm…"), this,
+  widths->addAction(tr("Save at the width of a page, 170 mm…"), this,
                     [this] { emit saveWanted(kPageWidth_mm); });
   save->setMenu(widths);
   QPushButton* copy = make_button(tr("Copy figure"), ButtonRole::plain, this);

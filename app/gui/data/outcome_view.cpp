@@ -226,7 +226,8 @@ class OutcomeColumn final {
 }  // namespace
 
 QString answers_text(int count) {
-  return count == 1 ? AnalysisPage::tr("1 answer") : AnalysisPage::tr("%n answers", nullptr, count);
+  return count == 1 ? AnalysisPage::tr("1 response")
+                    : AnalysisPage::tr("%n responses", nullptr, count);
 }
 
 QWidget* make_outcome(const AnalysisOutcome& outcome, const FigureWishes& wishes) {

@@ -100,7 +100,7 @@ void ResponsePlot::show_profile(const DeviceProfile& profile) {
     line->point1->setCoords(at_Hz, 1e-6);
     line->point2->setCoords(at_Hz, 1e6);
   }
-  heading_->setText(tr("RESPONSE mm/N, motion over force") + keys);
+  heading_->setText(tr("FREQUENCY RESPONSE mm/N, motion over force") + keys);
   const bool is_there = high > 0.0;
   plot_->setVisible(is_there);
   nothing_->setVisible(!is_there);

@@ -197,9 +197,9 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
   QString text{};
   switch (loss) {
     case ScreenLoss::force_stopped:
-      text = tr("The participant's screen “%1” was disconnected. The program triggered the "
-                "emergency stop: the force is zero, and the trial will be repeated. Reconnect the "
-                "screen, restore the participant's window, then clear the stop.")
+      text = tr("The participant's screen “%1” was disconnected. The emergency stop was triggered: "
+                "the force is zero, and the trial is repeated. Reconnect the screen, restore the "
+                "window, then clear the stop.")
                  .arg(name);
       break;
     case ScreenLoss::pausing:
@@ -214,7 +214,7 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
                  .arg(name);
       break;
   }
-  news_->show_news(State::look, text, tr("Restore participant's window"),
+  news_->show_news(State::look, text, tr("Restore window"),
                    [this, name] { emit participant_screen_back(name); });
 }
 

@@ -134,7 +134,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
 
   verified_by_ = new QLineEdit(QString::fromStdString(value_.verified_by), this);
   verified_by_->setObjectName("verified_by");
-  verified_by_->setPlaceholderText(tr("Who read the sound level meter"));
+  verified_by_->setPlaceholderText(tr("Experimenter who read the sound level meter"));
   add_row(2, tr("&Verified by"), verified_by_, nullptr);
   rows->addLayout(grid);
   if (!has_noise) {

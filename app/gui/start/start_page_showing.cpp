@@ -130,8 +130,9 @@ void StartPage::show_mode() {
     mode_text_->setText(
         tr("A test of the experiment with a participant. Stored separately from the study data."));
   } else {
-    mode_text_->setText(tr(
-        "Virtual participants test the study. Their answers are not data about human perception."));
+    mode_text_->setText(
+        tr("Virtual participants test the study. Their responses are not data about human "
+           "perception."));
   }
   simulation_->setVisible(is_virtual());
   const bool real_time = real_time_->isChecked();

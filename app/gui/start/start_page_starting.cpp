@@ -200,8 +200,8 @@ void StartPage::simulate_several() {
         banner_->show_news(
             State::fine,
             result.sessions == 1
-                ? tr("One session, %1 answers: look at the table.").arg(result.attempts)
-                : tr("%1 sessions, %2 answers: look at the table.")
+                ? tr("One session, %1 responses: look at the table.").arg(result.attempts)
+                : tr("%1 sessions, %2 responses: look at the table.")
                       .arg(result.sessions)
                       .arg(result.attempts),
             tr("Show the sessions"), [this] { emit sessions_wanted(); });

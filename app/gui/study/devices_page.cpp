@@ -196,7 +196,7 @@ void DevicesPage::add_models() {
   models_ = make_card(this, layout);
   QFrame* const card = models_;
   card->setObjectName("device_models");
-  layout->addWidget(make_heading(tr("In place of a real device"), card));
+  layout->addWidget(make_heading(tr("Simulated models of devices"), card));
   layout->addWidget(make_text(
       tr("The simulated device with the workspace, forces, latency and steps of a real one, as far "
          "as they are known: for rehearsing a protocol before the device is available."),

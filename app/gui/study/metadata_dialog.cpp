@@ -16,7 +16,7 @@ MetadataDialog::MetadataDialog(const StudyMetadata& metadata, QWidget* parent) :
   layout->setSpacing(kMargin);
   layout->addWidget(make_heading(tr("Metadata of the study"), this));
   layout->addWidget(make_text(
-      tr("Exports include them: data archives require authors and a license."), this, true));
+      tr("Exports include them: data archives require authors and a licence."), this, true));
   auto* form = new QFormLayout();
   form->setSpacing(kGrid);
   form->setHorizontalSpacing(kMargin);

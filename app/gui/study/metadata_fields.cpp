@@ -25,7 +25,7 @@ MetadataFields::MetadataFields(QFormLayout& form, QWidget* dialog) : QObject(dia
   license_->setEditable(true);
   license_->addItems({{}, "CC0-1.0", "CC-BY-4.0", "CC-BY-SA-4.0", "CC-BY-NC-4.0"});
   license_->lineEdit()->setPlaceholderText(tr("for example: CC-BY-4.0"));
-  form.addRow(tr("License of the data"), license_);
+  form.addRow(tr("Licence of the data"), license_);
   ethics_ = new QLineEdit(dialog);
   ethics_->setObjectName("metadata_ethics");
   ethics_->setPlaceholderText(tr("committee and number of the approval"));

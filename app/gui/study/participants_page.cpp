@@ -42,7 +42,7 @@ ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
   set_empty_state(
       new EmptyState(tr("No participants yet"),
                      tr("A participant is added when their first session starts: choose a protocol "
-                        "on the page Protocols and press “Start session…”. A label is suggested "
+                        "on the Protocols page and press “Start session…”. A label is suggested "
                         "there, and the protocol's questions are asked."),
                      this));
 

@@ -141,7 +141,7 @@ void StudyWindow::make_pages() {
     welcome_->show_recent();
     return;
   }
-  setWindowTitle(tr("Asperity ─ %1").arg(QString::fromStdString(study_->study().name())));
+  setWindowTitle(tr("%1 – Asperity").arg(QString::fromStdString(study_->study().name())));
   add_pages();
   emit study_opened(study_.get());
   navigation_->setCurrentRow(0);

@@ -23,7 +23,7 @@ namespace {
 QString text_of_counts(const WithdrawalRow& row) {
   return QStringList{WithdrawDialog::tr("%n session(s)", nullptr, row.sessions),
                      WithdrawDialog::tr("%n attempt(s)", nullptr, row.attempts),
-                     WithdrawDialog::tr("%n answer(s)", nullptr, row.answers),
+                     WithdrawDialog::tr("%n response(s)", nullptr, row.answers),
                      WithdrawDialog::tr("%n recording(s)", nullptr, row.recordings)}
       .join(", ");
 }

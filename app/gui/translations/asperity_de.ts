@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: they show equivalence where the 90 % CI lies within the margin. %1</source>
-        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeder zu 5 %: Sie zeigen Äquivalenz, wo das 90-%-Konfidenzintervall innerhalb der Grenze liegt. %1</translation>
+        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wo das 90-%-Konfidenzintervall innerhalb der Äquivalenzgrenzen liegt. %1</translation>
     </message>
     <message>
         <source>This cannot be assessed: a group has one participant, or the participants of each group do not differ.</source>
@@ -1443,11 +1443,11 @@
     </message>
     <message>
         <source>log-worth</source>
-        <translation>log. Wert</translation>
+        <translation>Log-Nutzwert</translation>
     </message>
     <message>
         <source>log-worth, 95 %</source>
-        <translation>log. Wert, 95 %</translation>
+        <translation>Log-Nutzwert, 95 %</translation>
     </message>
     <message>
         <source>mean, 95 %</source>
@@ -2465,7 +2465,7 @@
     </message>
     <message>
         <source>Textures matched to their pictures</source>
-        <translation>Ihren Bildern zugeordnete Texturen</translation>
+        <translation>Richtig zugeordnete Texturen</translation>
     </message>
     <message>
         <source>Textures recognised</source>
@@ -3098,7 +3098,7 @@
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>Shortest lighting wave</source>
+        <source>Shortest lighting wavelength</source>
         <translation>Beleuchtung ab</translation>
     </message>
     <message>
@@ -3110,8 +3110,8 @@
         <translation>Detailverstärkung</translation>
     </message>
     <message>
-        <source>Longest wave kept</source>
-        <translation>Längste Welle</translation>
+        <source>Longest wavelength kept</source>
+        <translation>Größte Wellenlänge</translation>
     </message>
     <message>
         <source>Roughness RMS</source>
@@ -4115,8 +4115,8 @@
         <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei %3 N wie ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche ist ein Schnarren zu erwarten. %6 %7</translation>
     </message>
     <message>
-        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured value is %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
-        <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, erfordert ein Gerät mit einer Dämpfung von %4 N s/m bei %5 Hz; der gemessene Wert ist %6 N s/m. coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m verringern.</translation>
+        <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured stiffness of this one corresponds to %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
+        <translation>Die virtuelle Kopplung von „%1“, %2 N/m und %3 N s/m, erfordert ein Gerät mit einer Dämpfung von %4 N s/m bei %5 Hz; die gemessene Steifigkeit dieses Geräts entspricht %6 N s/m. coupling_damping_N_s_per_m oder coupling_stiffness_N_per_m verringern.</translation>
     </message>
     <message>
         <source>%1 The contact damping of %2 N s/m accounts for %3 N/m of it.</source>
@@ -4151,7 +4151,7 @@
     </message>
     <message>
         <source>session %1 of participant %2 was begun in real time; resume it with --realtime</source>
-        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; sie in Echtzeit fortsetzen</translation>
+        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; zum Fortsetzen Echtzeit wählen</translation>
     </message>
     <message>
         <source>participant %1 has an unfinished session %2 of this protocol; resume it with --resume</source>
@@ -4329,7 +4329,7 @@
         <translation>Das Problem am Gerät beheben, dann erneut prüfen.</translation>
     </message>
     <message>
-        <source>A force of %1 N was sent without a surface.</source>
+        <source>A force of %1 N was sent although no surface was presented.</source>
         <translation>Eine Kraft von %1 N wurde gesendet, obwohl keine Oberfläche dargeboten wurde.</translation>
     </message>
     <message>
@@ -4549,7 +4549,7 @@
         <translation>Das Gerät einmal messen, während sein Griff nicht gehalten wird: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within the capabilities of the device, but it does not meet the protocol&apos;s limits.</source>
+        <source>%1; every stimulus is within the capabilities of the device, but the device does not meet the protocol&apos;s limits.</source>
         <translation>%1; jeder Reiz liegt im Leistungsbereich des Geräts, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
     </message>
     <message>
@@ -4557,7 +4557,7 @@
         <translation>%1 Unbekannt für %2 und nicht verglichen: %3.</translation>
     </message>
     <message>
-        <source>%1; every stimulus is within the known capabilities of the device, but it does not meet the protocol&apos;s limits.</source>
+        <source>%1; every stimulus is within the known capabilities of the device, but the device does not meet the protocol&apos;s limits.</source>
         <translation>%1; jeder Reiz liegt im bekannten Leistungsbereich des Geräts, aber es hält die Grenzwerte des Protokolls nicht ein.</translation>
     </message>
     <message>
@@ -4736,7 +4736,7 @@
     </message>
     <message>
         <source>paused before this trial</source>
-        <translation>davor angehalten</translation>
+        <translation>vor diesem Durchgang angehalten</translation>
     </message>
     <message>
         <source>after the break</source>
@@ -4925,7 +4925,7 @@
 <context>
     <name>StudyMetadata</name>
     <message>
-        <source>The study has neither authors nor a license entered; data archives require both.</source>
+        <source>The study has neither authors nor a licence entered; data archives require both.</source>
         <translation>Für die Studie sind weder Autorinnen und Autoren noch eine Lizenz angegeben; Datenarchive verlangen beides.</translation>
     </message>
     <message>
@@ -4933,7 +4933,7 @@
         <translation>Für die Studie sind keine Autorinnen und Autoren angegeben; Datenarchive verlangen sie.</translation>
     </message>
     <message>
-        <source>The study has no license entered; data archives require one.</source>
+        <source>The study has no licence entered; data archives require one.</source>
         <translation>Für die Studie ist keine Lizenz angegeben; Datenarchive verlangen eine.</translation>
     </message>
 </context>
@@ -5224,11 +5224,11 @@
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>No answers yet</source>
+        <source>No responses yet</source>
         <translation>Noch keine Antworten</translation>
     </message>
     <message>
-        <source>When a session has been run or simulated, its answers are counted and tested here. Start a session on the Protocols page.</source>
+        <source>When a session has been run or simulated, its responses are counted and tested here. Start a session on the Protocols page.</source>
         <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und getestet. Eine Sitzung auf der Seite „Protokolle“ starten.</translation>
     </message>
     <message>
@@ -5255,11 +5255,11 @@
         </translation>
     </message>
     <message>
-        <source>1 answer</source>
+        <source>1 response</source>
         <translation>1 Antwort</translation>
     </message>
     <message numerus="yes">
-        <source>%n answers</source>
+        <source>%n responses</source>
         <translation>
             <numerusform>%n Antwort</numerusform>
             <numerusform>%n Antworten</numerusform>
@@ -5276,19 +5276,19 @@
 %3 · %4</translation>
     </message>
     <message>
-        <source>Blind while a session runs</source>
-        <translation>Verblindet, solange eine Sitzung läuft</translation>
+        <source>Blinding during a session</source>
+        <translation>Verblindung während einer Sitzung</translation>
     </message>
     <message>
         <source>A session of %1 is running. Its results by name are shown once it has ended.</source>
         <translation>Eine Sitzung von %1 läuft. Ihre Ergebnisse mit Namen werden gezeigt, sobald sie beendet ist.</translation>
     </message>
     <message>
-        <source>Counting the answers…</source>
+        <source>Counting the responses…</source>
         <translation>Antworten werden gezählt…</translation>
     </message>
     <message>
-        <source>The answers were not counted; the previous results are shown.</source>
+        <source>The responses were not counted; the previous results are shown.</source>
         <translation>Die Antworten wurden nicht gezählt; gezeigt werden die vorherigen Ergebnisse.</translation>
     </message>
     <message>
@@ -5304,7 +5304,7 @@
         <translation>Tabellen werden nach %1 geschrieben …</translation>
     </message>
     <message>
-        <source>The tables were not written: was cancelled. No part of them remains in %1.</source>
+        <source>Writing the tables was cancelled. No part of them remains in %1.</source>
         <translation>Die Tabellen wurden nicht geschrieben: Der Vorgang wurde abgebrochen. In %1 ist kein Teil davon zurückgeblieben.</translation>
     </message>
     <message>
@@ -5538,7 +5538,7 @@
     </message>
     <message>
         <source>None of the study&apos;s protocols has the text that the session began with: restore %1 version %2 to resume.</source>
-        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann: %1 Version %2 wiederherstellen, um sie fortzusetzen.</translation>
+        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann: %1 Version %2 wiederherstellen, um die Sitzung fortzusetzen.</translation>
     </message>
 </context>
 <context>
@@ -6135,8 +6135,8 @@
         <translation>Dieses Gerät testen…</translation>
     </message>
     <message>
-        <source>In place of a real device</source>
-        <translation>Anstelle eines echten Geräts</translation>
+        <source>Simulated models of devices</source>
+        <translation>Simulierte Modelle von Geräten</translation>
     </message>
     <message>
         <source>The simulated device with the workspace, forces, latency and steps of a real one, as far as they are known: for rehearsing a protocol before the device is available.</source>
@@ -6442,12 +6442,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Abbildung speichern</translation>
     </message>
     <message>
-        <source>Width of a journal column, 85 mm…</source>
-        <translation>Breite einer Zeitschriftenspalte, 85 mm…</translation>
+        <source>Save at the width of a journal column, 85 mm…</source>
+        <translation>In der Breite einer Zeitschriftenspalte speichern, 85 mm…</translation>
     </message>
     <message>
-        <source>Width of a page, 170 mm…</source>
-        <translation>Breite einer Seite, 170 mm…</translation>
+        <source>Save at the width of a page, 170 mm…</source>
+        <translation>In der Breite einer Seite speichern, 170 mm…</translation>
     </message>
     <message>
         <source>Copy figure</source>
@@ -7015,7 +7015,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Angaben zur Studie</translation>
     </message>
     <message>
-        <source>Exports include them: data archives require authors and a license.</source>
+        <source>Exports include them: data archives require authors and a licence.</source>
         <translation>Exporte enthalten sie: Datenarchive verlangen Autorinnen und Autoren und eine Lizenz.</translation>
     </message>
     <message>
@@ -7042,7 +7042,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>zum Beispiel: CC-BY-4.0</translation>
     </message>
     <message>
-        <source>License of the data</source>
+        <source>Licence of the data</source>
         <translation>Lizenz der Daten</translation>
     </message>
     <message>
@@ -7205,7 +7205,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Am Ohr &amp;gemessen</translation>
     </message>
     <message>
-        <source>Who read the sound level meter</source>
+        <source>Experimenter who read the sound level meter</source>
         <translation>Wer den Schallpegelmesser abgelesen hat</translation>
     </message>
     <message>
@@ -7479,7 +7479,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 (zurückgezogen)</translation>
     </message>
     <message>
-        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press “Start session…”. A label is suggested there, and the protocol&apos;s questions are asked.</source>
+        <source>A participant is added when their first session starts: choose a protocol on the Protocols page and press “Start session…”. A label is suggested there, and the protocol&apos;s questions are asked.</source>
         <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
     </message>
     <message>
@@ -8361,8 +8361,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Frequenz, Hz</translation>
     </message>
     <message>
-        <source>RESPONSE mm/N, motion over force</source>
-        <translation>ANTWORT mm/N, Bewegung durch Kraft</translation>
+        <source>FREQUENCY RESPONSE mm/N, motion over force</source>
+        <translation>FREQUENZGANG mm/N, Bewegung geteilt durch Kraft</translation>
     </message>
     <message>
         <source>No frequency response is stored with this profile.</source>
@@ -8392,8 +8392,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
     </message>
     <message>
-        <source>Is saved in stimuli/ with its sidecar and its photograph.</source>
-        <translation>Wird in stimuli/ gespeichert, mit Begleitdatei und Foto.</translation>
+        <source>The relief will be saved in stimuli/ with its sidecar and its photograph.</source>
+        <translation>Das Relief wird in stimuli/ gespeichert, mit Begleitdatei und Foto.</translation>
     </message>
     <message>
         <source>A relief from a file is already saved.</source>
@@ -8843,20 +8843,20 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen “%1” was disconnected. The program triggered the emergency stop: the force is zero, and the trial will be repeated. Reconnect the screen, restore the participant&apos;s window, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Das Programm hat den NOT-HALT ausgelöst: Die Kraft ist null, und der Durchgang wird wiederholt. Den Bildschirm wieder anschließen, das Fenster der Versuchsperson zurückholen, dann den Halt aufheben.</translation>
+        <source>The participant&apos;s screen “%1” was disconnected. The emergency stop was triggered: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Der Not-Halt wurde ausgelöst: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den Not-Halt aufheben.</translation>
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Es wirkt keine Kraft, und die Sitzung hält vor dem nächsten Durchgang an. Den Bildschirm wieder anschließen, das Fenster der Versuchsperson zurückholen, dann mit F5 fortsetzen.</translation>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Es wirkt keine Kraft, und die Sitzung hält vor dem nächsten Durchgang an. Den Bildschirm wieder anschließen, das Fenster zurückholen, dann mit F5 fortsetzen.</translation>
     </message>
     <message>
         <source>The screen “%1” is still disconnected. Until it is reconnected, the participant&apos;s window is shown on the remaining screen.</source>
         <translation>Der Bildschirm „%1“ ist noch nicht wieder angeschlossen. Bis dahin wird das Fenster der Versuchsperson auf dem verbliebenen Bildschirm gezeigt.</translation>
     </message>
     <message>
-        <source>Restore participant&apos;s window</source>
-        <translation>Fenster der Versuchsperson zurückholen</translation>
+        <source>Restore window</source>
+        <translation>Fenster zurückholen</translation>
     </message>
     <message>
         <source>%1  The device reports: %2</source>
@@ -9066,7 +9066,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>None of the study&apos;s protocols has the text that the session began with. Restore %1 version %2 to resume.</source>
-        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann. %1 Version %2 wiederherstellen, um sie fortzusetzen.</translation>
+        <translation>Kein Protokoll der Studie hat noch den Text, mit dem die Sitzung begann. %1 Version %2 wiederherstellen, um die Sitzung fortzusetzen.</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -9343,7 +9343,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Ein Test des Experiments mit einer Versuchsperson. Getrennt von den Studiendaten gespeichert.</translation>
     </message>
     <message>
-        <source>Virtual participants test the study. Their answers are not data about human perception.</source>
+        <source>Virtual participants test the study. Their responses are not data about human perception.</source>
         <translation>Virtuelle Versuchspersonen testen die Studie. Ihre Antworten sind keine Daten über die Wahrnehmung von Menschen.</translation>
     </message>
     <message>
@@ -9409,7 +9409,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 sessions, %2 answers: look at the table.</source>
+        <source>%1 sessions, %2 responses: look at the table.</source>
         <translation>%1 Sitzungen, %2 Antworten: Tabelle ansehen.</translation>
     </message>
     <message>
@@ -9437,7 +9437,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Studie wurde noch nicht eingelesen.</translation>
     </message>
     <message>
-        <source>One session, %1 answers: look at the table.</source>
+        <source>One session, %1 responses: look at the table.</source>
         <translation>Eine Sitzung, %1 Antworten: Tabelle ansehen.</translation>
     </message>
     <message>
@@ -9618,8 +9618,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Asperity</translation>
     </message>
     <message>
-        <source>Asperity ─ %1</source>
-        <translation>Asperity ─ %1</translation>
+        <source>%1 – Asperity</source>
+        <translation>%1 – Asperity</translation>
     </message>
     <message>
         <source>The study could not be opened: %1</source>
@@ -10125,7 +10125,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n answer(s)</source>
+        <source>%n response(s)</source>
         <translation>
             <numerusform>%n Antwort</numerusform>
             <numerusform>%n Antworten</numerusform>

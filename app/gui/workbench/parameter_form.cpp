@@ -224,10 +224,10 @@ QString caption_of(const Parameter& parameter) {
   const std::map<std::string, QString, std::less<>> better{
       {"width_m", FormWords::tr("Picture width")},
       {"histogram", FormWords::tr("Brightness")},
-      {"homomorphic_wavelength_m", FormWords::tr("Shortest lighting wave")},
+      {"homomorphic_wavelength_m", FormWords::tr("Shortest lighting wavelength")},
       {"gamma_low", FormWords::tr("Lighting gain")},
       {"gamma_high", FormWords::tr("Detail gain")},
-      {"gaussian_wavelength_m", FormWords::tr("Longest wave kept")},
+      {"gaussian_wavelength_m", FormWords::tr("Longest wavelength kept")},
       {"rms_m", FormWords::tr("Roughness RMS")},
       {"noise_sd_N", FormWords::tr("Noise, standard deviation")},
       {"noise_mean_N", FormWords::tr("Noise, mean")},

@@ -140,7 +140,7 @@ void SavePanel::show_facts(const HeightField& field) { facts_->setText(facts_of(
 
 void SavePanel::check_name() {
   QString problem{};
-  QString advice = tr("Is saved in stimuli/ with its sidecar and its photograph.");
+  QString advice = tr("The relief will be saved in stimuli/ with its sidecar and its photograph.");
   const QString name = name_->text();
   if (opened_ == nullptr || !opened_->is_photograph()) {
     problem = tr("A relief from a file is already saved.");

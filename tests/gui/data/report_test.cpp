@@ -445,7 +445,7 @@ TEST_F(SavingAReport, ReplacesAFileOnlyWhenSomebodySaysSo) {
   const std::filesystem::path file = made_.beside("report.pdf");
   write_file(file, "precious", Overwrite::refuse);
   choose(file);
-  ASSERT_TRUE(told("exists already"));
+  ASSERT_TRUE(told("already exists"));
   EXPECT_EQ(read_file(file), "precious");
   for (QPushButton* each : banner_->findChildren<QPushButton*>()) {
     if (each->text() == "Replace it") each->click();

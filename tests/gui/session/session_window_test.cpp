@@ -1088,7 +1088,7 @@ TEST(SessionWindow, SaysWhatWasDoneForALostScreenAndTakesTheWindowBack) {
   EXPECT_TRUE(news.text().contains("the session pauses"));
   const auto buttons = news.findChildren<QPushButton*>();
   const auto back = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
-    return button->text() == "Restore participant's window";
+    return button->text() == "Restore window";
   });
   ASSERT_NE(back, buttons.end());
   QSignalSpy wanted(window.get(), &SessionWindow::participant_screen_back);

@@ -188,11 +188,12 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
   wait_for("the fault", [&] { return is_in(SessionPhase::fault); });
   auto& news = child<Banner>(experimenter(), "news");
-  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  wait_for("the news",
+           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
   EXPECT_TRUE(news.text().contains("the force is zero")) << news.text().toStdString();
   EXPECT_TRUE(desk->participant_window()->isVisible());
   for (QPushButton* button : news.findChildren<QPushButton*>()) {
-    if (button->text() == "Restore participant's window") click(*button);
+    if (button->text() == "Restore window") click(*button);
   }
   EXPECT_FALSE(news.isVisible()) << "it is back";
   auto& panel = child<FaultPanel>(experimenter(), "fault_panel");
@@ -213,7 +214,8 @@ TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileTheQuestionIsOpenLeavesTheAn
   take_part([](const Scene&) {}, [&] { return is_in(SessionPhase::response); });
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
   auto& news = child<Banner>(experimenter(), "news");
-  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  wait_for("the news",
+           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
   EXPECT_EQ(monitor().snapshot().fault, Fault::none);
   take_part(chooses_a(), [&] { return is_in(SessionPhase::paused); });
   key(Qt::Key_F5);
@@ -229,7 +231,8 @@ TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileSomethingIsReadOnlyPauses) {
   wait_for("the text", [&] { return view().scene().kind == Scene::Kind::text; });
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
   auto& news = child<Banner>(experimenter(), "news");
-  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  wait_for("the news",
+           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
   EXPECT_TRUE(news.text().contains("the session pauses")) << news.text().toStdString();
   EXPECT_TRUE(runner().requests().pending().pause);
   EXPECT_EQ(monitor().snapshot().fault, Fault::none);

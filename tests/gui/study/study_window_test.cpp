@@ -52,7 +52,7 @@ TEST_F(StudyWindowTest, OpensTheDemoStudyFromTheWelcomePageByOneClick) {
   click(window, "welcome_demo");
   ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
   EXPECT_EQ(window.study()->folder(), home() / "Asperity" / "demo");
-  EXPECT_EQ(window.windowTitle(), "Asperity ─ demo");
+  EXPECT_EQ(window.windowTitle(), "demo – Asperity");
   EXPECT_TRUE(holds_demo_study(window.study()->folder()));
 }
 
@@ -240,7 +240,7 @@ TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
   recent.selectRow(0);
   click(another, "welcome_recent_open");
   ASSERT_NE(another.study(), nullptr);
-  EXPECT_EQ(another.windowTitle(), "Asperity ─ second");
+  EXPECT_EQ(another.windowTitle(), "second – Asperity");
 }
 
 TEST_F(StudyWindowTest, SharesTheStudyWithAGroup) {
