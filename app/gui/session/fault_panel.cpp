@@ -22,7 +22,7 @@ FaultPanel::FaultPanel(QWidget* parent) : QFrame(parent) {
   shape_->setFont(text_font(TextSize::title, true));
   text_ = make_text({}, this);
   text_->setObjectName("fault_text");
-  safe_ = new QCheckBox(tr("It is safe: no hand is trapped, and nothing touches the device"), this);
+  safe_ = new QCheckBox(tr("It is safe: no hand is trapped, nothing touches the device"), this);
   safe_->setObjectName("fault_safe");
   ways_ = new QVBoxLayout();
   ways_->setSpacing(kGrid / 2);

@@ -197,9 +197,8 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
   QString text{};
   switch (loss) {
     case ScreenLoss::force_stopped:
-      text = tr("The participant's screen “%1” was disconnected. The emergency stop was triggered: "
-                "the force is zero, and the trial is repeated. Reconnect the screen, restore the "
-                "window, then clear the stop.")
+      text = tr("The participant's screen “%1” was disconnected: the force is zero, and the trial "
+                "is repeated. Reconnect the screen, restore the window, then clear the stop.")
                  .arg(name);
       break;
     case ScreenLoss::pausing:

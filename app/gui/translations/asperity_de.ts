@@ -6372,7 +6372,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::FaultPanel</name>
     <message>
-        <source>It is safe: no hand is trapped, and nothing touches the device</source>
+        <source>It is safe: no hand is trapped, nothing touches the device</source>
         <translation>Es ist sicher: Keine Hand ist eingeklemmt, nichts berührt das Gerät</translation>
     </message>
     <message>
@@ -8843,8 +8843,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen “%1” was disconnected. The emergency stop was triggered: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt. Der Not-Halt wurde ausgelöst: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den Not-Halt aufheben.</translation>
+        <source>The participant&apos;s screen “%1” was disconnected: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den Not-Halt aufheben.</translation>
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>

@@ -189,7 +189,7 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   wait_for("the fault", [&] { return is_in(SessionPhase::fault); });
   auto& news = child<Banner>(experimenter(), "news");
   wait_for("the news",
-           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
+           [&] { return news.isVisible() && news.text().contains("The participant's screen"); });
   EXPECT_TRUE(news.text().contains("the force is zero")) << news.text().toStdString();
   EXPECT_TRUE(desk->participant_window()->isVisible());
   for (QPushButton* button : news.findChildren<QPushButton*>()) {
@@ -215,7 +215,7 @@ TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileTheQuestionIsOpenLeavesTheAn
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
   auto& news = child<Banner>(experimenter(), "news");
   wait_for("the news",
-           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
+           [&] { return news.isVisible() && news.text().contains("The participant's screen"); });
   EXPECT_EQ(monitor().snapshot().fault, Fault::none);
   take_part(chooses_a(), [&] { return is_in(SessionPhase::paused); });
   key(Qt::Key_F5);
@@ -232,7 +232,7 @@ TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileSomethingIsReadOnlyPauses) {
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
   auto& news = child<Banner>(experimenter(), "news");
   wait_for("the news",
-           [&] { return news.isVisible() && news.text().contains("was disconnected"); });
+           [&] { return news.isVisible() && news.text().contains("The participant's screen"); });
   EXPECT_TRUE(news.text().contains("the session pauses")) << news.text().toStdString();
   EXPECT_TRUE(runner().requests().pending().pause);
   EXPECT_EQ(monitor().snapshot().fault, Fault::none);
