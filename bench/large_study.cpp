@@ -19,9 +19,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
-#include "app/analyses/analyze_study.h"
-#include "app/conductor/recording_columns.h"
-#include "app/conductor/session_setup.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/session/rig/recording_columns.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"

@@ -6,7 +6,7 @@
 // longest piece of work of the windows' thread, of which the processor time is told: that is how long
 // a click would wait on a machine with nothing beside it.
 
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/study_window.h"
 
 #include <cstdio>
 #include <ctime>
@@ -23,9 +23,9 @@
 #include <QtWidgets/QPushButton>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/theme.h"
-#include "app/gui/study/study_table.h"
 #include "bench/machine.h"
 
 namespace asperity {

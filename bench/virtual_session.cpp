@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/program.h"
+#include "app/study_files/program.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/simulation.h"
 

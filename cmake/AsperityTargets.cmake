@@ -63,6 +63,23 @@ function(asperity_add_library folder)
   asperity_configure(asperity_${folder})
 endfunction()
 
+# asperity_add_component(<component> LIBRARIES <target>… SOURCES <file>…): a folder of app/ as the library asperity_<component>.
+# The headers that nearly all of its sources include and that are not part of this tree are compiled once, with the first.
+function(asperity_add_component component)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  asperity_add_library(${component} SOURCES ${ARG_SOURCES})
+  asperity_compile_in_groups(asperity_${component})
+  asperity_optimise_lightly(asperity_${component})
+  target_link_libraries(asperity_${component} PUBLIC ${ARG_LIBRARIES} PRIVATE nlohmann_json::nlohmann_json)
+  if(component STREQUAL "words")
+    target_precompile_headers(asperity_words PRIVATE
+      <nlohmann/json.hpp> <glm/gtc/quaternion.hpp>
+      <algorithm> <filesystem> <functional> <map> <optional> <set> <span> <stop_token> <string> <vector>)
+  else()
+    target_precompile_headers(asperity_${component} REUSE_FROM asperity_words)
+  endif()
+endfunction()
+
 # asperity_add_module(<name> SOURCES <file>… LIBRARIES <target>…): <name>.so, which a program loads when it first needs it.
 # Programs look for their modules in ../lib of a build folder, in the package's own folder once installed.
 function(asperity_add_module name)

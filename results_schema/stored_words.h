@@ -12,7 +12,7 @@
 namespace asperity {
 
 /// What the program worded is stored by its code, so that it can be shown in every language and reworded later
-/// (app/coded_phrases.h has the words). `text` is the same in English, for other tools that open the file; the program
+/// (app/words/coded_phrases.h has the words). `text` is the same in English, for other tools that open the file; the program
 /// reads it only where there are no codes.
 struct StoredWords {
   std::string text{};

@@ -1,44 +1,99 @@
 #!/usr/bin/env python3
 """Fails when a source file includes a folder that its own folder may not know.
 
-The table is the architecture (docs/architecture.md). Qt is allowed in app/gui, app/figures and
-app/report only.
+The rules are the tables of docs/architecture.md with the columns "folder" and "may include": the picture that people read and the
+check are one. A row holds for its folder and all below it that have no separate row; what a component of app/ may include, the
+folders inside it may include as well. "all" means every folder, "Qt" the headers of Qt. The rows themselves must not form a circle.
 """
 import pathlib
 import re
 import sys
 
-MAY_INCLUDE = {
-    "analysis": set(),
-    "stimuli": {"analysis"},
-    "device": {"analysis"},
-    "renderers": {"stimuli", "device", "analysis"},
-    "protocols": {"stimuli", "analysis"},
-    "results_schema": set(),
-    "app": {"analysis", "stimuli", "device", "renderers", "protocols", "results_schema"},
-}
-EVERYTHING = set(MAY_INCLUDE) | {"tests", "bench"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
-WITH_QT = ("app/gui/", "app/figures/", "app/report/")
 QT = re.compile(r"^(Q[A-Z]|Qt)")
+NAME = re.compile(r"`([^`]+)`")
+
+
+def read_rules(page: pathlib.Path) -> dict[str, set[str]]:
+    """Folder, without the slash at its end → what it may include."""
+    rules: dict[str, set[str]] = {}
+    is_rule = False
+    for line in page.read_text(encoding="utf-8").splitlines():
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if not line.startswith("|"):
+            is_rule = False
+        elif cells[:2] == ["folder", "may include"]:
+            is_rule = True
+        elif is_rule and NAME.search(cells[0]):
+            folder = NAME.search(cells[0]).group(1).rstrip("/")
+            rules[folder] = {"all"} if cells[1] == "all" else {name.rstrip("/") for name in NAME.findall(cells[1])}
+    return rules
+
+
+def around(folder: str):
+    """The folder, then the ones that it is in: a/b/c, a/b, a."""
+    parts = folder.split("/")
+    for length in range(len(parts), 0, -1):
+        yield "/".join(parts[:length])
+
+
+class Layers:
+    def __init__(self, rules: dict[str, set[str]]):
+        self.rules = rules
+
+    def row_of(self, path: str) -> str | None:
+        return next((folder for folder in around(path) if folder in self.rules), None)
+
+    def may_include(self, row: str) -> set[str]:
+        """A folder in a component may include what the component may; the component does not get what the whole of app/ may."""
+        return set().union(*(self.rules.get(folder, set()) for folder in around(row) if folder == row or "/" in folder))
+
+    def permits(self, row: str, target: str) -> bool:
+        allowed = self.may_include(row)
+        return target == row or "all" in allowed or any(folder in allowed for folder in around(target))
+
+    def circles(self):
+        """Rows that may include each other, by whatever way."""
+        steps = {row: {other for other in self.rules if other != row and "all" not in self.may_include(row)
+                       and self.permits(row, other) and not row.startswith(other + "/")} for row in self.rules}
+        for row in sorted(self.rules):
+            seen: set[str] = set()
+            ahead = [row]
+            while ahead:
+                for other in steps[ahead.pop()] - seen:
+                    seen.add(other)
+                    ahead.append(other)
+            if row in seen:
+                yield f"docs/architecture.md: {row}/ may include itself by way of others; remove one of the names in their rows"
 
 
 def complaints(root: pathlib.Path):
-    for folder in sorted(MAY_INCLUDE):
-        for path in sorted((root / folder).rglob("*")):
+    layers = Layers(read_rules(root / "docs" / "architecture.md"))
+    if not layers.rules:
+        yield "docs/architecture.md: no table has the columns folder and may include"
+    yield from layers.circles()
+    tops = {folder.split("/")[0] for folder in layers.rules} | {"bench"}
+    for top in sorted(tops - {"bench", "tests"}):
+        for path in sorted((root / top).rglob("*")):
             if path.suffix not in {".h", ".cpp"}:
                 continue
             relative = path.relative_to(root).as_posix()
+            row = layers.row_of(path.parent.relative_to(root).as_posix())
+            if row == "app":
+                yield f"{relative}: its folder has no row in docs/architecture.md"
+                continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 match = INCLUDE.match(line)
                 if not match:
                     continue
                 target = match.group(2)
-                first = target.split("/")[0]
-                if first in EVERYTHING and first != folder and first not in MAY_INCLUDE[folder]:
-                    yield f"{relative}:{number}: {folder}/ may not include {first}/ ({target})"
-                if QT.match(target) and not relative.startswith(WITH_QT):
-                    yield f"{relative}:{number}: Qt belongs in {', '.join(WITH_QT)} ({target})"
+                if QT.match(target) and not {"Qt", "all"} & layers.may_include(row):
+                    yield f"{relative}:{number}: {row}/ may not include Qt ({target})"
+                if target.split("/")[0] not in tops:
+                    continue
+                of_target = layers.row_of(target.rpartition("/")[0]) or target.split("/")[0]
+                if not layers.permits(row, of_target):
+                    yield f"{relative}:{number}: {row}/ may not include {of_target}/ ({target})"
 
 
 def main() -> int:

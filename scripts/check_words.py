@@ -84,18 +84,16 @@ EXCEPTIONS = (
 )
 
 AREAS = (
-    ("participant", ("app/gui/participant/", "app/conductor/participant_scene", "app/conductor/person_at_window",
-                     "app/conductor/form_answer", "app/conductor/terminal_respondent", "protocols/library/")),
-    ("analysis and report", ("app/analyses/", "app/figures/", "app/report/", "app/tasks/report", "app/tasks/study_report",
-                             "app/exports/", "analysis/")),
+    ("participant", ("app/gui/participant/", "app/session/respondents/", "protocols/library/")),
+    ("analysis and report", ("app/findings/", "app/figures/", "app/report/", "app/exports/", "analysis/")),
     ("windows", ("app/gui/",)),
     ("command line", ("app/cli/", "app/desktop/")),
-    ("reasons and remarks", ("app/conductor/reason", "app/device_remarks", "app/offered_reasons", "app/event_kinds")),
+    ("reasons and remarks", ("app/words/reason", "app/words/device_remarks", "app/words/offered_reasons", "app/words/event_kinds")),
     ("errors and other text", ("app/", "protocols/", "stimuli/", "device/", "renderers/", "results_schema/")),
     ("documents", ()),  # every .md, wherever it stands
 )
 # The wordings of version 0.1.0, which are frozen there.
-LEFT_OUT = ("app/earlier_wordings.cpp",)
+LEFT_OUT = ("app/words/earlier_wordings.cpp",)
 
 STRING = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<end>[^()\\\s]*)\((?P<raw>.*?)\)(?P=end)"|"(?P<text>(?:\\.|[^"\\\n])*)"|'
                     r"'(?:\\.|[^'\\\n])+'", re.DOTALL)

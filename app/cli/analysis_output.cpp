@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/analyses/cell_words.h"
-#include "app/analyses/reading_table.h"
-#include "app/analyses/study_tests.h"
 #include "app/cli/terminal.h"
-#include "app/text_parts.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_tests.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

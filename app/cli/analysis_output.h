@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/finding.h"
-#include "app/analyses/analysis_outcome.h"
+#include "app/findings/study/analysis_outcome.h"
 
 namespace asperity {
 

@@ -11,11 +11,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/tidy/reference_case.h"
 #include "app/cli/analysis_output.h"
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/tidy/reference_case.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
 #include "app/figures/figures_of.h"

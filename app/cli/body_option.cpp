@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/height_field_files.h"
-#include "app/textured_mesh_files.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
 #include "results_schema/table.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
-#include "app/tasks/study_outputs.h"
+#include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
-#include "app/tasks/device_survey.h"
+#include "app/device_bench/device_survey.h"
 
 namespace asperity {
 

@@ -13,11 +13,11 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
+#include "app/exports/export_study.h"
 #include "app/exports/publication.h"
-#include "app/study_metadata.h"
-#include "app/tasks/export_study.h"
-#include "app/tasks/study_outputs.h"
-#include "app/text_parts.h"
+#include "app/study_files/study_metadata.h"
+#include "app/study_files/study_outputs.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "app/analyses/found_numbers.h"
-#include "app/analyses/reading_number.h"
 #include "app/cli/analysis_output.h"
 #include "app/cli/terminal.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/reading_number.h"
 
 namespace asperity {
 namespace {

@@ -12,9 +12,9 @@
 #include "app/cli/terminal.h"
 #include "app/cli/usage_errors.h"
 #ifdef ASPERITY_WITH_WINDOWS
-#include "app/gui/program_window.h"
+#include "app/gui/window/program_window.h"
 #endif
-#include "app/program.h"
+#include "app/study_files/program.h"
 #include "protocols/diagnostic.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include "app/cli/metadata_options.h"
 #include "app/cli/terminal.h"
 #include "app/cli/text_option.h"
-#include "app/study_metadata.h"
+#include "app/study_files/study_metadata.h"
 #include "results_schema/study.h"
 
 namespace asperity {

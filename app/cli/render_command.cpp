@@ -14,8 +14,8 @@
 #include "app/cli/parameter_option.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
-#include "app/height_field_files.h"
-#include "app/tasks/path_table.h"
+#include "app/records/path_table.h"
+#include "app/study_files/height_field_files.h"
 #include "renderers/force_model.h"
 #include "renderers/offline/along_path.h"
 

@@ -10,9 +10,9 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/figures/figure_files.h"
-#include "app/report/report_file.h"
-#include "app/study_condition.h"
-#include "app/tasks/study_outputs.h"
+#include "app/report/pages/report_file.h"
+#include "app/study_files/study_condition.h"
+#include "app/study_files/study_outputs.h"
 
 namespace asperity {
 

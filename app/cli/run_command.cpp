@@ -16,8 +16,8 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
-#include "app/conductor/session_setup.h"
-#include "app/conductor/terminal_respondent.h"
+#include "app/session/respondents/terminal_respondent.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "app/conductor/conductor.h"
+#include "app/session/conductor.h"
 
 namespace asperity {
 

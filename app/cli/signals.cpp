@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/cli/terminal.h"
-#include "app/conductor/unechoed_input.h"
+#include "app/session/respondents/unechoed_input.h"
 
 namespace asperity {
 

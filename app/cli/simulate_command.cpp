@@ -15,7 +15,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
-#include "app/study_condition.h"
+#include "app/study_files/study_condition.h"
 #include "app/tasks/simulation.h"
 
 namespace asperity {

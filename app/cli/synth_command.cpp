@@ -13,7 +13,7 @@
 #include "app/cli/parameter_option.h"
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "stimuli/synthetic_photograph.h"
 #include "stimuli/synthetic_surface.h"
 

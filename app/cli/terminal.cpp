@@ -9,8 +9,8 @@
 #include <unistd.h>
 #include <utility>
 
-#include "app/study_condition.h"
-#include "app/text_parts.h"
+#include "app/study_files/study_condition.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 

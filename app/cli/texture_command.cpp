@@ -12,7 +12,7 @@
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "stimuli/photograph_advice.h"
 #include "stimuli/preview.h"
 #include "stimuli/texture_from_photograph.h"

@@ -12,7 +12,7 @@
 #include "app/cli/terminal.h"
 #include "app/cli/text_option.h"
 #include "app/cli/word_option.h"
-#include "app/tasks/study_outputs.h"
+#include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/event_kinds.h"
 #include "app/exports/sidecar.h"
-#include "app/program.h"
-#include "app/tasks/attempt_detail.h"
+#include "app/records/attempt_detail.h"
+#include "app/study_files/program.h"
+#include "app/words/event_kinds.h"
 #include "protocols/stored_protocol.h"
 #include "results_schema/recording.h"
 

@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/event_kinds.h"
 #include "app/exports/column_making.h"
 #include "app/exports/event_columns.h"
+#include "app/words/event_kinds.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/exports/columns.h"
-#include "app/tasks/session_timeline.h"
+#include "app/records/session_timeline.h"
 
 namespace asperity {
 

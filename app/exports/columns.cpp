@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/coded_phrases.h"
 #include "app/exports/column_making.h"
 #include "app/exports/event_columns.h"
+#include "app/words/coded_phrases.h"
 #include "results_schema/analysis_use.h"
 
 namespace asperity {

@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/coded_phrases.h"
-#include "app/event_kinds.h"
 #include "app/exports/column_making.h"
-#include "app/tasks/session_timeline.h"
+#include "app/records/session_timeline.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/event_kinds.h"
 
 namespace asperity {
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/analyses/gathered_answers.h"
 #include "app/exports/column_making.h"
+#include "app/findings/study/gathered_answers.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/table_file.h"
 

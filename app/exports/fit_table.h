@@ -11,7 +11,7 @@
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 

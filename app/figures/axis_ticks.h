@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <QtCore/QString>
 #include <QtGui/QColor>
 
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 
 class QPainter;
 

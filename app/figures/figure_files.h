@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {

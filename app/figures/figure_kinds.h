@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/analyses/analysis_outcome.h"
-#include "app/analyses/tidy/tidy_families.h"
-#include "app/figures/figure.h"
 #include "app/figures/finding_parts.h"
+#include "app/findings/figure.h"
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
 

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/analyses/learning.h"
-#include "app/analyses/response_times.h"
 #include "app/figures/figure_kinds.h"
+#include "app/findings/study/learning.h"
+#include "app/findings/study/response_times.h"
 
 namespace asperity {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/analyses/analysis_outcome.h"
-#include "app/analyses/tidy/tidy_families.h"
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/finding.h"
-#include "app/analyses/found_numbers.h"
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
+#include "app/findings/found_numbers.h"
 
 namespace asperity {
 

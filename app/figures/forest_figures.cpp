@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "analysis/number_text.h"
-#include "app/analyses/reading_table.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
+#include "app/findings/reading_table.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/finding.h"
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 
 namespace asperity {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/analyses/gathered_answers.h"
-#include "app/figures/figure.h"
-#include "app/tasks/sweep.h"
+#include "app/findings/figure.h"
+#include "app/findings/study/gathered_answers.h"
+#include "app/sweep/sweep.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 
 #include "analysis/number_text.h"
-#include "app/height_field_files.h"
-#include "app/textured_mesh_files.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "stimuli/mesh_decimation.h"

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "app/conductor/clock.h"
-#include "app/conductor/session_setup.h"
+#include "app/session/rig/clock.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
-#include "app/time_ago.h"
-#include "app/utc_time.h"
+#include "app/words/time_ago.h"
+#include "app/words/utc_time.h"
 
 namespace asperity {
 

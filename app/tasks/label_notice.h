@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 #include "protocols/protocol.h"
 #include "results_schema/study.h"
 

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/study.h"

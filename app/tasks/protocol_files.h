@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/conductor/rehearsal.h"
-#include "app/conductor/stimulus_builder.h"
-#include "app/phrase.h"
+#include "app/session/rehearsal/rehearsal.h"
+#include "app/session/stimulus_builder.h"
+#include "app/words/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"

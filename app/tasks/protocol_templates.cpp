@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/tasks/study_protocols.h"
+#include "app/study_files/study_protocols.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"
 

@@ -10,17 +10,17 @@
 #include <thread>
 #include <utility>
 
-#include "app/conductor/reason.h"
-#include "app/conductor/virtual_participant.h"
-#include "app/device_kind.h"
-#include "app/tasks/device_choice.h"
+#include "app/device_bench/device_choice.h"
+#include "app/device_bench/measure_device.h"
+#include "app/profiles/device_kind.h"
+#include "app/records/participant_answers.h"
+#include "app/records/session_conditions.h"
+#include "app/session/respondents/virtual_participant.h"
 #include "app/tasks/label_notice.h"
-#include "app/tasks/measure_device.h"
-#include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"
+#include "app/words/reason.h"
 
 namespace asperity {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "app/conductor/conductor.h"
-#include "app/conductor/rehearsed_device.h"
-#include "app/conductor/session_links.h"
+#include "app/session/conductor.h"
+#include "app/session/rehearsal/rehearsed_device.h"
+#include "app/session/session_links.h"
 #include "app/tasks/label_notice.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"

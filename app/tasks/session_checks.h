@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/conductor/rehearsal.h"
-#include "app/conductor/sound.h"
-#include "app/phrase.h"
+#include "app/device_bench/tried_device.h"
+#include "app/session/rehearsal/rehearsal.h"
+#include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
-#include "app/tasks/tried_device.h"
+#include "app/words/phrase.h"
 #include "protocols/protocol.h"
 #include "renderers/force_model.h"
 

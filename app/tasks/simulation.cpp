@@ -14,11 +14,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/session_setup.h"
-#include "app/conductor/virtual_participant.h"
-#include "app/phrase.h"
+#include "app/session/respondents/virtual_participant.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 

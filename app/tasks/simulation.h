@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/conductor/conductor.h"
+#include "app/session/conductor.h"
 #include "renderers/force_model.h"
 
 namespace asperity {

@@ -8,12 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/contact_reader.h"
-#include "app/conductor/virtual_participant.h"
+#include "app/records/session_conditions.h"
+#include "app/session/respondents/virtual_participant.h"
+#include "app/session/rig/contact_reader.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/session_conditions.h"
 #include "app/tasks/unfinished_session.h"
+#include "app/words/coded_phrases.h"
 
 namespace asperity {
 

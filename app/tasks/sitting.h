@@ -7,9 +7,9 @@
 #include <stop_token>
 #include <string>
 
-#include "app/conductor/conductor.h"
-#include "app/conductor/rehearsed_device.h"
-#include "app/program.h"
+#include "app/session/conductor.h"
+#include "app/session/rehearsal/rehearsed_device.h"
+#include "app/study_files/program.h"
 #include "app/tasks/unfinished_session.h"
 
 namespace asperity {

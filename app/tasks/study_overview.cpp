@@ -16,11 +16,11 @@
 #include <glm/common.hpp>
 
 #include "analysis/random.h"
-#include "app/conductor/session_setup.h"
-#include "app/conductor/stimulus_builder.h"
-#include "app/height_field_files.h"
+#include "app/session/session_setup.h"
+#include "app/session/stimulus_builder.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/unfinished_session.h"
-#include "app/textured_mesh_files.h"
 #include "device/simulated_device.h"
 #include "protocols/protocol_reader.h"
 #include "results_schema/atomic_file.h"

@@ -11,7 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "analysis/number_text.h"
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "protocols/json_document.h"
 #include "protocols/plan.h"
 #include "stimuli/synthetic_surface.h"

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
-#include "app/conductor/session_setup.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/sitting.h"
-#include "app/time_ago.h"
-#include "app/utc_time.h"
+#include "app/words/time_ago.h"
+#include "app/words/utc_time.h"
 
 namespace asperity {
 

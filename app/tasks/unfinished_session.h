@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/phrase.h"
-#include "app/tasks/session_conditions.h"
+#include "app/records/session_conditions.h"
+#include "app/words/phrase.h"
 #include "protocols/protocol.h"
 #include "results_schema/study.h"
 

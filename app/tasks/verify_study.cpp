@@ -16,8 +16,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/program.h"
-#include "app/tasks/recorded_attempt.h"
+#include "app/records/recorded_attempt.h"
+#include "app/study_files/program.h"
 #include "protocols/shown_options.h"
 #include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"

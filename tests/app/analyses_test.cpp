@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "analysis/number_text.h"
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/reading_number.h"
 #include "app/cli/analysis_output.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/analyze_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/support/refusal.h"

@@ -1,6 +1,6 @@
 // What the records of an attempt tell of the servo loop.
 
-#include "app/conductor/attempt_measures.h"
+#include "app/session/attempt_measures.h"
 
 #include <cstdint>
 #include <vector>

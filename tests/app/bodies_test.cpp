@@ -9,15 +9,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/height_field_files.h"
-#include "app/tasks/export_study.h"
+#include "app/exports/export_study.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/texture_doubts.h"
 #include "app/tasks/verify_study.h"
-#include "app/textured_mesh_files.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/solid_body.h"

@@ -1,10 +1,10 @@
 // Times as they are stored.
 
-#include "app/conductor/clock.h"
+#include "app/session/rig/clock.h"
 
 #include <gtest/gtest.h>
 
-#include "app/utc_time.h"
+#include "app/words/utc_time.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // What is stored by a code, and what is made of it when it is shown.
 
-#include "app/coded_phrases.h"
+#include "app/words/coded_phrases.h"
 
 #include <set>
 #include <string>
@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/reason.h"
-#include "app/device_remarks.h"
-#include "app/offered_reasons.h"
+#include "app/words/device_remarks.h"
+#include "app/words/offered_reasons.h"
+#include "app/words/reason.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 

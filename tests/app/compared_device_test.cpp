@@ -1,6 +1,6 @@
 // What check says of a device: with what it was compared, what was not and why, and what a session would refuse.
 
-#include "app/tasks/compared_device.h"
+#include "app/device_bench/compared_device.h"
 
 #include <set>
 #include <stdexcept>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/device_profile.h"
+#include "app/profiles/device_profile.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"

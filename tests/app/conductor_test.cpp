@@ -1,6 +1,6 @@
 // One session, from its plan to its rows: the real loop, the real store, a scripted person.
 
-#include "app/conductor/conductor.h"
+#include "app/session/conductor.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/attempt_measures.h"
-#include "app/conductor/contact_reader.h"
-#include "app/conductor/form_answer.h"
-#include "app/conductor/reason.h"
-#include "app/conductor/recording_columns.h"
-#include "app/conductor/terminal_respondent.h"
+#include "app/session/attempt_measures.h"
+#include "app/session/respondents/form_answer.h"
+#include "app/session/respondents/terminal_respondent.h"
+#include "app/session/rig/contact_reader.h"
+#include "app/session/rig/recording_columns.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
 #include "results_schema/table.h"
 #include "tests/app/scripted_session.h"
 

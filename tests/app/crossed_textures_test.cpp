@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/tidy/tidy_families.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/tidy/tidy_families.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

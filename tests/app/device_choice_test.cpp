@@ -1,6 +1,6 @@
 // What a session may run on, as a list: by which name, and why not.
 
-#include "app/tasks/device_choice.h"
+#include "app/device_bench/device_choice.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // What of a device's complaints is shown, and what is told.
 
-#include "app/conductor/device_complaints.h"
+#include "app/session/rig/device_complaints.h"
 
 #include <gtest/gtest.h>
 

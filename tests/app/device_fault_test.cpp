@@ -17,12 +17,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/recording_columns.h"
-#include "app/conductor/session_requests.h"
-#include "app/tasks/measure_device.h"
+#include "app/device_bench/measure_device.h"
+#include "app/session/rig/recording_columns.h"
+#include "app/session/session_requests.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
+#include "app/words/coded_phrases.h"
 #include "device/pause.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"

@@ -1,6 +1,6 @@
 // What else than devices a look finds wanting.
 
-#include "app/tasks/device_survey.h"
+#include "app/device_bench/device_survey.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What is measured of a device is what it is; what is written down of it is read again.
 
-#include "app/tasks/device_test.h"
+#include "app/device_bench/device_test.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,12 +16,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/reason.h"
-#include "app/device_remarks.h"
-#include "app/earlier_wordings.h"
-#include "app/profile_verdict.h"
-#include "app/tasks/measure_device.h"
+#include "app/device_bench/measure_device.h"
+#include "app/profiles/profile_verdict.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/device_remarks.h"
+#include "app/words/earlier_wordings.h"
+#include "app/words/reason.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"

@@ -1,12 +1,12 @@
 // Sentences that earlier versions stored.
 
-#include "app/earlier_wordings.h"
+#include "app/words/earlier_wordings.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "app/coded_phrases.h"
+#include "app/words/coded_phrases.h"
 
 namespace asperity {
 namespace {

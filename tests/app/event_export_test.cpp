@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/event_kinds.h"
-#include "app/tasks/session_timeline.h"
+#include "app/records/session_timeline.h"
+#include "app/words/event_kinds.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
 
@@ -56,10 +56,10 @@ TEST(EventKinds, AreAllThatTheProgramStores) {
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(ASPERITY_SOURCE_DIR) / "app")) {
     const std::string path = entry.path().string();
-    const bool writes = path.find("/conductor/") != std::string::npos ||
+    const bool writes = path.find("/app/session/") != std::string::npos ||
                         path.find("/gui/session/") != std::string::npos ||
                         path.find("/gui/participant/") != std::string::npos ||
-                        path.find("/gui/study/session_desk") != std::string::npos ||
+                        path.find("/gui/window/session_desk") != std::string::npos ||
                         path.find("/tasks/sitting") != std::string::npos;
     if (!writes || entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path());

@@ -14,12 +14,12 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
-#include "app/analyses/analyze_study.h"
-#include "app/coded_phrases.h"
-#include "app/conductor/reason.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/publication.h"
-#include "app/offered_reasons.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/offered_reasons.h"
+#include "app/words/reason.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"

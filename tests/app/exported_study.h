@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/tasks/export_study.h"
+#include "app/exports/export_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 

@@ -1,6 +1,6 @@
 // Height fields on disk: their files come together or not at all.
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 
 #include <cstddef>
 #include <filesystem>

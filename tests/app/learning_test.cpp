@@ -1,6 +1,6 @@
 // Learning over trials, from the rows of a study.
 
-#include "app/analyses/learning.h"
+#include "app/findings/study/learning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
+#include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

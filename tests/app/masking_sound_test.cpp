@@ -1,6 +1,6 @@
 // What the noise and the cues are, sample by sample.
 
-#include "app/conductor/masking_sound.h"
+#include "app/session/sound/masking_sound.h"
 
 #include <algorithm>
 #include <atomic>

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/analyses/references.h"
-#include "app/analyses/study_tests.h"
-#include "app/analyses/test_methods.h"
-#include "app/analyses/test_sentences.h"
-#include "app/tasks/study_report.h"
+#include "app/findings/study/references.h"
+#include "app/findings/study/study_tests.h"
+#include "app/findings/study/test_methods.h"
+#include "app/findings/study/test_sentences.h"
+#include "app/report/text/study_report.h"
 #include "protocols/analysis_declaration.h"
 #include "protocols/library_protocols.h"
 #include "tests/app/made_up_study.h"

@@ -1,10 +1,10 @@
 // Labels and answers of people.
 
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
 
 #include <gtest/gtest.h>
 
-#include "app/conductor/form_answer.h"
+#include "app/session/respondents/form_answer.h"
 namespace asperity {
 namespace {
 

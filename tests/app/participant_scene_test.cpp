@@ -1,6 +1,6 @@
 // What participants are shown tells them nothing that they are not to know.
 
-#include "app/conductor/participant_scene.h"
+#include "app/session/respondents/participant_scene.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 // Paths of a probe as tables: what is derived where a table leaves it out.
 
-#include "app/tasks/path_table.h"
+#include "app/records/path_table.h"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // The rules by which a person answers, without any window.
 
-#include "app/conductor/person_at_window.h"
+#include "app/session/respondents/person_at_window.h"
 
 #include <algorithm>
 #include <cmath>

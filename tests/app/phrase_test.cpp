@@ -1,12 +1,12 @@
 // Words that can be said in another language.
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "app/time_ago.h"
+#include "app/words/time_ago.h"
 
 namespace asperity {
 namespace {

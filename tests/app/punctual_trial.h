@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/tasks/tried_device.h"
+#include "app/device_bench/tried_device.h"
 
 namespace asperity {
 

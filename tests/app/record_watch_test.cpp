@@ -1,6 +1,6 @@
 // What a monitor is told of the ticks of a session, and which buttons go down.
 
-#include "app/conductor/record_watch.h"
+#include "app/session/rig/record_watch.h"
 
 #include <algorithm>
 #include <cmath>

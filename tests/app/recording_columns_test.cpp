@@ -1,6 +1,6 @@
 // A tick record as its recording will give it again.
 
-#include "app/conductor/recording_columns.h"
+#include "app/session/rig/recording_columns.h"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/tidy/reference_case.h"
+#include "app/findings/tidy/reference_case.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
 #include "tests/support/refusal.h"

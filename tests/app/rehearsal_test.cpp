@@ -1,6 +1,6 @@
 // A plan against a device: what is beyond it is said with both numbers, and nothing else is said.
 
-#include "app/conductor/rehearsal.h"
+#include "app/session/rehearsal/rehearsal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/new_study.h"
 #include "protocols/library_protocols.h"
 #include "renderers/force_model.h"

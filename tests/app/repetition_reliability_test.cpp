@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
+#include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

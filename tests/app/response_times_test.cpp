@@ -1,6 +1,6 @@
 // Response times by condition, from the rows of a study.
 
-#include "app/analyses/response_times.h"
+#include "app/findings/study/response_times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
+#include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -7,12 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/device_profile.h"
+#include "app/profiles/device_profile.h"
+#include "app/records/session_conditions.h"
+#include "app/report/text/study_report.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_checks.h"
-#include "app/tasks/session_conditions.h"
 #include "app/tasks/sitting.h"
-#include "app/tasks/study_report.h"
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"

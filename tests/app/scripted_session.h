@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/conductor/conductor.h"
-#include "app/program.h"
+#include "app/session/conductor.h"
+#include "app/study_files/program.h"
 #include "tests/app/small_study.h"
 #include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"

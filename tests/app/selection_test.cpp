@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/cell_words.h"
-#include "app/analyses/reading_table.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/cell_words.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/conductor/clock.h"
+#include "app/session/rig/clock.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
-#include "app/utc_time.h"
+#include "app/words/utc_time.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"

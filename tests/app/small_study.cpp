@@ -1,6 +1,6 @@
 #include "tests/app/small_study.h"
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/study.h"
 #include "stimuli/synthetic_surface.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/conductor/session_setup.h"
+#include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/reason.h"
-#include "app/conductor/recording_columns.h"
-#include "app/conductor/session_monitor.h"
+#include "app/session/rig/recording_columns.h"
+#include "app/session/session_monitor.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "results_schema/sha256.h"
 #include "tests/app/exported_study.h"
 

@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/group_equivalence.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/group_equivalence.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

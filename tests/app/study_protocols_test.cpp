@@ -1,12 +1,12 @@
-#include "app/tasks/study_protocols.h"
+#include "app/study_files/study_protocols.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/conductor/session_setup.h"
-#include "app/phrase.h"
-#include "app/program.h"
+#include "app/session/session_setup.h"
+#include "app/study_files/program.h"
 #include "app/tasks/protocol_files.h"
+#include "app/words/phrase.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"

@@ -1,6 +1,6 @@
 // What a report says, read as a value.
 
-#include "app/tasks/study_report.h"
+#include "app/report/text/study_report.h"
 
 #include <algorithm>
 #include <memory>
@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/reading_number.h"
-#include "app/tasks/report_numbers.h"
-#include "app/tasks/report_sections.h"
-#include "app/tasks/report_tests.h"
-#include "app/tasks/session_conditions.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/records/session_conditions.h"
+#include "app/report/text/report_numbers.h"
+#include "app/report/text/report_sections.h"
+#include "app/report/text/report_tests.h"
 #include "app/tasks/simulation.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"

@@ -1,6 +1,6 @@
 // The table of tests: every kind of study fills it, and its numbers can be worked out on paper.
 
-#include "app/analyses/study_tests.h"
+#include "app/findings/study/study_tests.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
-#include "app/analyses/cell_words.h"
-#include "app/analyses/reading_table.h"
-#include "app/analyses/test_methods.h"
-#include "app/tasks/report_sexes.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/test_methods.h"
+#include "app/report/text/report_sexes.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

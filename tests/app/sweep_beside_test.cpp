@@ -1,6 +1,6 @@
 // Whether a sweep goes beside a protocol's estimates: by what varies, by numbers, and what else differs.
 
-#include "app/tasks/sweep_beside.h"
+#include "app/sweep/sweep_beside.h"
 
 #include <algorithm>
 #include <functional>
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"

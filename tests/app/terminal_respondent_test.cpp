@@ -1,6 +1,6 @@
 // A person at a terminal: after a fault, and before pictures.
 
-#include "app/conductor/terminal_respondent.h"
+#include "app/session/respondents/terminal_respondent.h"
 
 #include <array>
 #include <csignal>
@@ -18,7 +18,7 @@
 #include <pty.h>
 #include <termios.h>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {

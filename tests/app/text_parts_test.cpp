@@ -1,6 +1,6 @@
 // Texts taken apart into lines.
 
-#include "app/text_parts.h"
+#include "app/words/text_parts.h"
 
 #include <gtest/gtest.h>
 

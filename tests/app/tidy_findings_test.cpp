@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "analysis/tail_probabilities.h"
-#include "app/analyses/tidy/tidy_families.h"
 #include "app/cli/analysis_output.h"
+#include "app/findings/tidy/tidy_families.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/tidy/tidy_families.h"
+#include "app/findings/tidy/tidy_families.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

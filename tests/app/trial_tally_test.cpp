@@ -1,6 +1,6 @@
 // What the attempts of a session make of its trials.
 
-#include "app/conductor/trial_tally.h"
+#include "app/session/trial_tally.h"
 
 #include <gtest/gtest.h>
 

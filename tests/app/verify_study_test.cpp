@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/gathered_answers.h"
+#include "app/findings/study/gathered_answers.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/no_more_threads.h"
 #include "tests/app/small_study.h"

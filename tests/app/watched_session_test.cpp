@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/conductor/person_at_window.h"
-#include "app/conductor/recording_columns.h"
+#include "app/session/respondents/person_at_window.h"
+#include "app/session/rig/recording_columns.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
 #include "tests/app/scripted_session.h"

@@ -8,7 +8,7 @@
 
 #include "analysis/number_text.h"
 #include "analysis/tail_probabilities.h"
-#include "app/analyses/repetition_reliability.h"
+#include "app/findings/study/repetition_reliability.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -14,7 +14,7 @@
 
 #include "analysis/number_text.h"
 #include "analysis/proportion.h"
-#include "app/analyses/found_numbers.h"
+#include "app/findings/found_numbers.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/proportion.h"
-#include "app/analyses/found_numbers.h"
+#include "app/findings/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/random.h"
-#include "app/analyses/tidy/tidy_families.h"
+#include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
 

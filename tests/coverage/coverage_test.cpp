@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/analyses/found_numbers.h"
+#include "app/findings/found_numbers.h"
 #include "results_schema/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/number_text.h"
-#include "app/analyses/crossed_textures.h"
+#include "app/findings/study/crossed_textures.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

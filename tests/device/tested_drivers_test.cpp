@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/tasks/measure_device.h"
+#include "app/device_bench/measure_device.h"
 #include "device/drivers.h"
 #include "device/vendor_library.h"
 #include "tests/device/emulated_falcon.h"

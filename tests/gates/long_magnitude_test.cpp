@@ -14,10 +14,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/analyses/analyze_study.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/sweep/sweep.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/simulation.h"
-#include "app/tasks/sweep.h"
 #include "renderers/force_model.h"
 #include "tests/gates/simulated_study.h"
 #include "tests/support/temporary_folder.h"

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
-#include "app/analyses/families.h"
+#include "app/findings/study/families.h"
 #include "protocols/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
 

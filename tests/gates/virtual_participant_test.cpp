@@ -1,6 +1,6 @@
 // How a virtual participant answers, attempt by attempt, and where its answers say they come from.
 
-#include "app/conductor/virtual_participant.h"
+#include "app/session/respondents/virtual_participant.h"
 
 #include <filesystem>
 #include <fstream>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/simulation.h"
 #include "protocols/plan.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/textured_mesh_files.h"
+#include "app/study_files/textured_mesh_files.h"
 #include "results_schema/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"

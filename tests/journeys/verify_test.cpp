@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
-#include "app/conductor/recording_columns.h"
+#include "app/session/rig/recording_columns.h"
 #include "results_schema/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"

@@ -9,9 +9,9 @@
 
 #include "protocols/doubts.h"
 #include "protocols/library_protocols.h"
-#include "protocols/stored_protocol.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"
+#include "protocols/stored_protocol.h"
 #include "protocols/virtual_observer.h"
 #include "tests/protocols/example.h"
 

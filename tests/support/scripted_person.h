@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/conductor/respondent.h"
+#include "app/session/respondents/respondent.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/conductor/sound.h"
+#include "app/session/sound/sound.h"
 
 namespace asperity {
 

@@ -11,17 +11,17 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStackedWidget>
 
-#include "app/analyses/analyze_study.h"
+#include "app/exports/export_study.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/gui/base/open_study.h"
 #include "app/gui/data/figure_saver.h"
 #include "app/gui/data/outcome_view.h"
 #include "app/gui/data/report_saving.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
-#include "app/study_metadata.h"
-#include "app/tasks/export_study.h"
-#include "app/tasks/study_outputs.h"
+#include "app/study_files/study_metadata.h"
+#include "app/study_files/study_outputs.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {

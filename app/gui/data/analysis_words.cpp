@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/analyses/cell_words.h"
+#include "app/findings/study/cell_words.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {

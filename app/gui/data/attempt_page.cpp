@@ -7,15 +7,15 @@
 #include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
 
-#include "app/conductor/recording_columns.h"
 #include "app/gui/data/attempt_tables.h"
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
 #include "app/gui/data/recording_view.h"
 #include "app/gui/look/task_line.h"
-#include "app/offered_reasons.h"
-#include "app/tasks/recording_curves.h"
+#include "app/records/recording_curves.h"
+#include "app/session/rig/recording_columns.h"
 #include "app/tasks/study_overview.h"
+#include "app/words/offered_reasons.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/study/study_page.h"
-#include "app/tasks/attempt_detail.h"
+#include "app/gui/base/study_page.h"
+#include "app/records/attempt_detail.h"
 
 class QTabWidget;
 

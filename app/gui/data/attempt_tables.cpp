@@ -3,12 +3,12 @@
 #include <QtWidgets/QHeaderView>
 
 #include "analysis/number_text.h"
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QWidget>
 
-#include "app/tasks/attempt_detail.h"
+#include "app/records/attempt_detail.h"
 
 class QLabel;
 

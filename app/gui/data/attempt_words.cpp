@@ -1,9 +1,9 @@
 #include "app/gui/data/attempt_words.h"
 
 #include "analysis/number_text.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/shown_text.h"
 #include "results_schema/analysis_use.h"
 
 namespace asperity {

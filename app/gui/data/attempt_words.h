@@ -7,7 +7,7 @@
 #include <QtCore/QString>
 
 #include "app/gui/look/controls.h"
-#include "app/tasks/attempt_detail.h"
+#include "app/records/attempt_detail.h"
 
 namespace asperity {
 

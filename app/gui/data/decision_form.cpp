@@ -4,10 +4,10 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 
-#include "app/coded_phrases.h"
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
+#include "app/words/coded_phrases.h"
 
 namespace asperity {
 

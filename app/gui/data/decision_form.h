@@ -8,7 +8,7 @@
 #include <QtWidgets/QFrame>
 
 #include "app/gui/look/background_task.h"
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 #include "results_schema/rows.h"
 
 class QComboBox;

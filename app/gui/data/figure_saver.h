@@ -7,7 +7,7 @@
 
 #include <QtCore/QObject>
 
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 #include "app/gui/look/background_task.h"
 #include "results_schema/atomic_file.h"
 

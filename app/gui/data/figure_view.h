@@ -4,7 +4,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
 
 namespace asperity {
 

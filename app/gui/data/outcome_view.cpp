@@ -10,9 +10,9 @@
 #include <QtWidgets/QTableView>
 
 #include "analysis/number_text.h"
-#include "app/analyses/reading_table.h"
-#include "app/analyses/study_tests.h"
 #include "app/figures/figures_of.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/study_tests.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"

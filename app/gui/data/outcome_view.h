@@ -6,8 +6,8 @@
 
 #include <QtCore/QString>
 
-#include "app/analyses/analysis_outcome.h"
-#include "app/figures/figure.h"
+#include "app/findings/figure.h"
+#include "app/findings/study/analysis_outcome.h"
 
 class QWidget;
 

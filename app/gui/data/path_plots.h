@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/tasks/recording_curves.h"
+#include "app/records/recording_curves.h"
 
 class QCustomPlot;
 class QLabel;

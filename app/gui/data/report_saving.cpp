@@ -8,13 +8,13 @@
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
-#include "app/gui/study/shown_text.h"
-#include "app/report/report_file.h"
-#include "app/tasks/study_outputs.h"
+#include "app/report/pages/report_file.h"
+#include "app/study_files/study_outputs.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <QtGui/QKeyEvent>
 #include <qcustomplot.h>
 
-#include "app/gui/data/curve_color.h"
+#include "app/gui/base/curve_color.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/plot_ticks.h"
 

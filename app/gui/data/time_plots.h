@@ -8,7 +8,7 @@
 #include <QtWidgets/QFrame>
 
 #include "analysis/compliance.h"
-#include "app/tasks/recording_curves.h"
+#include "app/records/recording_curves.h"
 
 namespace asperity {
 

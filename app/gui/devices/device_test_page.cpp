@@ -17,7 +17,11 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QStackedWidget>
 
-#include "app/conductor/clock.h"
+#include "app/gui/base/question_form.h"
+#include "app/gui/base/session_keys.h"
+#include "app/gui/base/settings.h"
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/devices/device_test_steps.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
@@ -25,12 +29,8 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
-#include "app/gui/session/session_keys.h"
-#include "app/gui/start/question_form.h"
-#include "app/gui/study/settings.h"
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
-#include "app/profile_verdict.h"
+#include "app/profiles/profile_verdict.h"
+#include "app/session/rig/clock.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
 

@@ -9,9 +9,9 @@
 
 #include <QtCore/QTimer>
 
+#include "app/gui/base/study_page.h"
 #include "app/gui/devices/device_test_run.h"
 #include "app/gui/devices/tested_device.h"
-#include "app/gui/study/study_page.h"
 
 class QBoxLayout;
 class QComboBox;

@@ -9,7 +9,7 @@
 
 #include <QtCore/QMetaObject>
 
-#include "app/tasks/device_bench.h"
+#include "app/device_bench/device_bench.h"
 
 namespace asperity {
 

@@ -10,9 +10,9 @@
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
+#include "app/device_bench/measure_device.h"
 #include "app/gui/devices/motion_bins.h"
 #include "app/gui/look/background_task.h"
-#include "app/tasks/measure_device.h"
 #include "device/drivers.h"
 
 namespace asperity {

@@ -5,9 +5,9 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 
+#include "app/device_bench/measure_device.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/tasks/measure_device.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "app/tasks/device_test.h"
+#include "app/device_bench/device_test.h"
 #include "device/device_trait.h"
 
 class QLabel;

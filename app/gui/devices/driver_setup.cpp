@@ -10,10 +10,10 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QScrollArea>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/settings.h"
-#include "app/gui/study/shown_text.h"
 
 namespace asperity {
 

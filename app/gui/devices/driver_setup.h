@@ -8,7 +8,7 @@
 
 #include <QtWidgets/QDialog>
 
-#include "app/tasks/device_survey.h"
+#include "app/device_bench/device_survey.h"
 
 class QLineEdit;
 class QScrollArea;

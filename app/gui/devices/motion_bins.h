@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "app/tasks/device_test.h"
+#include "app/device_bench/device_test.h"
 #include "renderers/tick_record.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <QtWidgets/QStackedLayout>
 #include <qcustomplot.h>
 
-#include "app/gui/data/curve_color.h"
+#include "app/gui/base/curve_color.h"
 #include "app/gui/look/controls.h"
 
 namespace asperity {

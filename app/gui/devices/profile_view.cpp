@@ -7,7 +7,7 @@
 #include "app/gui/devices/response_plot.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/profile_verdict.h"
+#include "app/profiles/profile_verdict.h"
 
 namespace asperity {
 

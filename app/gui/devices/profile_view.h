@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/device_profile.h"
+#include "app/profiles/device_profile.h"
 
 class QGridLayout;
 class QLabel;

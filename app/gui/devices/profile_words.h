@@ -7,8 +7,8 @@
 
 #include <QtCore/QString>
 
-#include "app/device_profile.h"
 #include "app/gui/look/controls.h"
+#include "app/profiles/device_profile.h"
 
 namespace asperity {
 

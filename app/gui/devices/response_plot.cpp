@@ -7,7 +7,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <qcustomplot.h>
 
-#include "app/gui/data/curve_color.h"
+#include "app/gui/base/curve_color.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 

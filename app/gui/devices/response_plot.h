@@ -4,7 +4,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/device_profile.h"
+#include "app/profiles/device_profile.h"
 
 class QCustomPlot;
 class QLabel;

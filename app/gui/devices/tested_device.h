@@ -6,7 +6,7 @@
 
 #include <QtCore/QString>
 
-#include "app/device_profile.h"
+#include "app/profiles/device_profile.h"
 
 namespace asperity {
 

@@ -8,13 +8,13 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/plan_preview.h"
-#include "app/gui/study/study_table.h"
-#include "app/tasks/study_protocols.h"
+#include "app/gui/plan/plan_preview.h"
+#include "app/study_files/study_protocols.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
 #include "app/gui/editor/schema_help.h"
 #include "app/gui/look/background_task.h"
-#include "app/gui/study/study_page.h"
 
 class QFileSystemWatcher;
 class QStackedWidget;

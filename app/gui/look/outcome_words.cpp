@@ -1,8 +1,8 @@
 #include "app/gui/look/outcome_words.h"
 
-#include "app/coded_phrases.h"
-#include "app/conductor/reason.h"
 #include "app/gui/look/words.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
 
 namespace asperity {
 

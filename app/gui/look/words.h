@@ -9,7 +9,7 @@
 
 #include <QtCore/QString>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -9,9 +9,9 @@
 #include <QtGui/QPolygonF>
 
 #include "analysis/compliance.h"
-#include "app/conductor/layout.h"
 #include "app/gui/participant/participant_layout.h"
 #include "app/gui/participant/participant_painter.h"
+#include "app/session/layout.h"
 #include "renderers/servo_thread.h"
 
 namespace asperity {

@@ -11,8 +11,8 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/participant_scene.h"
-#include "app/conductor/session_monitor.h"
+#include "app/session/respondents/participant_scene.h"
+#include "app/session/session_monitor.h"
 #include "protocols/protocol.h"
 #include "stimuli/surface_patch.h"
 

@@ -14,11 +14,11 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
-#include "app/conductor/stimulus_builder.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/participant/workspace_view.h"
-#include "app/height_field_files.h"
+#include "app/session/session_monitor.h"
+#include "app/session/stimulus_builder.h"
+#include "app/study_files/height_field_files.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 
 #include <QtCore/QString>
 
-#include "app/conductor/participant_scene.h"
+#include "app/session/respondents/participant_scene.h"
 
 namespace asperity {
 

@@ -10,8 +10,8 @@
 #include <QtCore/QString>
 #include <QtGui/QFont>
 
-#include "app/conductor/participant_scene.h"
 #include "app/gui/participant/participant_keys.h"
+#include "app/session/respondents/participant_scene.h"
 
 namespace asperity {
 

@@ -14,10 +14,10 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/participant/event_clock.h"
 #include "app/gui/participant/participant_layout.h"
 #include "app/gui/participant/picture_shelf.h"
+#include "app/session/session_monitor.h"
 
 class QInputMethodEvent;
 class QKeyEvent;

@@ -5,10 +5,10 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QTabletEvent>
 
-#include "app/conductor/layout.h"
 #include "app/gui/participant/live_workspace.h"
 #include "app/gui/participant/participant_view.h"
 #include "app/gui/participant/shown_surface.h"
+#include "app/session/layout.h"
 
 namespace asperity {
 

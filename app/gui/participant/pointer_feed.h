@@ -7,7 +7,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QPointF>
 
-#include "app/conductor/session_monitor.h"
+#include "app/session/session_monitor.h"
 #include "device/latest_value.h"
 #include "device/pointer_sample.h"
 #include "stimuli/surface_patch.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/conductor/session_monitor.h"
+#include "app/session/session_monitor.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
+#include "app/session/session_monitor.h"
 
 class QLabel;
 

@@ -6,8 +6,8 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/session/bad_moments.h"
+#include "app/session/session_monitor.h"
 
 class QLabel;
 class QPushButton;

@@ -5,8 +5,8 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/session/session_form.h"
+#include "app/session/session_monitor.h"
 
 class QLabel;
 

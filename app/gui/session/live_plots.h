@@ -7,7 +7,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
+#include "app/session/session_monitor.h"
 
 namespace asperity {
 

@@ -14,10 +14,10 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/settings.h"
-#include "app/offered_reasons.h"
+#include "app/words/offered_reasons.h"
 
 namespace asperity {
 

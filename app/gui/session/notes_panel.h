@@ -7,7 +7,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 class QLabel;
 class QLineEdit;

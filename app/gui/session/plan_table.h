@@ -9,8 +9,8 @@
 #include <QtCore/QStringList>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/session/session_text.h"
+#include "app/session/session_monitor.h"
 
 class QLabel;
 class QPushButton;

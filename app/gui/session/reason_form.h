@@ -7,7 +7,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 class QLabel;
 class QLineEdit;

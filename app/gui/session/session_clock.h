@@ -6,7 +6,7 @@
 
 #include <QtCore/QString>
 
-#include "app/conductor/session_monitor.h"
+#include "app/session/session_monitor.h"
 
 namespace asperity {
 

@@ -6,9 +6,9 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_requests.h"
+#include "app/gui/base/session_keys.h"
 #include "app/gui/session/session_form.h"
-#include "app/gui/session/session_keys.h"
+#include "app/session/session_requests.h"
 
 class QHBoxLayout;
 class QLabel;

@@ -9,7 +9,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/session/reason_form.h"
-#include "app/offered_reasons.h"
+#include "app/words/offered_reasons.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QDialog>
 
-#include "app/phrase.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 

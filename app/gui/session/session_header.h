@@ -7,8 +7,8 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/session/session_form.h"
+#include "app/session/session_monitor.h"
 
 class QGridLayout;
 class QHBoxLayout;

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "app/conductor/reason.h"
 #include "app/gui/session/reason_form.h"
 #include "app/gui/session/session_dialogs.h"
-#include "app/offered_reasons.h"
+#include "app/words/offered_reasons.h"
+#include "app/words/reason.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <QtCore/QPointer>
 #include <QtWidgets/QDialog>
 
-#include "app/conductor/session_requests.h"
+#include "app/session/session_requests.h"
 
 namespace asperity {
 

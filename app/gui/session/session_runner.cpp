@@ -6,10 +6,10 @@
 
 #include <QtCore/QMetaObject>
 
-#include "app/conductor/reason.h"
 #include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
+#include "app/words/reason.h"
 #include "protocols/diagnostic.h"
 
 namespace asperity {

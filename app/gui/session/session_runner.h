@@ -14,11 +14,11 @@
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
-#include "app/conductor/person_at_window.h"
-#include "app/conductor/session_monitor.h"
-#include "app/conductor/session_requests.h"
-#include "app/conductor/sound.h"
 #include "app/gui/session/bad_moments.h"
+#include "app/session/respondents/person_at_window.h"
+#include "app/session/session_monitor.h"
+#include "app/session/session_requests.h"
+#include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
 #include "renderers/force_model.h"
 

@@ -8,9 +8,9 @@
 #include <QtCore/QRegularExpression>
 #include <QtCore/QString>
 
-#include "app/conductor/session_monitor.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/session/bad_moments.h"
+#include "app/session/session_monitor.h"
 
 namespace asperity {
 

@@ -11,10 +11,10 @@
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
-#include "app/conductor/session_monitor.h"
-#include "app/conductor/session_requests.h"
 #include "app/gui/session/bad_moments.h"
 #include "app/gui/session/session_text.h"
+#include "app/session/session_monitor.h"
+#include "app/session/session_requests.h"
 
 class QVBoxLayout;
 class QWidget;

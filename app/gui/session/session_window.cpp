@@ -12,7 +12,6 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QStackedWidget>
 
-#include "app/conductor/clock.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/session/answers_panel.h"
@@ -30,7 +29,8 @@
 #include "app/gui/session/session_text.h"
 #include "app/gui/session/session_troubles.h"
 #include "app/gui/session/window_place.h"
-#include "app/offered_reasons.h"
+#include "app/session/rig/clock.h"
+#include "app/words/offered_reasons.h"
 
 namespace asperity {
 

@@ -10,11 +10,11 @@
 #include <QtCore/QElapsedTimer>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/conductor.h"
-#include "app/conductor/session_monitor.h"
-#include "app/conductor/session_requests.h"
+#include "app/gui/base/session_keys.h"
 #include "app/gui/session/bad_moments.h"
-#include "app/gui/session/session_keys.h"
+#include "app/session/conductor.h"
+#include "app/session/session_monitor.h"
+#include "app/session/session_requests.h"
 
 class QLabel;
 class QScreen;

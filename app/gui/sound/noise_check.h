@@ -7,8 +7,8 @@
 #include <QtCore/QElapsedTimer>
 #include <QtWidgets/QWidget>
 
-#include "app/conductor/sound.h"
 #include "app/gui/sound/sound_output.h"
+#include "app/session/sound/sound.h"
 
 class QDoubleSpinBox;
 class QLabel;

@@ -8,9 +8,9 @@
 
 #include <QtCore/QString>
 
-#include "app/conductor/masking_sound.h"
-#include "app/conductor/sound.h"
 #include "app/gui/sound/sound_stream.h"
+#include "app/session/sound/masking_sound.h"
+#include "app/session/sound/sound.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/conductor/masking_sound.h"
+#include "app/session/sound/masking_sound.h"
 
 namespace asperity {
 

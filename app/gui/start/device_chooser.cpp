@@ -14,14 +14,14 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/question_form.h"
+#include "app/gui/base/session_keys.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/devices/driver_setup.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
-#include "app/gui/session/session_keys.h"
-#include "app/gui/start/question_form.h"
-#include "app/gui/study/open_study.h"
-#include "app/gui/study/settings.h"
 
 namespace asperity {
 

@@ -11,9 +11,9 @@
 #include <QtCore/QPointer>
 #include <QtWidgets/QWidget>
 
+#include "app/device_bench/device_choice.h"
+#include "app/device_bench/tried_device.h"
 #include "app/gui/look/background_task.h"
-#include "app/tasks/device_choice.h"
-#include "app/tasks/tried_device.h"
 #include "protocols/protocol.h"
 
 class QComboBox;

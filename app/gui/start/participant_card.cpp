@@ -11,11 +11,11 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/question_form.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
-#include "app/gui/start/question_form.h"
-#include "app/gui/study/shown_text.h"
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
 

@@ -11,10 +11,10 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/start/device_chooser.h"
-#include "app/gui/start/question_form.h"
 
 namespace asperity {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "app/conductor/sound.h"
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
+#include "app/session/sound/sound.h"
 
 namespace asperity {
 

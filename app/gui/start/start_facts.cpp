@@ -4,8 +4,8 @@
 #include <exception>
 #include <system_error>
 
+#include "app/study_files/study_protocols.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/study_protocols.h"
 #include "protocols/stored_protocol.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"

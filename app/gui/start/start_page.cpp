@@ -10,15 +10,15 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/start/check_list.h"
 #include "app/gui/start/consent_card.h"
 #include "app/gui/start/device_chooser.h"
 #include "app/gui/start/participant_card.h"
-#include "app/gui/start/question_form.h"
 #include "app/gui/start/setup_card.h"
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
 
 namespace asperity {
 

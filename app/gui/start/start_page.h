@@ -11,11 +11,11 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/session/session_runner.h"
 #include "app/gui/start/start_draft.h"
 #include "app/gui/start/start_facts.h"
-#include "app/gui/study/open_study.h"
 #include "app/tasks/session_checks.h"
 #include "app/tasks/simulation.h"
 

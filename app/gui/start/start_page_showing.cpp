@@ -8,6 +8,7 @@
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/start/consent_card.h"
@@ -15,8 +16,7 @@
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/study/shown_text.h"
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
 
 namespace asperity {
 

@@ -10,6 +10,7 @@
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/sound/noise_check.h"
@@ -20,7 +21,6 @@
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/study/settings.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <QtWidgets/QBoxLayout>
 
 #include "app/gui/look/controls.h"
-#include "app/program.h"
+#include "app/study_files/program.h"
 
 namespace asperity {
 

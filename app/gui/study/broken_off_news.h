@@ -7,7 +7,7 @@
 
 #include <QtCore/QString>
 
-#include "app/gui/study/session_wish.h"
+#include "app/gui/base/session_wish.h"
 #include "app/tasks/broken_off.h"
 
 namespace asperity {

@@ -7,11 +7,11 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
 
+#include "app/device_bench/device_choice.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/devices/driver_setup.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/settings.h"
-#include "app/tasks/device_choice.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {

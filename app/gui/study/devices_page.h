@@ -10,10 +10,10 @@
 
 #include <QtCore/QPointer>
 
+#include "app/device_bench/device_survey.h"
+#include "app/gui/base/study_page.h"
 #include "app/gui/devices/tested_device.h"
 #include "app/gui/look/background_task.h"
-#include "app/gui/study/study_page.h"
-#include "app/tasks/device_survey.h"
 
 class QFrame;
 class QPushButton;

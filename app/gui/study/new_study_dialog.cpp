@@ -6,8 +6,8 @@
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QLineEdit>
 
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/shown_text.h"
 
 namespace asperity {
 

@@ -8,10 +8,10 @@
 #include <QtWidgets/QLineEdit>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/study/withdraw_dialog.h"
-#include "app/tasks/participant_answers.h"
+#include "app/records/participant_answers.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/gui/study/study_page.h"
+#include "app/gui/base/study_page.h"
 #include "app/tasks/study_overview.h"
 
 class QLineEdit;

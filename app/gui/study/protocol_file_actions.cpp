@@ -9,9 +9,9 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/open_study.h"
-#include "app/tasks/study_protocols.h"
+#include "app/study_files/study_protocols.h"
 #include "results_schema/study.h"
 
 namespace asperity {

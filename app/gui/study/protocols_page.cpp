@@ -11,14 +11,14 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/progress_cell.h"
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
+#include "app/gui/plan/plan_preview.h"
 #include "app/gui/study/broken_off_news.h"
-#include "app/gui/study/plan_preview.h"
-#include "app/gui/study/progress_cell.h"
 #include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/sessions_page.h"
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
 #include "app/tasks/protocol_templates.h"
 #include "protocols/library_protocols.h"
 

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "app/gui/study/session_wish.h"
-#include "app/gui/study/study_page.h"
+#include "app/gui/base/session_wish.h"
+#include "app/gui/base/study_page.h"
 #include "app/tasks/broken_off.h"
 #include "app/tasks/study_overview.h"
 

@@ -7,9 +7,9 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QStyledItemDelegate>
 
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/outcome_words.h"
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
 
 namespace asperity {
 

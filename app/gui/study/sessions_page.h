@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "app/gui/study/session_wish.h"
-#include "app/gui/study/study_page.h"
+#include "app/gui/base/session_wish.h"
+#include "app/gui/base/study_page.h"
 #include "app/tasks/study_overview.h"
 
 class QLineEdit;

@@ -5,8 +5,8 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFormLayout>
 
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/shown_text.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {

@@ -12,9 +12,9 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
 #include "app/gui/participant/body_picture.h"
-#include "app/gui/study/study_table.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 
 #include <QtGui/QImage>
 
-#include "app/gui/study/study_page.h"
+#include "app/gui/base/study_page.h"
 #include "app/tasks/study_overview.h"
 
 class QFileSystemWatcher;

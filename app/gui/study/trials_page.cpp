@@ -10,14 +10,14 @@
 #include <QtWidgets/QTabWidget>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
 #include "app/gui/study/sessions_page.h"
-#include "app/gui/study/shown_text.h"
-#include "app/gui/study/study_table.h"
-#include "app/offered_reasons.h"
+#include "app/words/offered_reasons.h"
 #include "results_schema/table.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gui/study/study_page.h"
+#include "app/gui/base/study_page.h"
 #include "app/tasks/study_overview.h"
 
 class QLineEdit;

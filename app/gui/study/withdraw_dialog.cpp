@@ -10,10 +10,10 @@
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QRadioButton>
 
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
-#include "app/gui/study/shown_text.h"
 
 namespace asperity {
 

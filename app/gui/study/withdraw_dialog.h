@@ -7,7 +7,7 @@
 #include <QtWidgets/QDialog>
 
 #include "app/gui/look/background_task.h"
-#include "app/tasks/study_outputs.h"
+#include "app/study_files/study_outputs.h"
 
 class QComboBox;
 class QLabel;

@@ -12,7 +12,7 @@
 #include <QtGui/QImage>
 
 #include "app/gui/workbench/texture_preview.h"
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "stimuli/photograph_advice.h"
 
 namespace asperity {

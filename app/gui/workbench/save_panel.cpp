@@ -8,10 +8,10 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
 
 namespace asperity {
 

@@ -17,10 +17,10 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/open_study.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/line_profile.h"
 #include "app/gui/workbench/recipe_panel.h"

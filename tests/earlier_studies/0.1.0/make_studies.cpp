@@ -16,11 +16,11 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/session/fault_panel.h"
 #include "app/gui/session/reason_form.h"
-#include "app/gui/study/settings.h"
-#include "app/gui/study/study_table.h"
 #include "app/gui/study/trials_page.h"
 #include "tests/gui/sessions/session_room.h"
 #include "tests/journeys/program.h"

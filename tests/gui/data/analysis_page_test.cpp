@@ -21,12 +21,12 @@
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/data/outcome_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
-#include "app/gui/study/open_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/support/screenshot.h"

@@ -16,14 +16,14 @@
 #include <QtWidgets/QTabWidget>
 #include <qcustomplot.h>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/time_plots.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
+#include "app/gui/window/study_window.h"
 #include "app/tasks/simulation.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"

@@ -11,9 +11,9 @@
 #include <QtGui/QPainter>
 #include <gtest/gtest.h>
 
-#include "app/analyses/tidy/reference_case.h"
 #include "app/figures/draw_figure.h"
 #include "app/figures/figures_of.h"
+#include "app/findings/tidy/reference_case.h"
 #include "results_schema/study.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/data/drawn_svg.h"

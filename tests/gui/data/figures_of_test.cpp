@@ -14,11 +14,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/analyses/found_numbers.h"
-#include "app/analyses/tidy/reference_case.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
 #include "app/figures/sweep_figure.h"
+#include "app/findings/found_numbers.h"
+#include "app/findings/tidy/reference_case.h"
 
 namespace asperity {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/tasks/recording_curves.h"
+#include "app/records/recording_curves.h"
 
 #include <algorithm>
 #include <cmath>

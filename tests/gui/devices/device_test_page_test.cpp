@@ -26,15 +26,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/clock.h"
+#include "app/device_bench/device_choice.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/devices/device_test_steps.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/response_plot.h"
 #include "app/gui/study/devices_page.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
-#include "app/tasks/device_choice.h"
-#include "app/utc_time.h"
+#include "app/gui/window/study_window.h"
+#include "app/session/rig/clock.h"
+#include "app/words/utc_time.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"

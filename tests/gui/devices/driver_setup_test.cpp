@@ -20,14 +20,14 @@
 #include <QtWidgets/QScrollArea>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/devices/device_test_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/devices_page.h"
-#include "app/gui/study/session_desk.h"
-#include "app/gui/study/settings.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/session_desk.h"
+#include "app/gui/window/study_window.h"
 #include "device/vendor_library.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"

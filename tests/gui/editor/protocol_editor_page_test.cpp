@@ -16,12 +16,12 @@
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/json_colors.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
-#include "app/gui/study/plan_preview.h"
-#include "app/gui/study/study_table.h"
+#include "app/gui/plan/plan_preview.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"

@@ -16,12 +16,12 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/summary.h"
-#include "app/conductor/recording_columns.h"
 #include "app/gui/participant/participant_view.h"
 #include "app/gui/session/session_runner.h"
 #include "app/gui/session/session_window.h"
-#include "app/gui/study/session_desk.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/session_desk.h"
+#include "app/gui/window/study_window.h"
+#include "app/session/rig/recording_columns.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/summary.h"
-#include "app/program.h"
+#include "app/study_files/program.h"
 #include "tests/gui/long_window/long_session.h"
 #include "tests/gui/study/quiet_home.h"
 

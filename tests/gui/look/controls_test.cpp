@@ -13,9 +13,9 @@
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/settings.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {

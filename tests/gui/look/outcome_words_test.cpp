@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/coded_phrases.h"
-#include "app/conductor/reason.h"
-#include "app/event_kinds.h"
-#include "app/gui/study/settings.h"
+#include "app/gui/base/settings.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/event_kinds.h"
+#include "app/words/reason.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
-#include "app/conductor/person_at_window.h"
 #include "app/gui/participant/participant_window.h"
+#include "app/session/respondents/person_at_window.h"
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"

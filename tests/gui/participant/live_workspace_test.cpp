@@ -9,7 +9,7 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {

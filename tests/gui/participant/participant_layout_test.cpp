@@ -6,8 +6,8 @@
 #include <QtGui/QFontMetricsF>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/participant/type_size.h"
-#include "app/gui/study/settings.h"
 #include "tests/gui/participant/scenes.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 
 #include <QtCore/QTemporaryDir>
 
-#include "app/conductor/participant_scene.h"
+#include "app/session/respondents/participant_scene.h"
 
 namespace asperity::scenes {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "app/conductor/session_monitor.h"
-#include "app/conductor/session_requests.h"
 #include "app/gui/session/session_window.h"
+#include "app/session/session_monitor.h"
+#include "app/session/session_requests.h"
 
 namespace asperity {
 

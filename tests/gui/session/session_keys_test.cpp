@@ -11,8 +11,8 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
-#include "app/conductor/recorder.h"
-#include "app/conductor/rig.h"
+#include "app/session/rig/recorder.h"
+#include "app/session/rig/rig.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"
 

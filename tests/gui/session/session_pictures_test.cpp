@@ -8,10 +8,10 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
-#include "app/conductor/reason.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/session/fault_panel.h"
-#include "app/gui/study/settings.h"
+#include "app/words/reason.h"
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/screenshot.h"

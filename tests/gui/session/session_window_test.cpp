@@ -22,12 +22,12 @@
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/session/fitted_label.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
-#include "app/gui/study/settings.h"
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"

@@ -13,8 +13,8 @@
 #include <QtWidgets/QPushButton>
 
 #include "analysis/number_text.h"
-#include "app/gui/study/study_table.h"
-#include "app/height_field_files.h"
+#include "app/gui/base/study_table.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/atomic_file.h"
 #include "stimuli/preview.h"

@@ -15,8 +15,8 @@
 
 #include <QtTest/QTest>
 
-#include "app/gui/study/session_desk.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/session_desk.h"
+#include "app/gui/window/study_window.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/support/scripted_sound.h"

@@ -9,10 +9,10 @@
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/session/fault_panel.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/study/study_table.h"
 #include "renderers/tick_record.h"
 #include "results_schema/recording.h"
 #include "tests/gui/sessions/session_room.h"

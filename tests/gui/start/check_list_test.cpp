@@ -11,8 +11,8 @@
 #include <QtWidgets/QScrollArea>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/words.h"
-#include "app/gui/study/settings.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"

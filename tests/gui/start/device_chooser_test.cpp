@@ -24,10 +24,10 @@
 #include <QtWidgets/QScrollArea>
 #include <gtest/gtest.h>
 
-#include "app/conductor/clock.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/start/start_page.h"
-#include "app/utc_time.h"
+#include "app/session/rig/clock.h"
+#include "app/words/utc_time.h"
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/vendor_library.h"
 #include "results_schema/atomic_file.h"

@@ -9,6 +9,8 @@
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTableWidget>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/devices/driver_setup.h"
 #include "app/gui/editor/protocol_editor_page.h"
@@ -19,13 +21,11 @@
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/new_study_dialog.h"
-#include "app/gui/study/session_desk.h"
-#include "app/gui/study/settings.h"
 #include "app/gui/study/share_study_dialog.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/study/withdraw_dialog.h"
+#include "app/gui/window/session_desk.h"
+#include "app/gui/window/study_window.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"

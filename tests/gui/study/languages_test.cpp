@@ -13,11 +13,11 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/study/session_desk.h"
-#include "app/gui/study/settings.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/session_desk.h"
+#include "app/gui/window/study_window.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"

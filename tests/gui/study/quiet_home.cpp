@@ -5,7 +5,7 @@
 
 #include <QtCore/QSettings>
 
-#include "app/height_field_files.h"
+#include "app/study_files/height_field_files.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/study.h"
 #include "stimuli/preview.h"

@@ -1,6 +1,6 @@
 // From the pages of a study to the page before a session, and what may not happen meanwhile.
 
-#include "app/gui/study/session_desk.h"
+#include "app/gui/window/session_desk.h"
 
 #include <QtGui/QAction>
 #include <QtTest/QSignalSpy>
@@ -10,10 +10,10 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/study_window.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "tests/app/punctual_trial.h"

@@ -17,19 +17,19 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QTabWidget>
 
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/devices_page.h"
-#include "app/gui/study/open_study.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/stimuli_page.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
+#include "app/gui/window/study_window.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"

@@ -1,6 +1,6 @@
 // The study window as a person meets it: from the welcome page to a study and back.
 
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/study_window.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,11 +21,11 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTableWidget>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/navigation_list.h"
-#include "app/gui/study/settings.h"
 #include "app/gui/study/share_study_dialog.h"
-#include "app/gui/study/study_table.h"
+#include "app/gui/window/navigation_list.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"

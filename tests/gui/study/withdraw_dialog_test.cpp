@@ -11,10 +11,10 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QRadioButton>
 
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/study/open_study.h"
-#include "app/gui/study/study_table.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/study_window.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"

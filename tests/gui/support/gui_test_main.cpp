@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <locale.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/theme.h"
-#include "app/gui/study/settings.h"
 #include "results_schema/study.h"
 
 namespace {

@@ -23,10 +23,10 @@
 #include <QtWidgets/QSlider>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
-#include "app/gui/study/open_study.h"
-#include "app/gui/study/study_window.h"
+#include "app/gui/window/study_window.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/parameter_form.h"

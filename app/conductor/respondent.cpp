@@ -1,9 +1,0 @@
-#include "app/conductor/respondent.h"
-
-namespace asperity {
-
-void Respondent::put_mask(bool on, const Wait& wait) {
-  read(on ? "Please put on the eye mask." : "Please take off the eye mask.", 0.0, wait);
-}
-
-}  // namespace asperity

@@ -1,0 +1,209 @@
+// A device that protocols are checked against: sought once, compared with each.
+
+#include "app/device_bench/compared_device.h"
+
+#include <array>
+#include <exception>
+#include <functional>
+
+#include "analysis/number_text.h"
+#include "app/device_bench/device_choice.h"
+#include "app/profiles/device_kind.h"
+#include "app/session/rehearsal/friction_rehearsal.h"
+#include "app/session/rig/recorded_hand.h"
+#include "app/words/device_remarks.h"
+#include "device/simulated_device.h"
+#include "device/simulated_models.h"
+#include "device/virtual_hand.h"
+#include "protocols/json_document.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kReplay = "replay";
+
+/// The items that stimuli are compared with; in addition rate and workspace, which every profile has.
+constexpr std::array kComparedItems{
+    "friction_N",        "force_resolution_N", "position_resolution_m", "damping_N_s_per_m",
+    "stiffness_N_per_m", "latency_s",          "moving_mass_kg"};
+
+std::string comma_separated(const std::vector<std::string>& words) {
+  std::string all{};
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+std::string in_quotation_marks(const std::string& word) { return '"' + word + '"'; }
+
+DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
+  VirtualHand hand(HandHabits{}, Random(0));
+  return SimulatedDevice(hand, settings).capability();
+}
+
+using Warn = std::function<void(const std::string& sentence)>;
+
+/// What no measurement of a simulated device will tell of the one that it stands for.
+void tell_unknown(const SoughtDevice& device, const Warn& warn) {
+  const std::vector<DeviceTrait> missing = not_compared(device.not_known);
+  if (missing.empty()) return;
+  const std::string real(model_stood_for(device.wanted.which.model));
+  warn("of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
+       " models, these traits are unknown: " + listed_traits(missing).english() +
+       "; no stimulus was compared with them");
+}
+
+void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
+              const DriverRegistry& drivers, SoughtDevice& sought) {
+  const DriverSurvey survey = drivers.survey(driver, options);
+  if (!survey.hindrance.empty()) {
+    sought.absence = survey.hindrance;
+    return;
+  }
+  try {
+    const AttachedDevice found = choose_attached(driver.id, survey.attached, which);
+    sought.wanted.which.serial = found.serial;
+    sought.is_attached = true;
+  } catch (const std::exception& error) {
+    sought.absence = error.what();
+  }
+}
+
+std::string words_for(const SoughtDevice& device) {
+  const WhichDevice& which = device.wanted.which;
+  if (!device.is_attached) return in_quotation_marks(name_of(device.wanted));
+  return "the attached device " + which.name + (which.serial.empty() ? "" : ' ' + which.serial);
+}
+
+/// What the profile leaves open, beside what nobody knows.
+void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std::string& now_utc,
+               const Warn& warn) {
+  std::vector<std::string> missing{};
+  for (const char* const item : kComparedItems) {
+    if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
+  }
+  if (!missing.empty()) {
+    warn("the profile has no number for " + comma_separated(missing) +
+         ", and no stimulus was compared with these values");
+  }
+  if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
+    warn("the profile is dated " + profile.measured_utc +
+         ", which is in the future; correct the clock of the computer, and measure the device "
+         "again");
+  }
+}
+
+}  // namespace
+
+SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
+                           const DriverRegistry& drivers) {
+  SoughtDevice sought{.wanted = {.which = which_device(device),
+                                 .asked = device,
+                                 .options = as_command_options(options)}};
+  if (const auto settings = simulated_settings(device)) {
+    const DeviceCapability capability = simulated_capability(*settings);
+    // Its model tells one profile from another.
+    sought.wanted.which = {capability.name, capability.model, capability.serial};
+    sought.not_known = capability.not_known;
+    sought.latency_s = settings->sensor.latency_s;
+    return sought;
+  }
+  const std::size_t colon = device.find(':');
+  const std::string which = colon == std::string::npos ? "" : device.substr(colon + 1);
+  const Driver* const driver = drivers.find(device.substr(0, colon));
+  if (driver == nullptr) {
+    sought.absence = "there is no device " + in_quotation_marks(device);
+    return sought;
+  }
+  sought.wanted.has_motors = driver->has_motors;
+  if (driver->id == kReplay) {
+    try {
+      DriverOptions with_reader = options;
+      with_reader.recorded_hand = recorded_hand;
+      (void)driver->open(which, with_reader);
+    } catch (const std::exception& error) {
+      sought.refusal = error.what();
+    }
+    return sought;
+  }
+  // The mouse is there wherever a window is.
+  if (kind_of_device(device) == DeviceKind::attached) {
+    look_for(*driver, which, options, drivers, sought);
+  }
+  return sought;
+}
+
+DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protocol,
+                              const std::string& file_name,
+                              const std::optional<std::filesystem::path>& study,
+                              const std::string& now_utc, const ModelRegistry& models,
+                              const RehearsalCourse& course) {
+  DeviceComparison comparison{.refusal = device.refusal};
+  const JsonDocument document(protocol.source, file_name);
+  const auto warn_at = [&](const std::string& pointer, const std::string& sentence) {
+    comparison.warnings.push_back(document.at_key(pointer, sentence));
+  };
+  const Warn warn = [&](const std::string& sentence) { warn_at("/device", sentence); };
+  const std::string name = in_quotation_marks(name_of(device.wanted));
+  const bool is_simulated = kind_of_device(name_of(device.wanted)) == DeviceKind::simulated;
+  if (!device.absence.empty()) {
+    warn("no session can start on " + name + " at present: " + device.absence);
+  }
+  if (!comparison.refusal.empty()) return comparison;
+  const auto warn_of = [&](const std::vector<RehearsalWarning>& found) {
+    for (const RehearsalWarning& warning : found) {
+      warn_at(warning.pointer, warning.text.english());
+    }
+  };
+  // What needs no measurement.
+  const auto warn_of_friction = [&] {
+    if (!device.wanted.has_motors) return;
+    const WhichDevice& which = device.wanted.which;
+    warn_of(friction_warnings(
+        protocol, models,
+        {.latency_s = device.latency_s, .velocity = velocity_window_of(which.name, which.model)}));
+  };
+  const std::string of_itself = "the force and the rate of " + name;
+  if (is_simulated) comparison.compared = "compared with " + of_itself;
+  tell_unknown(device, warn);
+  if (!study) {
+    if (device.wanted.has_motors) {
+      warn("except for friction, no stimulus was compared with " + name +
+           ": the profile of a device is stored in a study; name that study with --study DIR");
+    }
+    warn_of_friction();
+  } else {
+    try {
+      RehearsedDevice found = profiled_device(protocol, device.wanted, *study, now_utc);
+      StimulusBuilder builder(models, *study);
+      compare(found, protocol, [&](const DeviceProfile& profile) {
+        return rehearse_on_device(protocol, profile, builder, course);
+      });
+      warn_of(found.warnings);
+      if (!found.profile) warn_of_friction();
+      if (found.profile) {
+        comparison.compared =
+            "compared with the profile of " + name + ", measured on " +
+            found.profile->measured_utc +
+            (found.profile->serial.empty() ? "" : ", serial " + found.profile->serial) +
+            (is_simulated ? ", and with " + of_itself
+                          : "; a session compares the force and the rate when it opens the device");
+        tell_gaps(*found.profile, protocol, now_utc, warn);
+      } else if (device.wanted.has_motors) {
+        warn("the study has no profile of " + words_for(device) +
+             ": except for friction, no stimulus and no limit of the protocol was compared with "
+             "it; measure it with " +
+             command_to_measure(device.wanted, *study));
+      }
+      comparison.profile = std::move(found.profile);
+      comparison.refusal = found.refusal.english();
+    } catch (const std::exception& error) {
+      comparison.refusal = error.what();
+    }
+  }
+  if (!device.wanted.has_motors) {
+    warn(name + " exerts no force: no stimulus was compared with it");
+  }
+  return comparison;
+}
+
+}  // namespace asperity

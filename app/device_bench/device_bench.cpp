@@ -1,0 +1,178 @@
+// Runs a device through short stages on the real servo loop, and hands back every tick.
+
+#include "app/device_bench/device_bench.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "analysis/number_text.h"
+#include "app/words/phrase.h"
+#include "renderers/servo_thread.h"
+#include "renderers/servo_time.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kConducted_s = 0.005;  // between two looks at a loop in real time
+constexpr double kBenchRing_s = 8.0;
+constexpr double kFade_s = 0.060;  // a little longer than a surface takes to fade out
+
+/// The stage's force as a surface that is everywhere and never touched: it fades in at once.
+class StageForce final : public ForceRenderer {
+ public:
+  StageForce(const DeviceStage& stage, std::atomic<bool>& ran_away)
+      : force_N_(stage.force_N), reach_m_(stage.reach_m), ran_away_(ran_away) {}
+
+  void reset(const ProbeState& first) noexcept override {
+    first_ = first;
+    let_go_ = false;
+  }
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    let_go_ = let_go_ || glm::length(probe.position_m - first_.position_m) > reach_m_;
+    RenderedTick tick{};
+    if (let_go_) {
+      ran_away_.store(true);
+    } else {
+      const double since_s = static_cast<double>(probe.time_ns - first_.time_ns) * 1e-9;
+      tick.wrench.force_N = force_N_(since_s, probe);
+    }
+    return tick;
+  }
+
+ private:
+  std::function<glm::dvec3(double, const ProbeState&)> force_N_{};
+  double reach_m_ = 0.0;
+  std::atomic<bool>& ran_away_;
+  ProbeState first_{};
+  bool let_go_ = false;
+};
+
+/// Why the device was lost, and what to do. Of one that keeps time itself and was lost in no tick, none came.
+Phrase loss_of(const StageRecord& record, Pacing pacing) {
+  if (!record.trouble.empty()) {
+    return phrase("DeviceTest",
+                  "the connection to the device was lost during the measurement: %1 Fix the "
+                  "problem, then measure the device again.")
+        .with(record.trouble);
+  }
+  const bool was_lost_in_a_tick =
+      std::any_of(record.ticks.begin(), record.ticks.end(),
+                  [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
+  if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
+    return phrase(
+               "DeviceTest",
+               "the connection to the device was lost during the measurement: the thread of the "
+               "manufacturer's driver made no call for %1 ms: it hangs or had to wait. Close other "
+               "programs that keep this computer busy, check its cable, and measure it again.")
+        .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));
+  }
+  return phrase("DeviceTest",
+                "the connection to the device was lost during the measurement: the device did not "
+                "respond, and its driver reports no cause. Check its cable and its power supply, "
+                "close other programs that keep this computer busy, and measure it again.");
+}
+
+}  // namespace
+
+DeviceBench::DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop,
+                         WatchTicks watch)
+    : device_(device), rate_Hz_(rate_Hz), stop_(std::move(stop)), watch_(std::move(watch)) {}
+
+void DeviceBench::drain(RecordRing& ring, StageRecord& record) const {
+  const std::size_t before = record.ticks.size();
+  TickRecord tick{};
+  while (ring.pop(tick)) record.ticks.push_back(tick);
+  if (watch_ && record.ticks.size() > before) {
+    watch_(std::span<const TickRecord>(record.ticks).subspan(before));
+  }
+}
+
+StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
+  StageRecord record{};
+  std::atomic<bool> ran_away{false};
+  RecordRing ring(static_cast<std::size_t>(kBenchRing_s * rate_Hz_));
+  {
+    ServoSettings settings = stage.servo;
+    settings.rate_Hz = rate_Hz_;
+    ServoLoop loop(device_, ring, settings);
+    if (stage.force_N)
+      loop.present({.id = 1, .renderer = std::make_unique<StageForce>(stage, ran_away)});
+    if (pacing == StagePacing::real_time) {
+      run_in_real_time(stage, loop, ring, record);
+    } else {
+      run_stepped(stage, loop, ring, record);
+    }
+    record.fault = loop.status().fault;
+  }
+  record.ran_away = ran_away.load();
+  // First: of a device that is gone nobody can say that its force is zero.
+  if (record.fault == Fault::device_lost) {
+    if (record.trouble.empty()) record.trouble = device_.complaint();
+    throw PhrasedError(loss_of(record, device_.capability().pacing));
+  }
+  if (stop_.stop_requested()) throw DeviceStageStopped("stopped on request; the force is zero");
+  const auto first = std::find_if(
+      record.ticks.begin(), record.ticks.end(),
+      [](const TickRecord& tick) { return tick.has(TickFlag::first_of_presentation); });
+  const std::int64_t zero_ns = first != record.ticks.end() ? first->probe.time_ns
+                               : record.ticks.empty()      ? 0
+                                                           : record.ticks.front().probe.time_ns;
+  record.time_s.reserve(record.ticks.size());
+  for (const TickRecord& tick : record.ticks) {
+    record.time_s.push_back(static_cast<double>(tick.probe.time_ns - zero_ns) * 1e-9);
+  }
+  return record;
+}
+
+void DeviceBench::run_in_real_time(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+                                   StageRecord& record) {
+  ServoThread thread(loop, device_, Scheduling::fifo_if_permitted);
+  record.scheduling = thread.scheduling();
+  const std::int64_t began_ns = monotonic_now_ns();
+  bool leaving = false;
+  for (;;) {
+    const double since_s = static_cast<double>(monotonic_now_ns() - began_ns) * 1e-9;
+    if (stop_.stop_requested()) loop.emergency_stop();
+    if (!stage.falls_silent_at_s || since_s < *stage.falls_silent_at_s) loop.heartbeat();
+    if (stage.conduct) stage.conduct(loop, since_s);
+    drain(ring, record);
+    const Fault fault = loop.status().fault;
+    // Now: it may be well again, and complain of nothing, before anybody asks.
+    if (fault == Fault::device_lost) record.trouble = device_.complaint();
+    if (stop_.stop_requested() || fault == Fault::device_lost) break;
+    if (since_s >= stage.duration_s && !leaving) {
+      loop.withdraw();
+      leaving = true;
+    }
+    if (since_s >= stage.duration_s + kFade_s) break;
+    std::this_thread::sleep_for(std::chrono::duration<double>(kConducted_s));
+  }
+  drain(ring, record);
+  now_ns_ = std::max(now_ns_, monotonic_now_ns());
+}
+
+void DeviceBench::run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+                              StageRecord& record) {
+  record.scheduling = "none";
+  now_ns_ = std::max(now_ns_, monotonic_now_ns());
+  const std::int64_t period_ns = period_ns_of(rate_Hz_);
+  const auto ticks = static_cast<std::int64_t>(std::ceil((stage.duration_s + kFade_s) * rate_Hz_));
+  for (std::int64_t tick = 0; tick < ticks && !stop_.stop_requested(); ++tick) {
+    const double since_s = static_cast<double>(tick) / rate_Hz_;
+    if (!stage.falls_silent_at_s || since_s < *stage.falls_silent_at_s) loop.heartbeat();
+    if (stage.conduct) stage.conduct(loop, since_s);
+    if (since_s >= stage.duration_s) loop.withdraw();
+    now_ns_ += period_ns;
+    loop.tick(now_ns_);
+    drain(ring, record);
+  }
+}
+
+}  // namespace asperity

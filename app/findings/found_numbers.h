@@ -1,0 +1,44 @@
+// Findings by name.
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/finding.h"
+#include "app/words/text_parts.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+/// Missing where there is no number.
+Cell cell_of(const std::optional<double>& number);
+
+/// Findings by quantity and key. They must outlive it.
+class FoundNumbers final {
+ public:
+  FoundNumbers() = default;
+  explicit FoundNumbers(std::span<const Finding> findings);
+
+  /// Null where there is none.
+  const Finding* find(std::string_view quantity, std::string_view key = {}) const;
+  /// Nothing where there is no number.
+  std::optional<double> value(std::string_view quantity, std::string_view key = {}) const;
+  /// All of a quantity, in their order.
+  std::vector<const Finding*> all(std::string_view quantity) const;
+  /// The same as a cell of a table.
+  Cell cell(std::string_view quantity, std::string_view key = {}) const;
+  /// The ends of the interval around a number, as two cells.
+  std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
+
+ private:
+  std::span<const Finding> in_order_{};
+  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,176 @@
+// Each group of answers goes to the family of its protocol.
+
+#include "app/findings/study/analyze_study.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/findings/study/families.h"
+#include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/learning.h"
+#include "app/findings/study/response_times.h"
+#include "app/study_files/study_condition.h"
+
+namespace asperity {
+
+namespace {
+
+using Family = void (*)(const GatheredAnswers&, AnalysisOutcome&);
+
+Family family_of(const std::string& kind) {
+  static const std::map<std::string, Family> kByKind{{"selection", analyze_selection},
+                                                     {"matching", analyze_matching},
+                                                     {"recognition", analyze_recognition},
+                                                     {"magnitude", analyze_magnitude}};
+  const auto found = kByKind.find(kind);
+  return found == kByKind.end() ? nullptr : found->second;
+}
+
+/// With a place for how many. `what` as AnswerCount has it.
+Phrase attempts_that_were(const std::string& what) {
+  static const std::map<std::string, Phrase> kKnown{
+      {"aborted", phrase("Analysis", "%1 interrupted")},
+      {"answered but invalid", phrase("Analysis", "%1 answered but invalid")},
+      {"device_fault", phrase("Analysis", "%1 stopped by a fault")},
+      {"emergency_stop", phrase("Analysis", "%1 ended by the emergency stop")},
+      {"excluded", phrase("Analysis", "%1 excluded")},
+      {"not_compliant", phrase("Analysis", "%1 not explored as instructed")},
+      {"skipped", phrase("Analysis", "%1 skipped")},
+      {"timed_out", phrase("Analysis", "%1 not answered in time")}};
+  const auto known = kKnown.find(what);
+  return known == kKnown.end() ? Phrase("%1 " + what) : known->second;
+}
+
+void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const AnswerCount& count = gathered.count;
+  if (gathered.group == AnswerGroup::virtual_participants) {
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "These participants are virtual: the numbers test the program "
+                                     "and are not evidence about human participants."));
+  }
+  if (gathered.group == AnswerGroup::pilot) {
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "These sessions are pilots: they are analysed separately from sessions of mode \"run\"."));
+  }
+  if (gathered.sources > 1) {
+    outcome.remarks.push_back(
+        phrase(
+            "Analysis",
+            "%1 different files have this protocol name and version; their responses are pooled.")
+            .with(std::to_string(gathered.sources)));
+  }
+  if (!gathered.declared_alike) {
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "These files declare different tests: no test counts as declared before data collection."));
+  }
+  if (count.unfinished_sessions > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis", "Sessions that were not completed: %1 of %2.")
+            .with(std::to_string(count.unfinished_sessions), std::to_string(count.sessions)));
+  }
+  if (count.unfelt_sessions > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Sessions that began on a device on which no participant can feel the surfaces "
+               "(without motors, or moved by the program): %1 of %2.")
+            .with(std::to_string(count.unfelt_sessions), std::to_string(count.sessions)));
+  }
+  if (count.guessing_sessions > 0) {
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Sessions of virtual observers that ignore the surface or "
+                                     "expect nothing, so that their responses are guesses: %1.")
+                                  .with(std::to_string(count.guessing_sessions)));
+  }
+  Phrase not_counted{};
+  for (const auto& [what, attempts] : count.not_counted) {
+    const Phrase these = attempts_that_were(what).with(std::to_string(attempts));
+    not_counted =
+        not_counted.empty() ? these : phrase("Analysis", "%1, %2").with(not_counted, these);
+  }
+  if (!not_counted.empty()) {
+    outcome.remarks.push_back(
+        phrase("Analysis", "Attempts that do not count: %1.").with(not_counted));
+  }
+  if (count.flagged > 0) {
+    outcome.remarks.push_back(phrase("Analysis",
+                                     "Flagged attempts among those that count: %1; the reasons are "
+                                     "in attempts.tsv of an export.")
+                                  .with(std::to_string(count.flagged)));
+  }
+}
+
+std::string names_in(const Study& study) {
+  std::set<std::string> names{};
+  for (const SessionRow& session : study.sessions()) {
+    names.insert(study.protocol(session.protocol_id).name);
+  }
+  std::string text{};
+  for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
+  return text.empty() ? "no sessions" : "sessions of " + text;
+}
+
+std::vector<AnalysisOutcome> outcomes_of(const Study& study,
+                                         const std::optional<std::string>& protocol,
+                                         const std::stop_token& stop) {
+  std::vector<AnalysisOutcome> outcomes{};
+  for (const GatheredAnswers& gathered : gather_answers(study, protocol, stop)) {
+    if (stop.stop_requested()) return {};
+    AnalysisOutcome& outcome = outcomes.emplace_back();
+    outcome.protocol = gathered.protocol;
+    outcome.version = gathered.version;
+    outcome.kind = gathered.kind;
+    outcome.design = gathered.design;
+    outcome.group = gathered.group;
+    outcome.count = gathered.count;
+    const std::vector<std::string>& family = gathered.declared.family;
+    outcome.family = !gathered.declared_alike ? FamilyDeclaration::differs_between_files
+                     : family.empty()         ? FamilyDeclaration::none
+                                              : FamilyDeclaration::declared;
+    outcome.declares_sexes = std::find(family.begin(), family.end(), "sexes") != family.end();
+    outcome.answers = gathered.answers.size();
+    remark_on_counts(gathered, outcome);
+    if (gathered.answers.empty()) {
+      outcome.remarks.push_back(phrase("Analysis", "There are no responses yet."));
+    } else if (const Family analyze = family_of(gathered.kind)) {
+      analyze(gathered, outcome);
+      // Next to results; without any there is nothing that they could stand next to.
+      if (!outcome.tables.empty()) {
+        add_response_times(gathered, outcome);
+        add_learning(gathered, outcome);
+      }
+    } else {
+      outcome.remarks.push_back(
+          phrase("Analysis", "This program has no analysis for protocols of the kind \"%1\".")
+              .with(gathered.kind));
+    }
+  }
+  if (protocol && outcomes.empty()) {
+    throw ResultsError("the study " + study.folder().string() + " has no session of a protocol \"" +
+                           *protocol + "\"; it has " + names_in(study),
+                       study.folder());
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+std::vector<AnalysisOutcome> analyze_study(const Study& study,
+                                           const std::optional<std::string>& protocol,
+                                           const std::stop_token& stop) {
+  std::vector<AnalysisOutcome> outcomes{};
+  read_unless_broken(
+      study, [&] { outcomes = outcomes_of(study, protocol, stop); }, stop);
+  if (stop.stop_requested()) return {};
+  if (const std::optional<Phrase> remark = remark_on(study)) {
+    for (AnalysisOutcome& outcome : outcomes) {
+      outcome.remarks.insert(outcome.remarks.begin(), *remark);
+    }
+  }
+  return outcomes;
+}
+
+}  // namespace asperity

@@ -1,0 +1,25 @@
+// The analysis of everything that a study has answers to.
+
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// One outcome per protocol, version and group, in that order. With a `protocol`, only those of
+/// that name. A study without sessions has none. When `stop` is requested it ends early, and what it
+/// returns is of no use.
+///
+/// The first remark of each outcome says so when the study's file was changed (Study::condition).
+/// Errors: ResultsError when the study has no session of the named protocol, or is broken.
+std::vector<AnalysisOutcome> analyze_study(const Study& study,
+                                           const std::optional<std::string>& protocol = {},
+                                           const std::stop_token& stop = {});
+
+}  // namespace asperity

@@ -1,0 +1,215 @@
+#include "app/findings/study/cell_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string_view>
+
+#include "app/findings/study/test_methods.h"
+
+namespace asperity {
+
+namespace {
+
+using CellWords = std::map<std::string, Phrase>;
+
+const CellWords& words_of_measures() {
+  static const CellWords kWords{
+      {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
+      {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
+      {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
+      {"d_prime", phrase("CellWords", "d′")},
+      {"items_of_halves",
+       phrase("CellWords", "proportion of correctly matched items; change: second − first half")},
+      {"information_at_most", phrase("CellWords", "stimulus entropy H(S)")},
+      {"information_if_errors_equal",
+       phrase("CellWords", "equal-error (Fano) estimate of the transmitted information")},
+      {"information_jackknife", phrase("CellWords", "transmitted information, jackknife")},
+      {"information_miller",
+       phrase("CellWords", "transmitted information, bias-corrected (Miller 1955)")},
+      {"information_miller_madow",
+       phrase("CellWords", "transmitted information, bias-corrected (Miller–Madow)")},
+      {"information_plug_in", phrase("CellWords", "transmitted information, plug-in")},
+      {"kappa", phrase("CellWords", "Cohen’s κ")},
+      {"mallows_theta", phrase("CellWords", "Mallows’ θ (0 under guessing)")},
+      {"right_items_in_all", phrase("CellWords", "correctly matched items")},
+      {"right_items_per_go", phrase("CellWords", "correctly matched items per trial")},
+      {"share_of_pictures_right",
+       phrase("CellWords", "proportion correct, “cannot tell” excluded")},
+      {"time_of_halves",
+       phrase("CellWords", "response time, s; change: ratio of the second to the first half")},
+      {"time_per_10_trials", phrase("CellWords", "response time; change: ratio per 10 trials")},
+      {"z", phrase("CellWords", "z of the correctly matched items")}};
+  return kWords;
+}
+
+const CellWords& words_of_tests() {
+  static const CellWords kWords{{"condition", phrase("CellWords", "condition")},
+                                {"information", phrase("CellWords", "information")},
+                                {"interaction", phrase("CellWords", "spacing by condition")},
+                                {"items", phrase("CellWords", "matched items")},
+                                {"pairs", phrase("CellWords", "pairs")},
+                                {"peaks", phrase("CellWords", "peaks")},
+                                {"position", phrase("CellWords", "position")},
+                                {"preference", phrase("CellWords", "preference")},
+                                {"right", phrase("CellWords", "proportion correct")},
+                                {"sexes", phrase("CellWords", "women and men")},
+                                {"spacing", phrase("CellWords", "spacing")},
+                                {"target_pairs", phrase("CellWords", "pairs with the target")},
+                                {"textures", phrase("CellWords", "textures")},
+                                {"whole", phrase("CellWords", "all items correct")}};
+  return kWords;
+}
+
+const CellWords& words_of_trial_factors() {
+  static const CellWords kWords{{"all", phrase("CellWords", "all trials")},
+                                {"column", phrase("CellWords", "repetition")},
+                                {"condition", phrase("CellWords", "condition")},
+                                {"spacing_m", phrase("CellWords", "spacing (m)")},
+                                {"texture", phrase("CellWords", "texture")}};
+  return kWords;
+}
+
+const CellWords& words_of_units() {
+  static const CellWords kWords{{"1", phrase("CellWords", "–")},
+                                {"answers", phrase("CellWords", "responses")},
+                                {"bit", phrase("CellWords", "bit")},
+                                {"goes", phrase("CellWords", "trials")},
+                                {"participants", phrase("CellWords", "participants")}};
+  return kWords;
+}
+
+const CellWords& words_of_single_units() {
+  static const CellWords kWords{{"answers", phrase("CellWords", "response")},
+                                {"goes", phrase("CellWords", "trial")},
+                                {"participants", phrase("CellWords", "participant")}};
+  return kWords;
+}
+
+const CellWords& words_of_reasons() {
+  static const CellWords kWords{
+      {"cannot be tested with one participant",
+       phrase("CellWords", "cannot be tested with one participant")},
+      {"nothing_varies", phrase("CellWords", "all stimuli or all responses are the same")},
+      {"no_interior_maximum", phrase("CellWords", "no significant interior maximum")},
+      {"not both conditions have an interior maximum",
+       phrase("CellWords", "not both conditions have an interior maximum")},
+      {"no_maximum", phrase("CellWords", "the parabola opens upwards")},
+      {"outside_range", phrase("CellWords", "outside the range of the tested spacings")},
+      {"not every model is presented in every trial",
+       phrase("CellWords", "not every model is presented in every trial")},
+      {"too_few_to_say", phrase("CellWords", "too few participants for a conclusion")},
+      {"no_pair_offered", phrase("CellWords", "two models were never presented in the same trial")},
+      {"no_responses", phrase("CellWords", "no responses to test")},
+      {"no_target_or_one_texture",
+       phrase("CellWords", "the protocol declares no target, or there is only one texture")},
+      {"no_two_peaks", phrase("CellWords", "fewer than two conditions have a peak")},
+      {"one_condition", phrase("CellWords", "there is only one condition")},
+      {"one_sex", phrase("CellWords", "the participants do not include both women and men")},
+      {"pictures_differ", phrase("CellWords", "the pictures differ between trials")},
+      {"target_never_chosen", phrase("CellWords", "no participant ever chose the target")},
+      {"target_not_offered",
+       phrase("CellWords", "the target was never presented with another model")},
+      {"textures_unbalanced",
+       phrase("CellWords", "the participants have not judged every texture equally often")},
+      {"trials_of_different_sizes",
+       phrase("CellWords", "the number of models differs between trials")}};
+  return kWords;
+}
+
+Phrase cell_word_in(const CellWords& words, const std::string& text) {
+  const auto found = words.find(text);
+  return found == words.end() ? Phrase(text) : found->second;
+}
+
+/// "sign_flip", "sign_flip|exact", "sign_flip|9999".
+Phrase words_of_method(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  const Phrase name = test_method_name(text.substr(0, bar));
+  if (name.empty()) return text;
+  if (bar == std::string::npos) return name;
+  const std::string permutations = text.substr(bar + 1);
+  if (permutations == "exact") return phrase("CellWords", "%1, exact").with(name);
+  return phrase("CellWords", "%1, %2 permutations drawn at random").with(name, permutations);
+}
+
+/// "height_map / sinusoid" of "height_map|sinusoid".
+std::string with_strokes(const std::string& text) {
+  std::string shown{};
+  for (const char letter : text)
+    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
+  return shown;
+}
+
+/// "pairs", "pairs|height_map|sinusoid".
+Phrase words_of_test(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  const Phrase name = cell_word_in(words_of_tests(), text.substr(0, bar));
+  if (bar == std::string::npos) return name;
+  return phrase("CellWords", "%1: %2").with(name, words_of_cell("about", text.substr(bar + 1)));
+}
+
+/// "20|participants"
+Phrase words_of_count(const std::string& text) {
+  const std::size_t bar = text.find('|');
+  if (bar == std::string::npos) return text;
+  const std::string count = text.substr(0, bar);
+  const CellWords& units = count == "1" ? words_of_single_units() : words_of_units();
+  return phrase("CellWords", "%1 %2").with(count, cell_word_in(units, text.substr(bar + 1)));
+}
+
+/// What R and programs call such values.
+const CellWords& words_in_any_column() {
+  static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
+                                {"Inf", phrase("CellWords", "∞")},
+                                {"Other or not told", phrase("CellWords", "Other or not reported")},
+                                {"cannot_tell", phrase("CellWords", "cannot tell")}};
+  return kWords;
+}
+
+}  // namespace
+
+std::string words_of_parameter(const std::string& key) {
+  constexpr std::array<std::string_view, 10> kUnits{
+      "_m_per_s", "_N_per_m", "_N_s_per_m", "_rad", "_Hz", "_kg", "_dB", "_N", "_m", "_s"};
+  std::string words = key;
+  for (const std::string_view unit : kUnits) {
+    if (words.size() <= unit.size() || !words.ends_with(unit)) continue;
+    words.erase(words.size() - unit.size());
+    break;
+  }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+Phrase words_of_cell(const std::string& column, const std::string& text) {
+  if (const auto known = words_in_any_column().find(text); known != words_in_any_column().end()) {
+    return known->second;
+  }
+  if (column == "measure") return cell_word_in(words_of_measures(), text);
+  if (column == "test" || column == "effect") return words_of_test(text);
+  if (column == "n") return words_of_count(text);
+  if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
+  if (column == "unit") return cell_word_in(words_of_units(), text);
+  if (column == "status") return cell_word_in(words_of_reasons(), text);
+  if (column == "method") return words_of_method(text);
+  if (column == "role") {
+    return text == "confirmatory" ? phrase("CellWords", "confirmatory")
+                                  : phrase("CellWords", "exploratory");
+  }
+  if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
+  if (column == "about") return with_strokes(text);
+  if (column != "family") return text;
+  // Names of tests with commas between.
+  Phrase all{};
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(", ", begin), text.size());
+    const Phrase one = cell_word_in(words_of_tests(), text.substr(begin, end - begin));
+    all = all.empty() ? one : phrase("CellWords", "%1, %2").with(all, one);
+    begin = end + 2;
+  }
+  return all;
+}
+
+}  // namespace asperity

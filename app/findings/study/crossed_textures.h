@@ -1,0 +1,37 @@
+// Whether a proportion holds beyond the participants and textures of a study.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// One response to a texture: correct, or a choice of the target.
+struct TextureResponse {
+  std::uint32_t person = 0;   ///< which of the people
+  std::uint32_t texture = 0;  ///< its word
+  bool is_hit = false;
+};
+
+struct CrossedResponses {
+  std::span<const TextureResponse> responses{};
+  double chance = 0.5;
+  Phrase proportion{};  ///< what is modelled: "the proportion correct"
+  Phrase assumption{};  ///< about the responses; may be empty
+};
+
+/// Mixed logistic regression (family `glmm`) with participants and textures as crossed random intercepts.
+/// Where one of their standard deviations is estimated as 0, which is a border without standard errors, the model
+/// without these intercepts has the same maximum: its numbers are given. Fewer than five participants or three
+/// textures, and data without a maximum, have a status and no number.
+void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcome);
+
+/// The finding that there is no such model, and why.
+void add_no_crossed_model(const char* code, const std::string& reason, AnalysisOutcome& outcome);
+
+}  // namespace asperity

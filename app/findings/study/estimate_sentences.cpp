@@ -1,0 +1,80 @@
+#include "app/findings/study/estimate_sentences.h"
+
+#include <functional>
+#include <vector>
+
+#include "app/findings/reading_number.h"
+
+namespace asperity {
+
+namespace {
+
+using EstimateText = std::function<std::string(double)>;
+
+/// "83 % (95 % CI [49 %, 96 %]) for height_map"
+std::string one_estimate(const Finding& estimate, const std::string& about,
+                         const EstimateText& shown) {
+  std::string text = shown(*estimate.value);
+  if (estimate.low && estimate.high) {
+    text += " (95 % CI [" + shown(*estimate.low) + ", " + shown(*estimate.high) + "])";
+  }
+  return about.empty() ? text : text + " for " + about;
+}
+
+std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
+                                            std::string_view analysis, std::string_view quantity) {
+  std::vector<const Finding*> found{};
+  for (const Finding& finding : outcome.findings) {
+    // Of a pair both names are the key.
+    if (finding.analysis == analysis && finding.quantity == quantity && finding.value &&
+        finding.key.find('|') == std::string::npos) {
+      found.push_back(&finding);
+    }
+  }
+  return found;
+}
+
+/// "a, b and c, N = 6"
+std::string all_estimates(const std::vector<const Finding*>& estimates, const std::string& only_key,
+                          const EstimateText& shown) {
+  std::string text{};
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    if (i > 0) text += i + 1 == estimates.size() ? " and " : ", ";
+    const std::string& key = estimates[i]->key;
+    text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
+  }
+  return text + ", N = " + reading_count(estimates.front()->n);
+}
+
+EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
+  const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");
+  if (means.size() < 2) return {};
+  const double chance = 1.0 / static_cast<double>(means.size());
+  return {.text = "Mean proportions of choices were " + all_estimates(means, "", reading_percent) +
+                  "; the chance level was " + reading_percent(chance) + '.',
+          .has_mean_interval = std::any_of(means.begin(), means.end(), [](const Finding* mean) {
+            return mean->low.has_value();
+          })};
+}
+
+EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
+  const std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
+  if (means.empty()) return {};
+  constexpr int kDecimals = 2;
+  return {.text = (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
+                  " of the log estimates over the log spacing (exponent of a power function) " +
+                  (means.size() == 1 ? "was " : "were ") +
+                  all_estimates(means, "all",
+                                [](double value) { return reading_signed(value, kDecimals); }) +
+                  '.'};
+}
+
+}  // namespace
+
+EstimateSentence estimate_sentence(const AnalysisOutcome& outcome) {
+  if (outcome.kind == "selection") return choices_sentence(outcome);
+  if (outcome.kind == "magnitude") return exponents_sentence(outcome);
+  return {};
+}
+
+}  // namespace asperity

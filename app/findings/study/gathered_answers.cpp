@@ -1,0 +1,334 @@
+// Sessions, plans and attempts, read and sorted into groups.
+
+#include "app/findings/study/gathered_answers.h"
+
+#include <future>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/records/session_conditions.h"
+#include "protocols/protocol.h"
+#include "protocols/stored_protocol.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+std::string factor_level(const std::string& factors_json, std::string_view factor) {
+  const nlohmann::json factors = nlohmann::json::parse(factors_json);
+  const auto level = factors.find(factor);
+  if (level == factors.end()) return {};
+  return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
+}
+
+constexpr const char* kMagnitude = "magnitude";
+
+/// Whether the observer's answers are guesses by declaration. Numbers need no expectation.
+bool is_guessing(const SessionRow& session, const std::string& kind) {
+  const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
+  if (!observer.is_object()) return false;
+  return observer.value("deaf", false) ||
+         (kind != kMagnitude && observer.value("expectation", "") == "none");
+}
+
+/// Whether the record of the device shows that no participant could feel the surfaces.
+bool is_unfelt(const SessionRow& session) {
+  const RecordedDevice device = recorded_device(session.device, session.device_json);
+  return device.has_motors == false || !device.hand_of_program().empty();
+}
+
+/// The answers of a group while its sessions come in.
+class Gathering {
+ public:
+  GatheredAnswers gathered{};
+
+  void add_session(const SessionRow& session, const ParticipantRow& participant,
+                   const SessionAnswers& answers) {
+    ++gathered.count.sessions;
+    if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
+    if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
+    if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
+    participants_.insert(session.participant);
+    Session reading{.answers = answers,
+                    .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
+    reading.options = reading.factors = reading.words;
+    std::map<int, const SessionAnswers::Trial*> planned{};
+    for (const SessionAnswers::Trial& trial : answers.trials) {
+      planned[trial.trial] = &trial;
+      if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
+    }
+    for (const SessionAnswers::Attempt& attempt : answers.attempts) {
+      switch (attempt.use) {
+        case AnalysisUse::practice:
+          break;
+        case AnalysisUse::anchor:
+          if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
+          break;
+        case AnalysisUse::invalid:
+        case AnalysisUse::unanswered:
+        case AnalysisUse::excluded:
+          ++gathered.count.not_counted[fate_of(attempt.use, attempt.outcome)];
+          break;
+        case AnalysisUse::counted:
+          if (attempt.flagged) ++gathered.count.flagged;
+          add_answer(reading, attempt, person(participant), *planned.at(attempt.trial));
+          break;
+      }
+    }
+  }
+
+  void declare(const ProtocolRow& protocol) {
+    if (!sources_.insert(protocol.source_sha256).second) return;
+    texts_of_sources_.push_back(protocol.source);
+    StoredProtocol specified = stored_protocol(protocol.source);
+    if (auto& estimation = specified.estimation) {
+      gathered.estimation.spacing = estimation->spacing;
+      gathered.estimation.condition = estimation->condition;
+      gathered.estimation.spacing_m.merge(estimation->spacing_m);
+      std::vector<std::string>& conditions = gathered.estimation.conditions;
+      for (const std::string& condition : estimation->conditions) {
+        if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
+          conditions.push_back(condition);
+        }
+      }
+    }
+    for (std::string& picture : specified.pictures) {
+      std::vector<std::string>& known = gathered.pictures;
+      if (std::find(known.begin(), known.end(), picture) == known.end()) {
+        known.push_back(std::move(picture));
+      }
+    }
+    if (sources_.size() == 1) {
+      gathered.declared = std::move(specified.analysis);
+      gathered.compared_parameter = std::move(specified.compared_parameter);
+      return;
+    }
+    if (!(specified.analysis == gathered.declared)) gathered.declared_alike = false;
+    if (specified.compared_parameter != gathered.compared_parameter) {
+      gathered.compared_parameter.reset();
+    }
+  }
+
+  GatheredAnswers finish() && {
+    gathered.count.participants = participants_.size();
+    gathered.sources = count_protocols(texts_of_sources_);
+    if (!gathered.declared_alike) gathered.declared = {};
+    return std::move(gathered);
+  }
+
+ private:
+  /// A session's own places of words, as far as they are known to the group.
+  struct Session {
+    const SessionAnswers& answers;
+    std::vector<std::optional<std::uint32_t>> words{};
+    std::vector<std::optional<std::uint32_t>> options{};  ///< lists, by the word of their JSON
+    std::vector<std::optional<std::uint32_t>> factors{};  ///< Levels, by the word of their JSON
+  };
+
+  struct Levels {
+    std::uint32_t column = 0;
+    std::uint32_t spacing = 0;
+  };
+
+  std::uint32_t word(Session& session, std::uint32_t place) {
+    std::optional<std::uint32_t>& own = session.words[place];
+    if (!own) own = gathered.words.place(session.answers.words[place]);
+    return *own;
+  }
+
+  Levels levels(Session& session, std::uint32_t factors_json) {
+    std::optional<std::uint32_t>& own = session.factors[factors_json];
+    if (!own) {
+      own = static_cast<std::uint32_t>(levels_.size());
+      const std::string& text = session.answers.words[factors_json];
+      const bool is_magnitude = gathered.kind == kMagnitude;
+      const std::string_view column =
+          is_magnitude ? std::string_view(gathered.estimation.condition) : kColumnFactor;
+      levels_.push_back({.column = gathered.words.place(factor_level(text, column))});
+      if (is_magnitude) {
+        levels_.back().spacing =
+            gathered.words.place(factor_level(text, gathered.estimation.spacing));
+      }
+    }
+    return levels_[*own];
+  }
+
+  std::uint32_t options(Session& session, std::uint32_t options_json) {
+    std::optional<std::uint32_t>& own = session.options[options_json];
+    if (own) return *own;
+    const std::string& text = session.answers.words[options_json];
+    const auto [known, is_new] =
+        option_lists_.try_emplace(text, static_cast<std::uint32_t>(gathered.option_lists.size()));
+    if (is_new) {
+      gathered.option_lists.push_back(nlohmann::json::parse(text).get<std::vector<std::string>>());
+    }
+    own = known->second;
+    return *own;
+  }
+
+  std::uint32_t person(const ParticipantRow& participant) {
+    if (gathered.people.empty() || gathered.people.back().label != participant.label) {
+      gathered.people.push_back({participant.label, participant.sex});
+    }
+    return static_cast<std::uint32_t>(gathered.people.size() - 1);
+  }
+
+  void add_answer(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
+                  const SessionAnswers::Trial& planned) {
+    const Levels level = levels(session, planned.factors_json);
+    const auto surfaces = session.answers.surfaces_of(attempt);
+    const auto replies = session.answers.replies_of(attempt);
+    const std::optional<double>& time_s = replies.back().from_cue_s;
+    gathered.answers.push_back({.person = person,
+                                .column = level.column,
+                                .spacing = level.spacing,
+                                .options = options(session, replies.back().options_json),
+                                .repetition = planned.repetition,
+                                .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
+                                .surface_count = static_cast<std::uint16_t>(surfaces.size()),
+                                .reply_count = static_cast<std::uint16_t>(replies.size()),
+                                .first_surface = gathered.surfaces.size(),
+                                .first_reply = gathered.replies.size()});
+    for (const SessionAnswers::Surface& surface : surfaces) {
+      gathered.surfaces.push_back({word(session, surface.item), word(session, surface.texture)});
+      TextureForces& forces = gathered.forces[session.answers.words[surface.model]];
+      ++forces.surfaces;
+      if (surface.matched_texture_force_N) {
+        forces.matched_N.push_back(*surface.matched_texture_force_N);
+      }
+      if (surface.achieved_texture_force_N) {
+        forces.achieved_N.push_back(*surface.achieved_texture_force_N);
+      }
+    }
+    for (const SessionAnswers::Reply& reply : replies) {
+      gathered.replies.push_back({word(session, reply.answer), reply.correct});
+    }
+  }
+
+  std::set<std::string> participants_{};
+  std::set<std::string> sources_{};
+  std::vector<std::string> texts_of_sources_{};
+  std::vector<Levels> levels_{};
+  std::map<std::string, std::uint32_t> option_lists_{};
+};
+
+/// The answers of one session after the other. Of large studies most of an analysis is SQLite's
+/// reading: every other session is read on a thread of its own, at the same time as the one before.
+class AnswersInOrder final {
+ public:
+  AnswersInOrder(const Study& study, const std::vector<SessionRow>& sessions)
+      : study_(study), sessions_(sessions) {
+    // Readers beside a writer of the same process are a matter for whoever has the writer; one of an
+    // older schema would hold another copy of the study in memory.
+    if (study.access() == Access::read_only && study.schema_version() == Study::kSchemaVersion &&
+        sessions.size() > 1) {
+      second_.emplace(Study::open(study.folder(), Access::read_only));
+    }
+  }
+
+  SessionAnswers next() {
+    const std::size_t own = next_++;
+    if (ahead_.valid()) return ahead_.get();
+    if (second_ && next_ < sessions_.size()) {
+      try {
+        ahead_ = std::async(std::launch::async,
+                            [this, id = sessions_[next_].id] { return second_->answers(id); });
+      } catch (const std::system_error&) {
+        second_.reset();  // the system has no more threads: in one it takes longer
+      }
+    }
+    return study_.answers(sessions_[own].id);
+  }
+
+ private:
+  const Study& study_;
+  const std::vector<SessionRow>& sessions_;
+  std::optional<Study> second_{};  ///< for one thread at a time
+  std::size_t next_ = 0;
+  std::future<SessionAnswers> ahead_{};  ///< last: waited for before what it reads with goes
+};
+
+}  // namespace
+
+const char* text_of(AnswerGroup group) noexcept {
+  switch (group) {
+    case AnswerGroup::people:
+      return "people";
+    case AnswerGroup::pilot:
+      return "pilot";
+    case AnswerGroup::virtual_participants:
+      return "virtual";
+  }
+  return "";
+}
+
+AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session) {
+  if (participant.is_virtual) return AnswerGroup::virtual_participants;
+  return session.mode == SessionMode::pilot ? AnswerGroup::pilot : AnswerGroup::people;
+}
+
+std::string fate_of(AnalysisUse use, AttemptOutcome outcome) {
+  if (use == AnalysisUse::excluded) return "excluded";
+  // An answer that does not count was given, but the machine failed.
+  return outcome == AttemptOutcome::answered ? "answered but invalid" : text_of(outcome);
+}
+
+std::uint32_t Words::place(const std::string& word) {
+  const auto [found, is_new] = places_.try_emplace(word, static_cast<std::uint32_t>(words_.size()));
+  if (is_new) words_.push_back(word);
+  return found->second;
+}
+
+std::optional<std::uint32_t> Words::find(const std::string& word) const {
+  const auto found = places_.find(word);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> GatheredAnswers::spacing_m(const GatheredAnswer& answer) const {
+  const std::string& level = word(answer.spacing);
+  const auto known = estimation.spacing_m.find(level);
+  return known == estimation.spacing_m.end() ? number_in(level) : known->second;
+}
+
+std::vector<GatheredAnswers> gather_answers(const Study& study,
+                                            const std::optional<std::string>& protocol,
+                                            const std::stop_token& stop) {
+  std::map<std::tuple<std::string, std::string, AnswerGroup>, Gathering> groups{};
+  std::map<std::int64_t, ProtocolRow> protocols{};
+  for (ProtocolRow& row : study.protocols()) protocols.emplace(row.id, std::move(row));
+  std::map<std::string, ParticipantRow> participants{};
+  for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
+  std::vector<SessionRow> sessions = study.sessions();
+  std::erase_if(sessions, [](const SessionRow& session) { return session.withdrawn; });
+  if (protocol) {
+    std::erase_if(sessions, [&](const SessionRow& session) {
+      return protocols.at(session.protocol_id).name != *protocol;
+    });
+  }
+  AnswersInOrder answers(study, sessions);
+  for (const SessionRow& session : sessions) {
+    if (stop.stop_requested()) break;
+    const ProtocolRow& of = protocols.at(session.protocol_id);
+    const ParticipantRow& participant = participants.at(session.participant);
+    const AnswerGroup group = group_of(participant, session);
+    Gathering& gathering = groups[std::tuple(of.name, of.version, group)];
+    gathering.gathered.protocol = of.name;
+    gathering.gathered.version = of.version;
+    gathering.gathered.kind = of.kind;
+    gathering.gathered.design = of.design;
+    gathering.gathered.group = group;
+    gathering.declare(of);
+    gathering.add_session(session, participant, answers.next());
+  }
+  std::vector<GatheredAnswers> all{};
+  for (auto& [key, gathering] : groups) all.push_back(std::move(gathering).finish());
+  return all;
+}
+
+}  // namespace asperity

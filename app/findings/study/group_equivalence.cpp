@@ -1,0 +1,117 @@
+#include "app/findings/study/group_equivalence.h"
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/study_findings.h"
+
+namespace asperity {
+
+namespace {
+
+/// A table of the family `equivalence`, with the declared bounds; nothing where a group is empty.
+std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
+                                     std::span<const std::optional<double>> proportions) {
+  std::string text = "subject,group,value\n";
+  std::set<std::string> groups{};
+  for (std::size_t i = 0; i < gathered.people.size(); ++i) {
+    const std::string sex = gathered.people[i].sex.value_or("");
+    if ((sex != "F" && sex != "M") || !proportions[i]) continue;
+    groups.insert(sex);
+    text += gathered.people[i].label + ',' + sex + ',' + number_text(*proportions[i]) + '\n';
+  }
+  if (groups.size() < 2) return std::nullopt;
+  TidyInput input{};
+  input.tables.emplace_back(text, "the participants");
+  input.options.add("groups", R"(["F", "M"])");
+  if (const std::optional<double> margin = gathered.declared.equivalence_margin) {
+    input.options.add("lower", number_text(-*margin));
+    input.options.add("upper", number_text(*margin));
+  }
+  return input;
+}
+
+/// The smallest margin that the data support is never below itself: 44.02 is 44.1.
+std::string points_rounded_up(double difference) {
+  return reading_points(std::ceil(1000.0 * difference - 1e-9) / 1000.0);
+}
+
+/// Of what was computed, and no more.
+Phrase equivalence_method(const FoundNumbers& found) {
+  if (!found.value("equivalence.margin")) return {};
+  const Phrase bayes =
+      phrase("Analysis",
+             "Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised "
+             "difference; below 1 it favours no difference.");
+  if (!found.value("tost.p")) {
+    return phrase("Analysis",
+                  "Welch's 90 % CI of the difference of the participants' proportions. %1")
+        .with(bayes);
+  }
+  return phrase("Analysis",
+                "Two one-sided Welch t tests of the participants' proportions, each at 5 %: they "
+                "show equivalence where the 90 % CI lies within the margin. %1")
+      .with(bayes);
+}
+
+Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>& margin) {
+  const std::optional<double> supported = found.value("equivalence.margin");
+  if (!supported) {
+    return phrase("Analysis",
+                  "This cannot be assessed: a group has one participant, or the participants of "
+                  "each group do not differ.");
+  }
+  const Finding& difference = *found.find("diff");
+  const Phrase numbers =
+      phrase("Analysis",
+             "difference (women − men) = %1 percentage points, 90 % CI [%2, %3], n = %4 "
+             "participants; JZS Bayes factor for a difference BF₁₀ = %5")
+          .with(reading_points(*difference.value), reading_points(*difference.low),
+                reading_points(*difference.high), std::to_string(difference.n),
+                reading_number(*found.value("jzs.bf10", "0.7071")));
+  if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, the difference is
+    return phrase("Analysis",
+                  "The protocol declares no equivalence margin, so equivalence is not assessed: "
+                  "%1. The data would not support equivalence within any margin: the CI reaches "
+                  "±100 percentage points, the largest difference that is possible.")
+        .with(numbers);
+  }
+  if (!margin) {
+    return phrase("Analysis",
+                  "The protocol declares no equivalence margin, so equivalence is not assessed: "
+                  "%1. The data would support equivalence within ±%2 percentage points.")
+        .with(numbers, points_rounded_up(*supported));
+  }
+  const bool equivalent = found.find("equivalent")->word == "TRUE";
+  return (equivalent
+              ? phrase(
+                    "Analysis",
+                    "The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, "
+                    "uncorrected. This test is exploratory.")
+              : phrase("Analysis",
+                       "The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided "
+                       "tests, %3, uncorrected. This test is exploratory."))
+      .with(reading_points(*margin), numbers, reading_p(*found.value("tost.p")));
+}
+
+}  // namespace
+
+void ask_equivalence_of_sexes(const GatheredAnswers& gathered,
+                              std::span<const std::optional<double>> proportions,
+                              AnalysisOutcome& outcome) {
+  std::optional<TidyInput> table = sexes_table(gathered, proportions);
+  if (!table) return;
+  const std::vector<Finding> findings =
+      analysis_of(kSexesEquivalence, "equivalence", std::move(*table));
+  keep_findings(findings, outcome);
+  const FoundNumbers found(findings);
+  add_question(outcome, kSexesEquivalence, phrase("Analysis", "Are women and men equivalent?"),
+               equivalence_answer(found, gathered.declared.equivalence_margin),
+               equivalence_method(found), "", found.find("diff"));
+}
+
+}  // namespace asperity

@@ -1,0 +1,23 @@
+// How responses change over the trials of a protocol, whatever its kind.
+
+#pragma once
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// The findings of response times over trials, and of proportions correct.
+inline constexpr const char* kLearningOfTimes = "learning_times";
+inline constexpr const char* kLearningCorrect = "learning_correct";
+
+/// The tables of changes between the halves of the trials, and of blocks of trials.
+inline constexpr const char* kLearning = "learning";
+inline constexpr const char* kTrialCourse = "trial_course";
+
+/// The tables `learning` and `trial_course`: response times, and proportions correct where every response is correct or
+/// incorrect, over the counted trials of each participant, numbered through all sessions. A description without a
+/// test. No table where no participant has two trials.
+void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+#include "app/findings/study/own_scales.h"
+
+#include <cstdint>
+#include <set>
+#include <variant>
+
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/families.h"
+#include "protocols/protocol.h"
+
+namespace asperity {
+
+OwnScales::OwnScales(const Study& study, const std::stop_token& stop) {
+  std::set<std::int64_t> with_sessions{};
+  for (const SessionRow& session : study.sessions()) with_sessions.insert(session.protocol_id);
+  std::set<std::string> names{};
+  for (const ProtocolRow& protocol : study.protocols()) {
+    const bool is_magnitude = protocol.kind == text_of(ProtocolKind::magnitude);
+    if (is_magnitude && with_sessions.contains(protocol.id)) names.insert(protocol.name);
+  }
+  for (const std::string& name : names) {
+    for (const AnalysisOutcome& outcome : analyze_study(study, name, stop)) {
+      for (const NamedTable& named : outcome.tables) {
+        if (named.name != kEstimatesOfPersons) continue;
+        for (const auto& row : named.table.rows) {
+          const auto* person = std::get_if<std::string>(&row.at(0));
+          const auto* raw = std::get_if<double>(&row.at(4));
+          const auto* normalised = std::get_if<double>(&row.at(5));
+          if (person == nullptr || raw == nullptr || normalised == nullptr) continue;
+          factors_.try_emplace({outcome.protocol, outcome.version, outcome.group, *person},
+                               *normalised / *raw);
+        }
+      }
+    }
+  }
+}
+
+std::optional<double> OwnScales::of(const ParticipantRow& participant, const SessionRow& session,
+                                    const ProtocolRow& protocol) const {
+  const auto found = factors_.find(
+      {protocol.name, protocol.version, group_of(participant, session), participant.label});
+  if (found == factors_.end()) return {};
+  return found->second;
+}
+
+}  // namespace asperity

@@ -1,0 +1,40 @@
+// What takes each participant's own scale out of the numbers that they give for magnitudes.
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <tuple>
+
+#include "app/findings/study/gathered_answers.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// Factors c_p by which the numbers of participants p are multiplied, so that all use one scale:
+///
+///   log c_p = mean over participants q and cells of log x_q − mean over cells of log x_p
+///
+/// x_p the geometric mean of a participant's numbers in a cell, a spacing under a condition: of what
+/// `analyze` takes, the main phase, valid attempts, nothing excluded, no anchors. The geometric
+/// mean of a participant's numbers in a cell, times c_p, is what `analyze` tells as normalised.
+///
+/// By protocol, version and group (AnswerGroup), which share no scale.
+class OwnScales final {
+ public:
+  OwnScales() = default;
+  /// Analyses what the study has of magnitudes. Errors: as analyze_study.
+  explicit OwnScales(const Study& study, const std::stop_token& stop = {});
+
+  /// Nothing for a participant without a number in every cell, and where no magnitude is asked for.
+  std::optional<double> of(const ParticipantRow& participant, const SessionRow& session,
+                           const ProtocolRow& protocol) const;
+
+ private:
+  using Key = std::tuple<std::string, std::string, AnswerGroup, std::string>;
+  std::map<Key, double> factors_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+#include "app/findings/study/references.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kReferences{
+    Reference{"Bakeman 2005", "Bakeman, 2005",
+              "Bakeman, R. (2005). Recommended effect size statistics for repeated measures "
+              "designs. Behavior Research Methods, 37(3), 379–384."},
+    Reference{"Cohen 1988", "Cohen, 1988",
+              "Cohen, J. (1988). Statistical power analysis for the behavioral sciences (2nd ed.). "
+              "Lawrence Erlbaum."},
+    Reference{"Ernst 2004", "Ernst, 2004",
+              "Ernst, M. D. (2004). Permutation methods: A basis for exact inference. Statistical "
+              "Science, 19(4), 676–685."},
+    Reference{"Fligner 1986", "Fligner & Verducci, 1986",
+              "Fligner, M. A., & Verducci, J. S. (1986). Distance based ranking models. Journal of "
+              "the Royal Statistical Society: Series B, 48(3), 359–369."},
+    Reference{"Greenhouse 1959", "Greenhouse & Geisser, 1959",
+              "Greenhouse, S. W., & Geisser, S. (1959). On methods in the analysis of profile "
+              "data. Psychometrika, 24(2), 95–112."},
+    Reference{"Hedges 1981", "Hedges, 1981",
+              "Hedges, L. V. (1981). Distribution theory for Glass’s estimator of effect size and "
+              "related estimators. Journal of Educational Statistics, 6(2), 107–128."},
+    Reference{"Holm 1979", "Holm, 1979",
+              "Holm, S. (1979). A simple sequentially rejective multiple test procedure. "
+              "Scandinavian Journal of Statistics, 6(2), 65–70."},
+    Reference{"Kendall 1939", "Kendall & Babington Smith, 1939",
+              "Kendall, M. G., & Babington Smith, B. (1939). The problem of m rankings. The Annals "
+              "of Mathematical Statistics, 10(3), 275–287."},
+    Reference{"Miller 1955", "Miller, 1955",
+              "Miller, G. A. (1955). Note on the bias of information estimates. In H. Quastler "
+              "(Ed.), Information theory in psychology (pp. 95–100). Free Press."},
+    Reference{"Williams 1949", "Williams, 1949",
+              "Williams, E. J. (1949). Experimental designs balanced for the estimation of "
+              "residual effects of treatments. Australian Journal of Scientific Research, Series "
+              "A, 2(2), 149–168."}};
+
+}  // namespace
+
+std::span<const Reference> references() { return kReferences; }
+
+const Reference& reference(std::string_view key) {
+  const auto* const found = std::find_if(kReferences.begin(), kReferences.end(),
+                                         [key](const Reference& each) { return each.key == key; });
+  if (found == kReferences.end()) {
+    throw std::out_of_range("there is no reference \"" + std::string(key) + '"');
+  }
+  return *found;
+}
+
+}  // namespace asperity

@@ -1,0 +1,180 @@
+#include "app/findings/study/repetition_reliability.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/tidy/finding_list.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kReliability = "reliability";
+
+struct MeanScore {
+  double sum = 0.0;
+  std::size_t n = 0;
+
+  void add(double score) {
+    sum += score;
+    ++n;
+  }
+};
+/// By target and repetition.
+using Ratings = std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore>;
+
+/// What the family `icc` finds of them. Numbers stand for names, which no finding has.
+std::vector<Finding> correlations_of(const Ratings& ratings) {
+  std::string text = "target,rater,score\n";
+  for (const auto& [of, mean] : ratings) {
+    text += std::to_string(of.first) + ',' + std::to_string(of.second) + ',' +
+            number_text(mean.sum / static_cast<double>(mean.n)) + '\n';
+  }
+  TidyInput input{};
+  input.tables.emplace_back(text, "the repetitions");
+  return analysis_of(kReliability, "icc", std::move(input));
+}
+
+/// "ICC(3,1) = .71, 95 % CI [.38, .91]", without the interval where there is none.
+Phrase correlation_text(const Phrase& name, const Finding& icc) {
+  if (!icc.value) return phrase("Analysis", "%1 is not defined").with(name);
+  if (!icc.low || !icc.high)
+    return phrase("Analysis", "%1 = %2").with(name, reading_bounded(*icc.value));
+  return phrase("Analysis", "%1 = %2, 95 % CI [%3, %4]")
+      .with(name, reading_bounded(*icc.value), reading_bounded(*icc.low),
+            reading_bounded(*icc.high));
+}
+
+std::size_t repetitions_in(const Ratings& ratings) {
+  std::set<std::uint32_t> repetitions{};
+  for (const auto& [of, mean] : ratings) repetitions.insert(of.second);
+  return repetitions.size();
+}
+
+Phrase reliability_question() {
+  return phrase("Analysis", "How reliable are the participants' results over repetitions?");
+}
+
+}  // namespace
+
+void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repeated,
+                     AnalysisOutcome& outcome) {
+  Ratings ratings{};
+  std::size_t with_column = 0;
+  for (const RepeatedScore& score : repeated.scores) {
+    const bool has_column = !gathered.word(score.column).empty();
+    if (has_column) ++with_column;
+    ratings[{score.person,
+             has_column ? score.column : static_cast<std::uint32_t>(score.repetition)}]
+        .add(score.score);
+  }
+  // Where only some trials belong to a column, the others are not its repetitions.
+  if (with_column > 0 && with_column < repeated.scores.size()) return;
+  const std::size_t repetitions = repetitions_in(ratings);
+  if (repetitions < 2) return;
+  const std::vector<Finding> findings = correlations_of(ratings);
+  const FoundNumbers found(findings);
+  const Finding* one = found.find("icc", "ICC3");
+  const Finding* agreement = found.find("icc", "ICC2");
+  const Finding* all = found.find("icc", "ICC3k");
+  const Finding* none = found.find("icc");
+  if (none != nullptr && none->word == "too_few") return;
+  keep_findings(findings, outcome);
+  const Phrase answer =
+      one == nullptr || agreement == nullptr || all == nullptr
+          ? phrase("Analysis",
+                   "Not defined: all participants have the same result in every repetition.")
+          : phrase("Analysis",
+                   "For a single repetition, %1 (consistency) and %2 (agreement); for the mean of "
+                   "the %3 repetitions, %4; N = %5 participants.")
+                .with(correlation_text("ICC(3,1)", *one), correlation_text("ICC(2,1)", *agreement),
+                      std::to_string(repetitions), correlation_text("ICC(3,k)", *all),
+                      std::to_string(one->n));
+  const Phrase method = phrase("Analysis",
+                               "Intraclass correlations of %1 in each repetition. They are also "
+                               "low where participants differ little from each other.")
+                            .with(repeated.name);
+  const bool has_interval = one != nullptr && one->low && one->high;
+  add_question(
+      outcome, kReliability, reliability_question(), answer,
+      has_interval
+          ? phrase(
+                "Analysis",
+                "%1 The CIs assume normal results. In simulations of proportions of 2 to 20 "
+                "participants they contained the true value in at least 85 % of the studies with a "
+                "mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.")
+                .with(method)
+          : method,
+      "", one != nullptr ? one : none);
+}
+
+bool has_repetitions(const GatheredAnswers& gathered) {
+  return std::any_of(gathered.answers.begin(), gathered.answers.end(),
+                     [&first = gathered.answers.front()](const GatheredAnswer& one) {
+                       return one.column != first.column || one.repetition != first.repetition;
+                     });
+}
+
+void add_no_reliability(const char* code, const char* reason, AnalysisOutcome& outcome) {
+  add_status({.analysis = kReliability, .quantity = "icc"}, code, reason, outcome);
+}
+
+void ask_reliability_of_estimates(const GatheredAnswers& gathered,
+                                  std::span<const RepeatedEstimate> estimates,
+                                  AnalysisOutcome& outcome) {
+  std::map<std::string, std::uint32_t> surfaces{};
+  std::vector<Ratings> own(gathered.people.size());
+  std::size_t repetitions = 0;
+  for (const RepeatedEstimate& estimate : estimates) {
+    const auto number = static_cast<std::uint32_t>(surfaces.size());
+    const auto surface = surfaces.try_emplace(estimate.surface, number).first;
+    own[estimate.person][{surface->second, static_cast<std::uint32_t>(estimate.repetition)}].add(
+        estimate.logarithm);
+  }
+  std::vector<double> correlations{};
+  for (const Ratings& ratings : own) {
+    const std::vector<Finding> findings = correlations_of(ratings);
+    const std::optional<double> icc = FoundNumbers(findings).value("icc", "ICC3");
+    if (!icc) continue;
+    correlations.push_back(*icc);
+    repetitions = std::max(repetitions, repetitions_in(ratings));
+  }
+  if (correlations.empty()) return;
+  FindingList list{};
+  // Of k repetitions no correlation is below −1/(k − 1).
+  const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
+  add_mean_of_group("icc.mean", "ICC3", correlations,
+                    {.possible = ConfidenceInterval{.low = least, .high = 1.0},
+                     .of = "mean of the participants' own intraclass correlations ICC3 of the "
+                           "logarithms, surfaces by repetitions"},
+                    list);
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kReliability;
+  keep_findings(findings, outcome);
+  const Finding& mean = findings.front();
+  add_question(
+      outcome, kReliability, reliability_question(),
+      phrase(
+          "Analysis",
+          "For a single one of the %1 repetitions, within participants: %2; N = %3 participants.")
+          .with(std::to_string(repetitions),
+                correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
+                std::to_string(mean.n)),
+      phrase("Analysis",
+             "Each participant's own intraclass correlation (consistency) of the logarithms of the "
+             "estimates, with the surfaces in each condition as targets and the repetitions as "
+             "raters; mean over the participants with a t-based CI. In simulations with 2 to 20 "
+             "participants and seven surfaces it contained the true mean in at least 88 % of the "
+             "studies."),
+      "", &mean);
+}
+
+}  // namespace asperity

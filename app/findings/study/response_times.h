@@ -1,0 +1,18 @@
+// How long participants took to respond, by condition, whatever the kind of protocol.
+
+#pragma once
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// The findings and the table of response times.
+inline constexpr const char* kResponseTimes = "response_times";
+
+/// The table of geometric means over participants: of all trials and by what the protocol varies between trials
+/// (repetition and texture, or condition and spacing). A description without a test. Where no trial has a time, a
+/// remark.
+void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+}  // namespace asperity

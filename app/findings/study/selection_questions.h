@@ -1,0 +1,30 @@
+// The questions of a selection, answered in sentences by its tests and scales.
+
+#pragma once
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/selection_choices.h"
+#include "app/findings/study/study_findings.h"
+
+namespace asperity {
+
+/// Which rendering is the most realistic: by the participants' proportions where every trial offers every item, by the
+/// scale otherwise.
+void ask_preference(const Selection& selection, const FoundNumbers& choice,
+                    const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome);
+
+/// Whether one rendering is preferred to another, by the tests of this name; `found` has the differences, and the
+/// proportions of single pairs where trials offer different items.
+void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
+               const FoundNumbers& found, AnalysisOutcome& outcome);
+
+/// Whether the position of a surface in its trial matters.
+void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
+                  AnalysisOutcome& outcome);
+
+/// Whether the preference for the target depends on the texture.
+void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome);
+/// Whether that is a question here: there is a target, offered in every trial, and several textures.
+bool asks_about_textures(const Selection& selection);
+
+}  // namespace asperity

@@ -1,0 +1,465 @@
+#include "app/findings/study/study_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "analysis/multiplicity.h"
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/test_sentences.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kAlpha = 0.05;
+
+Finding finding_of(const StudyTests::Test& test) {
+  Finding finding{};
+  finding.quantity = "p";
+  finding.key = "test=" + test.name + (test.about.empty() ? "" : " about=" + test.about);
+  finding.value = test.p;
+  finding.unit = "1";
+  finding.method = test.method;
+  finding.status = test.status;
+  finding.n = test.n;
+  finding.analysis = StudyTests::kTable;
+  return finding;
+}
+
+std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
+                                                  std::string_view quantity, std::string_view key) {
+  const Finding* finding = found.find(quantity, key);
+  if (finding == nullptr || !finding->value) return std::nullopt;
+  return StudyTests::Test::Effect{
+      .value = *finding->value, .low = finding->low, .high = finding->high};
+}
+
+/// An effect size that takes single trials for independent, in a test of participants, is marked; of one
+/// participant its interval would say nothing about participants.
+void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
+  if (!test.effect || test.unit != kUnitOfParticipants) return;
+  const Finding* finding = found.find(test.made_by->effect, key);
+  test.effect->takes_trials_as_independent = finding->n != test.n;
+  if (test.n > 1) return;
+  test.effect->low.reset();
+  test.effect->high.reset();
+}
+
+/// Why nobody has added a test that the protocol declares: a code of cell_words.h.
+std::string reason_for(const std::string& name) {
+  using WhyNot = std::pair<std::string_view, std::string_view>;
+  constexpr std::array kReasons{WhyNot{"condition", "one_condition"},
+                                WhyNot{"information", "pictures_differ"},
+                                WhyNot{"interaction", "one_condition"},
+                                WhyNot{"pairs", "no_pair_offered"},
+                                WhyNot{"peaks", "no_two_peaks"},
+                                WhyNot{"position", "trials_of_different_sizes"},
+                                WhyNot{"right", "pictures_differ"},
+                                WhyNot{"sexes", "one_sex"},
+                                WhyNot{"target_pairs", "target_not_offered"},
+                                WhyNot{"textures", "no_target_or_one_texture"}};
+  const auto* known = std::find_if(kReasons.begin(), kReasons.end(),
+                                   [&name](const WhyNot& each) { return each.first == name; });
+  return std::string(known == kReasons.end() ? "no_responses" : known->second);
+}
+
+/// The smallest attainable p, where it exceeds 5 %.
+std::optional<double> too_large(std::optional<double> smallest) {
+  return smallest && *smallest > kAlpha ? smallest : std::nullopt;
+}
+
+Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
+
+/// The row of a test, with the names of its columns. `family`: of which it is; may be empty.
+std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test& test,
+                                                         const std::string& family) {
+  static const TestMethod kNone{};
+  const TestMethod& by = test.p && test.made_by != nullptr ? *test.made_by : kNone;
+  const auto degrees = [&test](std::size_t place) {
+    return place < test.degrees.size() ? Cell{test.degrees[place]} : Cell{};
+  };
+  const auto of_effect = [&test](const auto& part) {
+    return test.effect ? cell_of(part(*test.effect)) : Cell{};
+  };
+  using Effect = StudyTests::Test::Effect;
+  return {
+      {"test", test.name},
+      {"about", text_cell(test.about)},
+      {"method", text_cell(by.code)},
+      {"statistic", test.statistic ? text_cell(by.symbol) : Cell{}},
+      {"value", cell_of(test.statistic)},
+      {"df1", degrees(0)},
+      {"df2", degrees(1)},
+      {"epsilon", cell_of(test.epsilon)},
+      {"permutations", text_cell(permutations_text(test))},
+      {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
+      {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
+      {"effect_low", of_effect([](const Effect& e) { return e.low; })},
+      {"effect_high", of_effect([](const Effect& e) { return e.high; })},
+      {"n", static_cast<std::int64_t>(test.n)},
+      {"unit", test.unit},
+      {"left_out", static_cast<std::int64_t>(test.left_out)},
+      {"p", cell_of(test.p)},
+      {"p_holm", cell_of(test.adjusted)},
+      {"p_smallest", cell_of(too_large(test.smallest_p))},
+      {"family", text_cell(family)},
+      {"role", std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory")},
+      {"status", test.p ? Cell{} : Cell{test.status}}};
+}
+
+/// A cell by the name of its column.
+class TestRow final {
+ public:
+  TestRow(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
+
+  /// Missing where there is no such column.
+  Cell cell(const std::string& column) const {
+    const std::optional<std::size_t> at = column_of(table_, column);
+    return at ? row_[*at] : Cell{};
+  }
+  std::string text(const std::string& column) const {
+    const Cell content = cell(column);
+    const auto* text = std::get_if<std::string>(&content);
+    return text == nullptr ? std::string() : *text;
+  }
+  std::optional<double> number(const std::string& column) const { return number_of(cell(column)); }
+
+ private:
+  const Table& table_;
+  const std::vector<Cell>& row_;
+};
+
+/// The code of the test, and after a stroke how many permutations it made, as `words_of_cell` reads it.
+Cell method_cell(const TestRow& row) {
+  const std::string permutations = row.text("permutations");
+  if (permutations.empty()) return row.cell("method");
+  return row.text("method") + '|' + permutations;
+}
+
+/// The code of the test, and after a stroke what it is about.
+Cell test_cell(const TestRow& row) {
+  const std::string about = row.text("about");
+  return row.text("test") + (about.empty() ? "" : '|' + about);
+}
+
+/// How many, and after a stroke of what; missing where nothing was tested.
+Cell n_cell(const TestRow& row) {
+  const double n = row.number("n").value_or(0.0);
+  return n > 0.0 ? Cell{fixed(n, 0) + '|' + row.text("unit")} : Cell{};
+}
+
+/// "F(2, 38) = 5.17", "F(1.54, 29.18) = 5.17, ε = .77"
+Cell statistic_cell(const TestRow& row) {
+  const std::optional<double> value = row.number("value");
+  if (!value) return {};
+  std::vector<double> degrees{};
+  for (const char* column : {"df1", "df2"}) {
+    if (const std::optional<double> df = row.number(column)) degrees.push_back(*df);
+  }
+  return statistic_text(row.text("statistic"), degrees, *value, row.number("epsilon"));
+}
+
+/// "d = 2.74 [1.75, 3.71]"
+Cell effect_cell(const TestRow& row) {
+  const std::optional<double> value = row.number("effect");
+  if (!value) return {};
+  return effect_text(row.text("effect_size"), *value,
+                     {.low = row.number("effect_low"), .high = row.number("effect_high")});
+}
+
+/// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
+Table with_joined_cells(const Table& tests) {
+  Table made{{"test", "method", "n", "statistic", "effect_size", "p", "p_holm", "p_smallest",
+              "role", "status"},
+             {}};
+  for (const std::vector<Cell>& cells : tests.rows) {
+    const TestRow row(tests, cells);
+    made.rows.push_back({test_cell(row), method_cell(row), n_cell(row), statistic_cell(row),
+                         effect_cell(row), row.cell("p"), row.cell("p_holm"),
+                         row.cell("p_smallest"), row.cell("role"), row.cell("status")});
+  }
+  drop_empty_columns(made, 1);
+  return made;
+}
+
+/// The smallest p that could be attained; that of a single participant is 1, and no test.
+void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
+  if (!test.p || !smallest) return;
+  constexpr double kRounding = 1e-9;  // of a sum over all permutations
+  if (test.n > 1 || *smallest < 1.0 - kRounding) {
+    test.smallest_p = smallest;
+    return;
+  }
+  test.p.reset();
+  test.status = StudyTests::kOneParticipantAlone;
+}
+
+}  // namespace
+
+StudyTests::StudyTests(const GatheredAnswers& gathered)
+    : kind_(gathered.kind), people_(gathered.people.size()), family_(gathered.declared.family) {
+  is_declared_ = !family_.empty();
+  for (const TestName& test : test_names()) {
+    if (family_.empty() && test.kind == gathered.kind) family_.emplace_back(test.name);
+  }
+  for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
+}
+
+bool StudyTests::is_in_family(std::string_view name) const {
+  return std::find(family_.begin(), family_.end(), name) != family_.end();
+}
+
+void StudyTests::add(const std::string& name, const std::string& about, const FoundNumbers& found,
+                     std::string_view p, std::string_view key) {
+  const Finding* finding = found.find(p, key);
+  if (finding == nullptr) {
+    add_untested(name, about, reason_for(name));
+    return;
+  }
+  Test& test = tests_.emplace_back(Test{.name = name, .about = about});
+  test.made_by = test_method(p);
+  test.n = finding->n;
+  test.method = finding->method;
+  test.p = finding->value;
+  test.source = name_of(*finding);
+  if (!test.p) test.status = finding->status;
+  if (test.made_by == nullptr) return;
+  const TestMethod& by = *test.made_by;
+  test.unit = by.unit;
+  test.pools_participants = test.unit != kUnitOfParticipants && people_ > 1;
+  if (test.unit != kUnitOfParticipants) test.method += "; n counts " + test.unit;
+  if (found.value(by.degrees.front(), key) == 0.0) {  // no hypothesis was tested
+    test.p.reset();
+    test.status = "nothing_varies";
+    return;
+  }
+  if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
+  if (!test.p) return;  // without a test there is no statistic either
+  test.statistic = found.value(by.statistic, key);
+  for (const std::string_view quantity : by.degrees) {
+    if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
+  }
+  if (!by.epsilon.empty()) test.epsilon = found.value(by.epsilon, key);
+  if (!by.draws.empty()) {
+    test.random_permutations = static_cast<std::size_t>(found.value(by.draws, key).value_or(0.0));
+  }
+  test.effect = effect_in(found, by.effect, key);
+  judge_effect(found, key, test);
+  if (by.estimate.empty()) return;
+  test.estimate = effect_in(found, by.estimate, key);
+  if (test.estimate && found.find(by.estimate, key)->n != test.n) {  // an interval of trials
+    test.estimate->low.reset();
+    test.estimate->high.reset();
+  }
+}
+
+void StudyTests::add_untested(const std::string& name, const std::string& about,
+                              const std::string& reason) {
+  tests_.push_back(Test{.name = name, .about = about, .status = reason});
+}
+
+void StudyTests::state_chance(double chance) { tests_.back().chance = chance; }
+
+void StudyTests::leave_out(std::size_t participants) { tests_.back().left_out = participants; }
+
+const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {
+  const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const Test& test) {
+    return test.name == name && test.about == about;
+  });
+  return found == tests_.end() ? nullptr : &*found;
+}
+
+Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) const {
+  const Phrase family = words_of_cell("family", name_);
+  const bool is_any_adjusted =
+      std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
+  Phrase note =
+      !is_any_adjusted
+          ? phrase("Analysis", "No test of the family (%1) could be performed.").with(family)
+      : tests == 1
+          ? (is_declared_
+                 ? phrase("Analysis",
+                          "The family that the protocol declares has one test (%1), the only "
+                          "confirmatory one; no correction is needed.")
+                 : phrase("Analysis",
+                          "The protocol declares no family of tests, so that no test is "
+                          "confirmatory. The usual family of this kind of protocol has one test "
+                          "(%1); there is nothing to correct for."))
+                .with(family)
+          : (is_declared_
+                 ? phrase("Analysis",
+                          "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
+                          "the protocol declares (%2); a test that cannot be performed counts as p "
+                          "= 1.")
+                 : phrase(
+                       "Analysis",
+                       "The protocol declares no family of tests, so that no test is confirmatory. "
+                       "p, Holm: Holm-corrected over the %1 tests of the usual family of this kind "
+                       "of protocol (%2); a test that cannot be performed counts as p = 1."))
+                .with(std::to_string(tests), family);
+  note = (is_declared_
+              ? phrase("Analysis",
+                       "%1 All other tests are exploratory and uncorrected. Where n counts "
+                       "responses or trials, they are pooled as if they were independent. %2")
+              : phrase("Analysis",
+                       "%1 The p of all other tests are uncorrected. Where n counts responses or "
+                       "trials, they are pooled as if they were independent. %2"))
+             .with(note, note_on_columns(left_out));
+  for (const Test& test : tests_) {
+    if (test.left_out == 0) continue;
+    note = phrase("Analysis",
+                  "%1 Participants who never chose the target cannot contribute to the test of "
+                  "textures and are not counted in its n: %2 of %3.")
+               .with(note, std::to_string(test.left_out), std::to_string(test.n + test.left_out));
+  }
+  return note;
+}
+
+Phrase StudyTests::note_on_columns(std::string_view left_out) const {
+  std::vector<std::pair<std::string_view, Phrase>> symbols{};
+  std::string pooled{};
+  bool has_interval = false;
+  bool has_epsilon = false;
+  std::vector<Phrase> coverages{};
+  const auto add_symbol = [&symbols](std::string_view symbol, const Phrase& name) {
+    const bool is_known = std::any_of(symbols.begin(), symbols.end(),
+                                      [symbol](const auto& one) { return one.first == symbol; });
+    if (!name.empty() && !is_known) symbols.emplace_back(symbol, name);
+  };
+  for (const Test& test : tests_) {
+    if (!test.p || test.made_by == nullptr || test.name == left_out) continue;
+    if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
+    has_epsilon = has_epsilon || test.epsilon;
+    if (!test.effect) continue;
+    const std::string_view symbol = test.made_by->effect_symbol;
+    add_symbol(symbol, test.made_by->effect_name);
+    has_interval = has_interval || test.effect->low;
+    const Phrase& coverage = test.made_by->coverage;
+    if (test.effect->low && !coverage.empty() &&
+        std::find(coverages.begin(), coverages.end(), coverage) == coverages.end()) {
+      coverages.push_back(coverage);
+    }
+    const bool is_named = pooled.find(symbol) != std::string::npos;
+    if (!test.effect->takes_trials_as_independent || is_named) continue;
+    pooled += (pooled.empty() ? "" : ", ") + std::string(symbol);
+  }
+  Phrase note{};
+  for (const auto& [symbol, name] : symbols) {
+    const Phrase one = phrase("Analysis", "%1: %2").with(std::string(symbol), name);
+    note = note.empty() ? one : phrase("Analysis", "%1; %2").with(note, one);
+  }
+  if (!note.empty()) note = phrase("Analysis", "%1.").with(note);
+  const auto add = [&note](const Phrase& sentence) {
+    note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
+  };
+  if (has_epsilon) {
+    add(phrase("Analysis",
+               "ε: by which both degrees of freedom are corrected (Greenhouse and Geisser)."));
+  }
+  if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
+  for (const Phrase& coverage : coverages) add(coverage);
+  if (!pooled.empty()) {
+    add(phrase("Analysis", "Estimated from trials as if they were independent: %1.").with(pooled));
+  }
+  return note;
+}
+
+std::size_t StudyTests::tests_in_family() const {
+  return static_cast<std::size_t>(std::count_if(
+      tests_.begin(), tests_.end(), [this](const Test& test) { return is_in_family(test.name); }));
+}
+
+// What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
+// others what they would have been, and its own place in the family. Holm's adjusted p do not fall when
+// any raw p rises: what all tests give at their smallest p is the least that each can give.
+void StudyTests::adjust() {
+  std::vector<Test*> family{};
+  for (Test& test : tests_) {
+    if (!is_in_family(test.name)) continue;
+    test.role = is_declared_ ? TestRole::confirmatory : TestRole::usual_family;
+    family.push_back(&test);
+  }
+  const auto holm_of = [&family](const auto& p_of) {
+    std::vector<double> raw(family.size());
+    std::transform(family.begin(), family.end(), raw.begin(),
+                   [&p_of](const Test* test) { return test->p ? p_of(*test) : 1.0; });
+    return holm_adjusted(raw);
+  };
+  const std::vector<double> adjusted = holm_of([](const Test& test) { return *test.p; });
+  const std::vector<double> smallest =
+      holm_of([](const Test& test) { return test.smallest_p.value_or(0.0); });
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    Test& test = *family[i];
+    if (!test.p) continue;
+    test.adjusted = adjusted[i];
+    test.is_alone_in_family = family.size() == 1;
+    if (test.smallest_p) test.smallest_p = smallest[i];
+  }
+}
+
+void StudyTests::finish(AnalysisOutcome& outcome) {
+  for (const std::string& name : family_) {
+    const bool is_added = std::any_of(tests_.begin(), tests_.end(),
+                                      [&name](const Test& test) { return test.name == name; });
+    if (!is_added) add_untested(name, "", reason_for(name));
+  }
+  adjust();
+  const std::size_t in_family = tests_in_family();
+  NamedTable made{StudyTests::kTable, phrase("Analysis", "Tests"), {}, note_on_family(in_family)};
+  for (const Test& test : tests_) {
+    made.table.columns.clear();
+    std::vector<Cell>& row = made.table.rows.emplace_back();
+    for (auto& [column, cell] : named_cells_of(test, is_in_family(test.name) ? name_ : "")) {
+      made.table.columns.emplace_back(column);
+      row.push_back(std::move(cell));
+    }
+    Finding finding = finding_of(test);
+    if (!test.p) finding.status = words_of_cell("status", test.status).english();
+    outcome.findings.push_back(finding);
+    outcome.test_sentences.push_back(sentence_of_test(test, kind_));
+    if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
+    if (!is_in_family(test.name)) continue;
+    finding.quantity = "p.holm";
+    finding.value = test.adjusted;
+    const std::string family =
+        " of the family " + name_ + (is_declared_ ? ", which the protocol declares" : "");
+    finding.method += in_family == 1 ? "; the only test" + family + ", uncorrected"
+                                     : "; Holm-corrected over the " + std::to_string(in_family) +
+                                           " tests" + family;
+    outcome.findings.push_back(std::move(finding));
+  }
+  outcome.tables.push_back(std::move(made));
+  outcome.note_of_tests_without_sexes = note_on_family(in_family, kSexesTest);
+}
+
+Table reading_table(const NamedTable& table) {
+  return reading_table(table.name == StudyTests::kTable ? with_joined_cells(table.table)
+                                                        : table.table);
+}
+
+Phrase p_text(const StudyTests::Test& test) {
+  const double p = test.adjusted.value_or(test.p.value_or(1.0));
+  const Phrase how = test.adjusted && !test.is_alone_in_family
+                         ? phrase("Analysis", "%1, Holm-corrected")
+                     : test.adjusted && test.role == TestRole::confirmatory
+                         ? phrase("Analysis", "%1, the only confirmatory test")
+                         : phrase("Analysis", "%1, uncorrected");
+  const Phrase text = how.with(reading_p(p));
+  const std::optional<double> smallest = too_large(test.smallest_p);
+  if (!smallest) return text;
+  return phrase("Analysis", "%1; the smallest attainable p is %2")
+      .with(text, reading_p_cell(*smallest));
+}
+
+Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
+  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
+  return phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
+}
+
+}  // namespace asperity

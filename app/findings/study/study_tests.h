@@ -1,0 +1,121 @@
+// The tests of a study, Holm's correction over its family, and the table that reports them.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/findings/found_numbers.h"
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/test_methods.h"
+
+namespace asperity {
+
+/// The tests of a study, and Holm's correction over those that are its family.
+class StudyTests final {
+ public:
+  /// The table of them all, and the analysis that its findings are of.
+  static constexpr const char* kTable = "tests";
+  /// The status of a permutation test of one participant, whose p could only be 1.
+  static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
+
+  /// The family that the protocol declares, or the first test of its kind.
+  explicit StudyTests(const GatheredAnswers& gathered);
+
+  struct Test {
+    std::string name{};   ///< one of test_names()
+    std::string about{};  ///< what of several is tested; may be empty
+    const TestMethod* made_by = nullptr;
+    std::string method{};
+    std::size_t n = 0;  ///< of the units that contributed
+    std::string unit{kUnitOfParticipants};
+    /// Participants who answered and do not contribute, because nothing of theirs can be exchanged.
+    std::size_t left_out = 0;
+    std::optional<double> p{};
+    FindingName source{};                ///< whose p it is
+    /// That these data could give, of the family Holm-corrected: where it exceeds 5 %, nothing could show.
+    std::optional<double> smallest_p{};
+    std::optional<double> statistic{};
+    std::vector<double> degrees{};    ///< of freedom: none, one, or two of an F; uncorrected
+    std::optional<double> epsilon{};  ///< that corrects them; nothing where they are not corrected
+    std::optional<std::size_t>
+        random_permutations{};  ///< 0: all were counted; nothing: not permuted
+    struct Effect {
+      double value = 0.0;
+      std::optional<double> low{};
+      std::optional<double> high{};
+      bool takes_trials_as_independent = false;  ///< in a test of participants
+    };
+    std::optional<Effect> effect{};
+    std::optional<Effect> estimate{};   ///< the proportion that is tested
+    std::optional<double> chance{};     ///< the chance level of that proportion
+    std::optional<double> adjusted{};   ///< within the family,
+    bool is_alone_in_family = false;    ///< of which it is the only one, so that p is not corrected
+    TestRole role = TestRole::exploratory;
+    bool pools_participants = false;    ///< n counts responses of more than one
+    std::string status = "ok";
+
+    /// Only a test of the family can show something; adjusted within it, at 5 %.
+    bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
+    /// Whatever it can show.
+    bool is_significant() const noexcept { return adjusted ? shows() : p && *p < 0.05; }
+  };
+  /// The test whose p is the quantity `p` with this key. A p that is not a number is the reason that
+  /// there is no test; of the study's own family such a test counts as p = 1.
+  void add(const std::string& name, const std::string& about, const FoundNumbers& found,
+           std::string_view p, std::string_view key = {});
+  /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
+  void add_untested(const std::string& name, const std::string& about, const std::string& reason);
+  /// Of the test that was added last.
+  void leave_out(std::size_t participants);
+  /// The same: the proportion that is expected under guessing, against which it is.
+  void state_chance(double chance);
+  /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
+  /// has added is a row without a p.
+  void finish(AnalysisOutcome& outcome);
+
+  const Test* find(std::string_view name, std::string_view about = {}) const;
+  std::span<const Test> tests() const noexcept { return tests_; }
+  bool is_in_family(std::string_view name) const;
+  const std::string& family() const noexcept { return name_; }
+  bool is_declared() const noexcept { return is_declared_; }
+
+ private:
+  /// The p of the family, and the smallest ones that are attainable, with Holm's correction.
+  void adjust();
+  std::size_t tests_in_family() const;
+  /// What stands below the table: of how many tests the family is, and what the columns hold, without the symbols of the
+  /// tests that are called `left_out`.
+  Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
+  Phrase note_on_columns(std::string_view left_out) const;
+
+  std::string kind_{};
+  std::size_t people_ = 0;
+  std::vector<std::string> family_{};
+  std::string name_{};
+  bool is_declared_ = false;
+  std::vector<Test> tests_{};
+};
+
+/// A table as a person reads it (reading_table.h). In that of the tests a statistic stands with its degrees
+/// of freedom and its value in one cell, "t(19) = 12.25", an effect size with its interval in another,
+/// "d = 2.74 [1.75, 3.71]".
+Table reading_table(const NamedTable& table);
+
+/// "p = .031, uncorrected"; of the family "p = .062, Holm-corrected", or "p = .062, the only confirmatory test". Where no p
+/// of 5 % could be attained, with the smallest one. Without a declaration no test is confirmatory.
+Phrase p_text(const StudyTests::Test& test);
+/// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
+/// of a test outside the family `told`, with the sentence that it is exploratory.
+struct Sayings {
+  Phrase claim{};
+  Phrase nothing{};
+  Phrase told{};
+};
+Phrase said_of(const StudyTests::Test& test, const Sayings& sayings);
+
+}  // namespace asperity

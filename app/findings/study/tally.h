@@ -1,0 +1,167 @@
+// Counts of answers, and the tables that are made of them in every kind of protocol.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/proportion.h"
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// How often something was so, for how many people, and out of how many equally likely outcomes.
+class Tally final {
+ public:
+  /// `outcomes`: chance is 1 of so many; `times`: how often that was.
+  void count(std::uint32_t person, bool hit, std::uint64_t outcomes, std::uint64_t times = 1);
+
+  HitCount hits() const noexcept { return hits_; }
+  std::size_t persons() const noexcept { return persons_; }
+  /// The one number of outcomes that all counts share; nothing when they differ.
+  std::optional<std::uint64_t> outcomes() const;
+
+ private:
+  HitCount hits_{};
+  std::size_t persons_ = 0;
+  std::vector<bool> seen_{};  ///< by person
+  std::set<std::uint64_t> outcomes_{};
+  std::uint64_t last_outcomes_ = 0;
+};
+
+/// A row of a table of shares: its keys, in the order of the key columns, and its count.
+struct ShareRow {
+  std::vector<std::string> keys{};
+  Tally tally{};
+};
+
+struct ShareTable {
+  std::string name{};
+  Phrase title{};
+  Phrase note{};
+  std::vector<std::string> key_columns{};
+  std::string hits_column{};  ///< "chosen", "correct"
+  std::string quantity{};     ///< of the findings: "share_chosen"
+  std::vector<ShareRow> rows{};
+};
+
+/// Appends the table (count, share, Wilson and Clopper–Pearson 95 % intervals, chance, exact
+/// two-sided binomial test), by the family `proportion`, and the same as findings.
+void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
+
+/// `at_chance` with the number of outcomes in its place: "Chance level: 1/%1 of the responses correct." — or
+/// that it differs between the trials.
+Phrase chance_note(const Tally& tally, const Phrase& at_chance);
+
+/// The rows and columns that the chapter's tables have: levels of the factor `column` and `all`, the
+/// sexes and `Total`. An answer counts in up to two of each.
+class ChapterCells final {
+ public:
+  explicit ChapterCells(const GatheredAnswers& gathered);
+
+  const std::vector<std::string>& columns() const noexcept { return columns_; }
+  /// Female, Male, where there are any the others, and Total.
+  const std::vector<std::string>& sexes() const noexcept { return sexes_; }
+  /// Its own column and `all`; the latter twice for an answer without a column.
+  std::array<std::size_t, 2> columns_of(std::uint32_t column_word) const {
+    return {column_of_word_[column_word], columns_.size() - 1};
+  }
+
+  /// Calls `use(column, sex)` for each cell in which an answer counts.
+  template <class Use>
+  void for_each(std::uint32_t column_word, std::uint32_t person, const Use& use) const {
+    const std::array<std::size_t, 2> in_columns = columns_of(column_word);
+    for (const std::size_t sex : {sex_of_person_[person], sexes_.size() - 1}) {
+      use(in_columns[1], sex);
+      if (in_columns[0] != in_columns[1]) use(in_columns[0], sex);
+    }
+  }
+
+ private:
+  std::vector<std::string> columns_{};
+  std::vector<std::size_t> column_of_word_{};
+  std::vector<std::string> sexes_{};
+  std::vector<std::size_t> sex_of_person_{};
+};
+inline constexpr const char* kAllColumns = "all";
+
+/// A table of counts as the chapter prints it: labels down, the levels of the factor `column` and
+/// `all` across.
+struct CountTable {
+  std::string name{};
+  Phrase title{};
+  Phrase note{};
+  std::string label_column{};
+  std::vector<std::string> labels{};
+  std::vector<std::string> columns{};
+  std::vector<std::size_t> counts{};  ///< label × column
+
+  std::size_t& at(std::size_t label, std::size_t column) {
+    return counts[label * columns.size() + column];
+  }
+};
+/// With labels and columns: all counts 0.
+CountTable count_table(std::vector<std::string> labels, std::vector<std::string> columns);
+void add_counts(const CountTable& counts, AnalysisOutcome& outcome);
+
+/// An answer as the chapter's tables of matching and recognition count it.
+struct ChapterAnswer {
+  std::uint32_t column = 0;  ///< a word
+  std::uint32_t person = 0;
+  bool hit = false;
+  std::uint64_t outcomes = 0;  ///< chance is 1 of so many
+  std::uint64_t times = 1;
+};
+
+/// Hits by column and sex.
+class ChapterTally final {
+ public:
+  explicit ChapterTally(const GatheredAnswers& gathered);
+  void count(const ChapterAnswer& answer);
+
+  const ChapterCells& cells() const noexcept { return cells_; }
+  /// Appends the table of hits, sexes down and columns across.
+  void add(const std::string& name, const Phrase& title, const Phrase& note,
+           AnalysisOutcome& outcome) const;
+  /// A row per column and sex.
+  void add_rows(ShareTable& shares) const;
+
+ private:
+  ChapterCells cells_;
+  std::vector<Tally> by_cell_{};  ///< column × sex
+  CountTable hits_{};
+};
+
+/// How often each answer was given to each felt item.
+class ConfusionTally final {
+ public:
+  void count(std::uint32_t felt, std::uint32_t answer, std::size_t times = 1) {
+    counts_[{felt, answer}] += times;
+  }
+  std::size_t at(std::uint32_t felt, std::uint32_t answer) const;
+  /// Stimuli down, responses across: what was felt in the protocol's order, so that correct responses are the
+  /// diagonal, then the other responses, “cannot tell” last. `options` are columns even if nobody chose them.
+  void add_table(const GatheredAnswers& gathered, const std::set<std::string>& options,
+                 AnalysisOutcome& outcome) const;
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts_{};
+};
+
+/// Texture force per model: what was aimed at, and what the hands made of it. No table where
+/// nothing was measured.
+void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+/// The remark that pooled answers of the same persons are not independent, where it is so.
+void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome& outcome);
+
+}  // namespace asperity

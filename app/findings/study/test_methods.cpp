@@ -1,0 +1,243 @@
+#include "app/findings/study/test_methods.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kAnswers = "answers";
+
+Phrase binomial() { return phrase("TestMethods", "exact binomial test, one-sided"); }
+Phrase permuted_pictures() {
+  return phrase("TestMethods", "permutation test, pictures relabelled per participant, one-sided");
+}
+Phrase number_correct() { return phrase("TestMethods", "number correct"); }
+Phrase difference_of_means() { return phrase("TestMethods", "difference of the means"); }
+Phrase hedges_g_name() { return phrase("TestMethods", "Hedges’ g"); }
+Phrase cohen_h_name() { return phrase("TestMethods", "Cohen’s h"); }
+Phrase generalised_eta_name() { return phrase("TestMethods", "generalised η²"); }
+Phrase coverage_of_d() {
+  return phrase("TestMethods",
+                "The CIs of d for choices are approximate: in simulations they contained the true "
+                "value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or "
+                "more of those with a larger one.");
+}
+Phrase coverage_of_w() {
+  return phrase("TestMethods",
+                "The CIs of W for choices are approximate: in simulations with 12 and 20 "
+                "participants they contained the true value in 77 to 100 % of the studies.");
+}
+Phrase permuted_groups() { return phrase("TestMethods", "permutation test of group labels"); }
+
+}  // namespace
+
+std::span<const TestMethod> test_methods() {
+  static const std::array kMethods{
+      TestMethod{
+          .p = "G.perm.p",
+          .code = "g_permutation",
+          .name = phrase("TestMethods", "permutation test of independence"),
+          .unit = kAnswers,
+          .symbol = "G²",
+          .statistic = "G",
+          .degrees = {"G.df", ""},
+          .draws = "G.perm.draws",
+          .smallest = "G.perm.smallest",
+          .effect_symbol = "IT",
+          .effect_name = phrase("TestMethods", "bias-corrected transmitted information in bits"),
+          .effect = "IT.miller1955",
+          .sources = {"Ernst 2004", "Miller 1955"}},
+      TestMethod{.p = "group.perm.p.two",
+                 .code = "group_permutation",
+                 .name = permuted_groups(),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "ΔM",
+                 .symbol_name = difference_of_means(),
+                 .statistic = "group.diff",
+                 .draws = "group.perm.draws",
+                 .effect_symbol = "g",
+                 .effect_name = hedges_g_name(),
+                 .effect = "group.hedges.g",
+                 .sources = {"Ernst 2004", "Hedges 1981"}},
+      TestMethod{.p = "p",
+                 .code = "rm_anova",
+                 .name = phrase("TestMethods", "repeated-measures ANOVA"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "F",
+                 .statistic = "F",
+                 .degrees = {"df1", "df2"},
+                 .effect_symbol = "η²G",
+                 .effect_name = generalised_eta_name(),
+                 .effect = "ges",
+                 .effect_is_bounded = true,
+                 .sources = {"", "Bakeman 2005"}},
+      TestMethod{.p = "p.GG",
+                 .code = "rm_anova_gg",
+                 .name = phrase("TestMethods",
+                                "repeated-measures ANOVA with Greenhouse–Geisser correction"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "F",
+                 .statistic = "F",
+                 .degrees = {"df1", "df2"},
+                 .epsilon = "eps.GG",
+                 .effect_symbol = "η²G",
+                 .effect_name = generalised_eta_name(),
+                 .effect = "ges",
+                 .effect_is_bounded = true,
+                 .sources = {"Greenhouse 1959", "Bakeman 2005"}},
+      TestMethod{.p = "p.greater",
+                 .code = "binomial",
+                 .name = binomial(),
+                 .unit = kAnswers,
+                 .symbol = "k",
+                 .symbol_name = number_correct(),
+                 .statistic = "hits",
+                 .effect_symbol = "h",
+                 .effect_name = cohen_h_name(),
+                 .effect = "cohen.h",
+                 .sources = {"", "Cohen 1988"}},
+      TestMethod{.p = "pc.p.greater",
+                 .code = "binomial",
+                 .name = binomial(),
+                 .unit = kAnswers,
+                 .symbol = "k",
+                 .symbol_name = number_correct(),
+                 .statistic = "pc.k",
+                 .effect_symbol = "h",
+                 .effect_name = cohen_h_name(),
+                 .effect = "pc.h",
+                 .sources = {"", "Cohen 1988"}},
+      TestMethod{.p = "peakratio.p",
+                 .code = "peak_ratio_t",
+                 .name = phrase("TestMethods", "t test of the log ratio of two peaks"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "t",
+                 .statistic = "peakratio.t",
+                 .degrees = {"peakratio.df", ""},
+                 .effect_symbol = "ratio",
+                 .effect = "peakratio"},
+      TestMethod{.p = "perfect.relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "k",
+                 .symbol_name = number_correct(),
+                 .statistic = "perfect.trials",
+                 .draws = "perfect.relabel.draws",
+                 .smallest = "perfect.relabel.smallest",
+                 .effect_symbol = "h",
+                 .effect_name = cohen_h_name(),
+                 .effect = "perfect.h",
+                 .estimate = "perfect.subj.mean",
+                 .estimate_name = "mean proportion of trials with all items correct",
+                 .sources = {"Ernst 2004", "Cohen 1988"}},
+      TestMethod{.p = "perm.p.two",
+                 .code = "group_permutation",
+                 .name = permuted_groups(),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "ΔM",
+                 .symbol_name = difference_of_means(),
+                 .statistic = "subj.diff",
+                 .draws = "perm.draws",
+                 .effect_symbol = "g",
+                 .effect_name = hedges_g_name(),
+                 .effect = "hedges.g",
+                 .sources = {"Ernst 2004", "Hedges 1981"}},
+      TestMethod{.p = "relabel.exact.p",
+                 .code = "within_participant_permutation",
+                 .name = phrase("TestMethods", "within-participant permutation test"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "X²",
+                 .symbol_name = phrase("TestMethods", "Pearson’s X² of the pooled choices"),
+                 .statistic = "relabel.X2",
+                 .draws = "relabel.draws",
+                 .smallest = "relabel.exact.smallest",
+                 .effect_symbol = "W",
+                 .effect_name = phrase("TestMethods", "Kendall’s W"),
+                 .effect = "relabel.W",
+                 .effect_is_bounded = true,
+                 .sources = {"Ernst 2004", "Kendall 1939"},
+                 .coverage = coverage_of_w()},
+      TestMethod{.p = "relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "k",
+                 .symbol_name = number_correct(),
+                 .statistic = "total.correct",
+                 .draws = "relabel.draws",
+                 .smallest = "relabel.smallest",
+                 .effect_symbol = "θ",
+                 .effect_name = phrase("TestMethods", "Mallows’ θ"),
+                 .effect = "mallows.theta",
+                 .estimate = "subj.mean",
+                 .estimate_name = "mean proportion of correctly matched items",
+                 .sources = {"Ernst 2004", "Fligner 1986"}},
+      TestMethod{.p = "signflip.p.two",
+                 .code = "sign_flip",
+                 .name = phrase("TestMethods", "sign-flip (randomisation) test"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "D",
+                 .symbol_name = phrase("TestMethods", "difference of the numbers of choices"),
+                 .statistic = "signflip.diff",
+                 .draws = "signflip.draws",
+                 .smallest = "signflip.smallest",
+                 .effect_symbol = "d_z",
+                 .effect_name = phrase("TestMethods", "Cohen’s d of paired differences"),
+                 .effect = "signflip.d",
+                 .sources = {"Ernst 2004", "Cohen 1988"},
+                 .coverage = coverage_of_d()},
+      TestMethod{.p = "subj.t.p.two",
+                 .code = "one_sample_t",
+                 .name = phrase("TestMethods", "one-sample t test"),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "t",
+                 .statistic = "subj.t",
+                 .degrees = {"subj.t.df", ""},
+                 .effect_symbol = "d",
+                 .effect_name = phrase("TestMethods", "Cohen’s d"),
+                 .effect = "subj.d",
+                 .estimate = "subj.mean",
+                 .estimate_name = "mean proportion correct",
+                 .sources = {"", "Cohen 1988"}},
+      TestMethod{.p = "texture.relabel.p.greater",
+                 .code = "picture_permutation",
+                 .name = permuted_pictures(),
+                 .unit = kUnitOfParticipants,
+                 .symbol = "k",
+                 .symbol_name = number_correct(),
+                 .statistic = "texture.hits",
+                 .draws = "texture.relabel.draws",
+                 .smallest = "texture.relabel.smallest",
+                 .effect_symbol = "h",
+                 .effect_name = cohen_h_name(),
+                 .effect = "texture.h",
+                 .estimate = "texture.prop",
+                 .estimate_name = "proportion of correct matches",
+                 .sources = {"Ernst 2004", "Cohen 1988"}}};
+  return kMethods;
+}
+
+const TestMethod* test_method(std::string_view p) {
+  const auto methods = test_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [p](const TestMethod& each) { return each.p == p; });
+  return found == methods.end() ? nullptr : &*found;
+}
+
+bool is_bounded_effect(std::string_view symbol) {
+  const auto methods = test_methods();
+  return std::any_of(methods.begin(), methods.end(), [symbol](const TestMethod& each) {
+    return each.effect_is_bounded && each.effect_symbol == symbol;
+  });
+}
+
+Phrase test_method_name(std::string_view code) {
+  const auto methods = test_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [code](const TestMethod& each) { return each.code == code; });
+  return found == methods.end() ? Phrase{} : found->name;
+}
+
+}  // namespace asperity

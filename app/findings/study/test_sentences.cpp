@@ -1,0 +1,221 @@
+#include "app/findings/study/test_sentences.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+
+namespace asperity {
+
+namespace {
+
+/// What a test of protocols of a kind found. %1 and %2: what it is about.
+struct Claim {
+  std::string_view kind{};
+  std::string_view test{};
+  std::string_view method{};  ///< of a single one: its code; empty of every other
+  std::string_view higher{};  ///< significant, the statistic positive or without a sign
+  std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
+  std::string_view nothing{};
+};
+
+constexpr std::array kClaims{
+    Claim{"selection", "pairs", "", "%1 was chosen significantly more often than %2",
+          "%1 was chosen significantly less often than %2",
+          "The numbers of choices of %1 and %2 were not significantly different"},
+    Claim{"selection", "target_pairs", "", "%1 was chosen significantly more often than %2",
+          "%1 was chosen significantly less often than %2",
+          "The numbers of choices of %1 and %2 were not significantly different"},
+    Claim{"selection", "preference", "",
+          "The numbers of choices of the items were significantly different", "",
+          "The numbers of choices of the items were not significantly different"},
+    Claim{"selection", "position", "",
+          "The numbers of choices of the positions in a trial were significantly different", "",
+          "The numbers of choices of the positions in a trial were not significantly different"},
+    Claim{"selection", "textures", "",
+          "The proportion of choices of the target differed significantly between the textures", "",
+          "The proportion of choices of the target did not differ significantly between the "
+          "textures"},
+    Claim{"matching", "items", "",
+          "The proportion of correctly matched items was significantly above the chance level", "",
+          "The proportion of correctly matched items was not significantly above the chance level"},
+    Claim{
+        "matching", "whole", "",
+        "The proportion of trials with all items correct was significantly above the chance level",
+        "",
+        "The proportion of trials with all items correct was not significantly above the chance "
+        "level"},
+    Claim{"matching", "textures", "",
+          "The proportion of correct matches of %1 was significantly above the chance level", "",
+          "The proportion of correct matches of %1 was not significantly above the chance level"},
+    Claim{"matching", "sexes", "", "Women matched significantly more items correctly than men",
+          "Women matched significantly fewer items correctly than men",
+          "The numbers of correctly matched items of women and men were not significantly "
+          "different"},
+    Claim{"recognition", "right", "binomial",
+          "The proportion of correct responses was significantly above the chance level", "",
+          "The proportion of correct responses was not significantly above the chance level"},
+    Claim{"recognition", "right", "",
+          "The mean proportion correct was significantly above the chance level",
+          "The mean proportion correct was significantly below the chance level",
+          "The mean proportion correct was not significantly different from the chance level"},
+    Claim{"recognition", "textures", "",
+          "The proportion of correct responses to %1 was significantly above the chance level", "",
+          "The proportion of correct responses to %1 was not significantly above the chance level"},
+    Claim{"recognition", "information", "",
+          "The responses were significantly associated with the stimulus", "",
+          "The responses were not significantly associated with the stimulus"},
+    Claim{"recognition", "sexes", "",
+          "The mean proportion correct of women was significantly higher than that of men",
+          "The mean proportion correct of women was significantly lower than that of men",
+          "The mean proportions correct of women and men were not significantly different"},
+    Claim{"magnitude", "spacing", "",
+          "The roughness estimates differed significantly between the spacings", "",
+          "The roughness estimates did not differ significantly between the spacings"},
+    Claim{"magnitude", "interaction", "",
+          "The effect of spacing on the roughness estimates differed significantly between the "
+          "conditions",
+          "",
+          "The effect of spacing on the roughness estimates did not differ significantly between "
+          "the conditions"},
+    Claim{"magnitude", "condition", "",
+          "The roughness estimates differed significantly between the conditions", "",
+          "The roughness estimates did not differ significantly between the conditions"},
+    Claim{"magnitude", "peaks", "",
+          "The peak of %1 was at a significantly larger spacing than that of %2",
+          "The peak of %1 was at a significantly smaller spacing than that of %2",
+          "The spacings of the peaks of %1 and %2 were not significantly different"}};
+
+std::string with_places_filled(std::string_view words, std::string_view about) {
+  const std::size_t bar = about.find('|');
+  const std::string first(about.substr(0, bar));
+  const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
+  return Phrase(std::string(words)).with(first, second).english();
+}
+
+std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
+  // Those of a single method stand first.
+  const auto* const claim = std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& each) {
+    return each.kind == kind && each.test == test.name &&
+           (each.method.empty() || each.method == test.made_by->code);
+  });
+  if (claim == kClaims.end()) return {};
+  const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
+  std::string text = with_places_filled(!test.is_significant() ? claim->nothing
+                                        : is_negative          ? claim->lower
+                                                               : claim->higher,
+                                        test.about);
+  constexpr std::string_view kChance = "the chance level";
+  const std::size_t at = text.find(kChance);
+  if (test.chance && at != std::string::npos) {
+    text.insert(at + kChance.size(), " of " + reading_percent(*test.chance));
+  }
+  return text;
+}
+
+std::string size_text(const StudyTests::Test& test) {
+  const std::string n = reading_count(test.n);
+  if (test.unit == kUnitOfParticipants) return "N = " + n;
+  return "n = " + words_of_cell("n", n + '|' + test.unit).english();
+}
+
+std::string estimate_text(const StudyTests::Test& test) {
+  if (!test.estimate) return {};
+  std::string text(test.made_by->estimate_name);
+  text += " = " + reading_percent(test.estimate->value);
+  if (test.estimate->low && test.estimate->high) {
+    text += ", 95 % CI [" + reading_percent(*test.estimate->low) + ", " +
+            reading_percent(*test.estimate->high) + ']';
+  }
+  return text + ", " + size_text(test) + "; ";
+}
+
+std::string method_text(const StudyTests::Test& test) {
+  std::string code(test.made_by->code);
+  if (const std::string made = permutations_text(test); !made.empty()) code += '|' + made;
+  return words_of_cell("method", code).english();
+}
+
+}  // namespace
+
+std::string permutations_text(const StudyTests::Test& test) {
+  if (!test.random_permutations) return {};
+  return *test.random_permutations == 0 ? "exact" : std::to_string(*test.random_permutations);
+}
+
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
+                           std::optional<double> epsilon) {
+  std::string inner{};
+  for (const double of_design : degrees) {
+    const double df = of_design * epsilon.value_or(1.0);
+    inner += (inner.empty() ? "" : ", ") + fixed(df, !epsilon && df == std::round(df) ? 0 : 2);
+  }
+  const bool is_count = symbol == "k" || symbol == "D";
+  return std::string(symbol) + (inner.empty() ? "" : '(' + inner + ')') + " = " +
+         reading_signed(value, is_count ? 0 : 2) +
+         (epsilon ? ", ε = " + reading_bounded(*epsilon) : "");
+}
+
+std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval) {
+  const auto shown = [is_bounded = is_bounded_effect(symbol)](double number) {
+    return is_bounded ? reading_bounded(number) : reading_signed(number, 2);
+  };
+  std::string text = std::string(symbol) + " = " + shown(value);
+  if (!interval.low || !interval.high) return text;
+  return text + std::string(interval.before) + '[' + shown(*interval.low) + ", " +
+         shown(*interval.high) + ']';
+}
+
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind) {
+  TestSentence sentence{.test = test.name, .role = test.role};
+  if (!test.p || test.made_by == nullptr) {
+    sentence.is_untested = true;
+    const std::string about =
+        words_of_cell("test", test.about.empty() ? test.name : test.name + '|' + test.about)
+            .english();
+    sentence.text = Phrase("The test of %1 could not be computed: %2")
+                        .with(about, words_of_cell("status", test.status))
+                        .as_sentence()
+                        .english();
+    return sentence;
+  }
+  const std::string estimate = estimate_text(test);
+  sentence.text = claim_of(test, kind) + ": " + estimate + method_text(test);
+  if (test.statistic) {
+    sentence.text +=
+        ", " + statistic_text(test.made_by->symbol, test.degrees, *test.statistic, test.epsilon);
+  }
+  if (estimate.empty()) sentence.text += ", " + size_text(test);
+  sentence.text += ", " + p_text(test).english();
+  if (test.effect) {
+    const TestMethod& by = *test.made_by;
+    const EffectInterval interval{
+        .low = test.effect->low, .high = test.effect->high, .before = ", 95 % CI "};
+    const std::string text = effect_text(by.effect_symbol, test.effect->value, interval);
+    const std::string name = by.effect_name.english();
+    sentence.text += "; " + (name.empty() ? text : name + text.substr(by.effect_symbol.size()));
+    if (test.effect->takes_trials_as_independent) {
+      sentence.text += " (trials treated as independent)";
+    }
+  }
+  if (test.pools_participants) {
+    sentence.text += " (responses of all participants pooled as independent)";
+  }
+  sentence.text += '.';
+  sentence.made_by = test.made_by;
+  sentence.has_effect = test.effect.has_value();
+  sentence.has_mean_interval = test.estimate && test.estimate->low;
+  return sentence;
+}
+
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
+                           std::string_view clause) {
+  for (TestSentence& sentence : outcome.test_sentences) {
+    if (sentence.test == test) sentence.text.insert(sentence.text.size() - 1, clause);
+  }
+}
+
+}  // namespace asperity

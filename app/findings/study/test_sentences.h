@@ -1,0 +1,44 @@
+// The tests of a study in words that a paper prints.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/study_tests.h"
+
+namespace asperity {
+
+/// "exact", or how many permutations were drawn; empty of a test that permutes nothing.
+std::string permutations_text(const StudyTests::Test& test);
+
+/// "F(2, 38) = 5.17"; with an ε that corrects the degrees of freedom "F(1.54, 29.18) = 5.17, ε = .77".
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
+                           std::optional<double> epsilon = {});
+
+/// "d = 2.74 [1.75, 3.71]"; without an interval where an end is absent.
+struct EffectInterval {
+  std::optional<double> low{};
+  std::optional<double> high{};
+  std::string_view before = " ";  ///< between the value and the bracket
+};
+std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval);
+
+/// What a test of this kind of protocol found, with its numbers: "The mean proportion correct was
+/// significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %], N = 6; one-sample t test,
+/// t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI [1.56, 6.83]."
+/// Of a test that could not be made, that and why.
+TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind);
+
+/// Of a mean proportion, whose CI is of another method than the test.
+inline constexpr std::string_view kChanceInInterval =
+    "; the 95 % CI of the mean contains the chance level";
+
+/// Adds a clause before the full stop of the sentences of a test.
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test,
+                           std::string_view clause);
+
+}  // namespace asperity

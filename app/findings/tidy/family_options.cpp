@@ -1,0 +1,213 @@
+// Options out of JSON and out of NAME=VALUE.
+
+#include "app/findings/tidy/family_options.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+OptionValue value_of(const Json& json) {
+  if (json.is_boolean()) return {json.get<bool>()};
+  if (json.is_number()) return {json.get<double>()};
+  if (json.is_string()) return {json.get<std::string>()};
+  if (json.is_array()) {
+    OptionValue::List list{};
+    for (const Json& item : json) list.push_back(value_of(item));
+    return {std::move(list)};
+  }
+  if (json.is_object()) {
+    OptionValue::Object object{};
+    for (const auto& [name, item] : json.items()) object.emplace_back(name, value_of(item));
+    return {std::move(object)};
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_option(const std::string& name, const std::string& what) {
+  throw std::runtime_error("the option \"" + name + "\" " + what);
+}
+
+double option_number(const OptionValue& option, const std::string& name) {
+  if (const auto* number = std::get_if<double>(&option.value)) return *number;
+  refuse_option(name, "must be a number");
+}
+
+// Levels and names that look like numbers are written without quotes by careful and careless hands.
+std::string option_text(const OptionValue& option, const std::string& name) {
+  if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
+  if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
+  if (const auto* truth = std::get_if<bool>(&option.value)) return *truth ? "TRUE" : "FALSE";
+  refuse_option(name, "must be a text");
+}
+
+template <class Item>
+auto list_of(const OptionValue& option, const std::string& name, Item item) {
+  std::vector<decltype(item(option, name))> list{};
+  if (const auto* items = std::get_if<OptionValue::List>(&option.value)) {
+    for (const OptionValue& one : *items) list.push_back(item(one, name));
+  } else {
+    list.push_back(item(option, name));
+  }
+  return list;
+}
+
+/// A list of names; one that stands twice would be two with the same numbers.
+std::vector<std::string> distinct_names(const OptionValue& option, const std::string& name) {
+  std::vector<std::string> names = list_of(option, name, option_text);
+  std::set<std::string_view> seen{};
+  for (const std::string& one : names) {
+    if (!seen.insert(one).second) refuse_option(name, "names \"" + one + "\" twice");
+  }
+  return names;
+}
+
+}  // namespace
+
+FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string& file_name) {
+  Json json{};
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw std::runtime_error(file_name + ": the options are not JSON: " + error.what());
+  } catch (const Json::out_of_range& error) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
+    const std::string what = error.what();
+    throw std::runtime_error(file_name + ": the options hold a number that is too large, " +
+                             what.substr(what.rfind(' ') + 1) +
+                             "; numbers reach to 1.8e308. Correct it, then analyse again");
+  }
+  FamilyOptions options{};
+  const OptionValue value = value_of(json);
+  if (const auto* object = std::get_if<OptionValue::Object>(&value.value)) {
+    options.options_ = *object;
+  } else if (!json.empty()) {
+    throw std::runtime_error(file_name + ": the options must be an object of names and values");
+  }
+  return options;
+}
+
+void FamilyOptions::add(const std::string& name, const std::string& text) {
+  OptionValue value{};
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_discarded()) {
+    value = value_of(json);
+  } else if (text.find(',') == std::string::npos) {
+    value.value = text;
+  } else {
+    OptionValue::List list{};
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      const std::string item = text.substr(begin, end - begin);
+      const Json number = Json::parse(item, nullptr, false);
+      list.push_back(number.is_number() ? value_of(number) : OptionValue{item});
+      begin = end + 1;
+    }
+    value.value = std::move(list);
+  }
+  const auto found = std::find_if(options_.begin(), options_.end(),
+                                  [&name](const auto& option) { return option.first == name; });
+  if (found == options_.end()) {
+    options_.emplace_back(name, std::move(value));
+  } else {
+    found->second = std::move(value);
+  }
+}
+
+const OptionValue* FamilyOptions::find(const std::string& name) const {
+  asked_for_.insert(name);
+  const auto found = std::find_if(options_.begin(), options_.end(),
+                                  [&name](const auto& option) { return option.first == name; });
+  const bool absent =
+      found == options_.end() || std::holds_alternative<std::monostate>(found->second.value);
+  return absent ? nullptr : &found->second;
+}
+
+const OptionValue& FamilyOptions::at(const std::string& name) const {
+  const OptionValue* option = find(name);
+  if (option == nullptr) refuse_option(name, "is missing and has no default; give it a value");
+  return *option;
+}
+
+std::vector<std::string> FamilyOptions::names() const {
+  std::vector<std::string> names{};
+  for (const auto& [name, value] : options_) names.push_back(name);
+  return names;
+}
+
+bool FamilyOptions::has(const std::string& name) const { return find(name) != nullptr; }
+
+double FamilyOptions::number(const std::string& name) const {
+  return option_number(at(name), name);
+}
+
+double FamilyOptions::number_or(const std::string& name, double otherwise) const {
+  return number_if(name).value_or(otherwise);
+}
+
+std::optional<double> FamilyOptions::number_if(const std::string& name) const {
+  const OptionValue* option = find(name);
+  return option == nullptr ? std::nullopt : std::optional(option_number(*option, name));
+}
+
+std::string FamilyOptions::text(const std::string& name) const {
+  return option_text(at(name), name);
+}
+
+std::string FamilyOptions::text_or(const std::string& name, const std::string& otherwise) const {
+  const OptionValue* option = find(name);
+  return option == nullptr ? otherwise : option_text(*option, name);
+}
+
+std::vector<std::string> FamilyOptions::texts(const std::string& name) const {
+  return distinct_names(at(name), name);
+}
+
+std::vector<double> FamilyOptions::numbers(const std::string& name) const {
+  return list_of(at(name), name, option_number);
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::levels(
+    const std::string& name) const {
+  std::vector<std::pair<std::string, std::vector<std::string>>> factors{};
+  const OptionValue* option = find(name);
+  if (option == nullptr) return factors;
+  const auto* object = std::get_if<OptionValue::Object>(&option->value);
+  if (object == nullptr) {
+    refuse_option(name, "must be an object of factors with their levels, like {\"" +
+                            std::string(name == "between" ? "group\": [\"a\", \"b\"]"
+                                                          : "spacing\": [1, 2, 4]") +
+                            "}");
+  }
+  for (const auto& [factor, levels] : *object) {
+    factors.emplace_back(factor, distinct_names(levels, name + '.' + factor));
+  }
+  return factors;
+}
+
+double FamilyOptions::confidence() const {
+  const double confidence = number_or("conf", 0.95);
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    refuse_option("conf", "is " + number_text(confidence) + "; it must lie between 0 and 1");
+  }
+  return confidence;
+}
+
+std::vector<std::string> FamilyOptions::never_asked_for() const {
+  std::vector<std::string> names{};
+  for (const auto& [name, value] : options_) {
+    if (!asked_for_.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace asperity

@@ -1,0 +1,292 @@
+// Proportion correct with participants and items as crossed random intercepts.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/crossed_binomial.h"
+#include "analysis/number_text.h"
+#include "analysis/tail_probabilities.h"
+#include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+/// A factor with treatment contrasts: its columns of the design, one per level but the first.
+struct FixedFactor {
+  std::string name{};
+  std::vector<std::string> levels{};
+  Eigen::Index first_column = 1;
+
+  Eigen::Index columns() const { return static_cast<Eigen::Index>(levels.size()) - 1; }
+};
+
+struct CrossedTable {
+  std::vector<CrossedHits> responses{};
+  CrossedModel model{};
+  std::vector<FixedFactor> factors{};
+  std::size_t participants = 0;
+  std::size_t items = 0;
+};
+
+BinomialLink link_of(const FamilyOptions& options) {
+  const std::string link = options.text_or("link", "logit");
+  if (link == "logit") return BinomialLink::logit;
+  if (link == "probit") return BinomialLink::probit;
+  throw std::runtime_error("the option \"link\" is \"" + link + "\"; it must be logit or probit");
+}
+
+void read_random(const FamilyOptions& options, CrossedModel& model) {
+  if (!options.has("random")) return;
+  const std::vector<std::string> random = options.texts("random");
+  for (const std::string& one : random) {
+    if (one == "subject" || one == "item") continue;
+    throw std::runtime_error("the option \"random\" names \"" + one +
+                             "\"; it must be subject, item, or both");
+  }
+  const auto has = [&random](const char* name) {
+    return std::find(random.begin(), random.end(), name) != random.end();
+  };
+  model.participants_vary = has("subject");
+  model.items_vary = has("item");
+  if (random.empty()) {
+    throw std::runtime_error("the option \"random\" is empty; it must be subject, item, or both");
+  }
+}
+
+CrossedTable crossed_table(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  CrossedTable read{.model = {.link = link_of(input.options)}};
+  read_random(input.options, read.model);
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn items = table.all_labels("item");
+  const std::vector<std::uint64_t> hits = table.counts("correct");
+  const std::vector<std::uint64_t> trials = table.counts("trials");
+  Eigen::Index columns = 1;
+  std::vector<LabelColumn> codes{};
+  for (auto& [name, levels] : input.options.levels("fixed")) {
+    if (levels.size() < 2) {
+      throw std::runtime_error("the option \"fixed\" gives " + name +
+                               " one level; a factor needs at least two");
+    }
+    codes.push_back(table.labels(name, levels));
+    read.factors.push_back({.name = name, .levels = levels, .first_column = columns});
+    columns += read.factors.back().columns();
+  }
+  read.model.design = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(table.rows()), columns);
+  read.model.design.col(0).setOnes();
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (trials[row] == 0 || hits[row] > trials[row]) {
+      table.refuse(row, "correct",
+                   std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
+                       " trials is not a proportion; leave out rows without trials");
+    }
+    read.responses.push_back({.count = {.hits = hits[row], .trials = trials[row]},
+                              .participant = participants.codes[row],
+                              .item = items.codes[row]});
+    for (std::size_t factor = 0; factor < codes.size(); ++factor) {
+      const std::size_t level = codes[factor].codes[row];
+      if (level == LabelColumn::kMissing) {
+        table.refuse(row, read.factors[factor].name, "a response needs a level of each factor");
+      }
+      if (level == 0) continue;
+      read.model.design(static_cast<Eigen::Index>(row),
+                        read.factors[factor].first_column + static_cast<Eigen::Index>(level) - 1) =
+          1.0;
+    }
+  }
+  read.participants = participants.names.size();
+  read.items = items.names.size();
+  return read;
+}
+
+double linked(double proportion, BinomialLink link) {
+  if (link == BinomialLink::logit) return std::log(proportion / (1.0 - proportion));
+  // Φ⁻¹ by the limit that |Z| exceeds with the probability of both tails.
+  if (proportion == 0.5) return 0.0;
+  const double z = normal_limit(std::abs(2.0 * proportion - 1.0));
+  return proportion > 0.5 ? z : -z;
+}
+
+double proportion_at(double predictor, BinomialLink link) {
+  return link == BinomialLink::logit ? 1.0 / (1.0 + std::exp(-predictor)) : normal_below(predictor);
+}
+
+struct ProblemWords {
+  const char* word;
+  const char* status;
+};
+ProblemWords crossed_problem_words(CrossedProblem problem) {
+  switch (problem) {
+    case CrossedProblem::no_maximum:
+      return {"no_maximum",
+              "the intercepts of participants and items can predict every response, so that the "
+              "likelihood has no maximum"};
+    case CrossedProblem::no_participant_variance:
+      return {"no_participant_variance",
+              "the participants' standard deviation is estimated as 0: fit with the option "
+              "random=item"};
+    case CrossedProblem::no_item_variance:
+      return {
+          "no_item_variance",
+          "the items' standard deviation is estimated as 0: fit with the option random=subject"};
+    case CrossedProblem::no_variance:
+      return {"no_variance",
+              "both standard deviations are estimated as 0: neither participants nor items differ "
+              "more than expected by chance"};
+  }
+  return {"", ""};
+}
+
+class CrossedFindings final {
+ public:
+  CrossedFindings(const TidyInput& input, const CrossedTable& table)
+      : table_(table),
+        confidence_(input.options.confidence()),
+        method_(std::string(table.model.link == BinomialLink::logit ? "logit" : "probit") +
+                " mixed model, maximum likelihood with the Laplace approximation") {
+    if (const std::optional<double> chance = input.options.number_if("chance")) {
+      if (!(*chance > 0.0 && *chance < 1.0)) {
+        throw std::runtime_error("the option \"chance\" is " + number_text(*chance) +
+                                 "; it must lie between 0 and 1");
+      }
+      null_ = linked(*chance, table.model.link);
+    }
+  }
+
+  std::vector<Finding> findings() {
+    list_.count("n.subjects", "", table_.participants, basis("participants"));
+    list_.count("n.items", "", table_.items, basis("items"));
+    const CrossedAnswer answer = crossed_fit(table_.responses, table_.model);
+    if (!answer.fit) {
+      const ProblemWords why = crossed_problem_words(answer.problem);
+      list_.word("glmm.status", "", why.word, why.status, basis(method_));
+      return list_.take();
+    }
+    list_.word("glmm.status", "", "ok", "ok", basis(method_));
+    coefficients(*answer.fit);
+    if (table_.model.participants_vary) {
+      number("glmm.sigma", "subject", answer.fit->sigma_participants,
+             "standard deviation of the participants' intercepts");
+    }
+    if (table_.model.items_vary) {
+      number("glmm.sigma", "item", answer.fit->sigma_items,
+             "standard deviation of the items' intercepts");
+    }
+    number("glmm.loglik", "", answer.fit->log_likelihood, "binomial coefficients included");
+    for (const FixedFactor& factor : table_.factors) likelihood_ratio(factor, *answer.fit);
+    return list_.take();
+  }
+
+ private:
+  Basis basis(std::string method) const {
+    return {.n = table_.participants, .method = std::move(method)};
+  }
+  void number(const char* quantity, const std::string& key, double value, std::string method) {
+    list_.number(quantity, key, value, basis(std::move(method)));
+  }
+
+  void coefficients(const CrossedFit& fit) {
+    const double z = normal_limit(confidence_);
+    const auto add = [&](const std::string& key, Eigen::Index at, double null) {
+      const double beta = fit.beta(at);
+      const double error = fit.standard_error(at);
+      Basis shown = basis(method_ + "; Wald interval");
+      shown.interval = {.low = beta - z * error, .high = beta + z * error};
+      shown.confidence = confidence_;
+      list_.number("glmm.beta", key, beta, shown);
+      number("glmm.se", key, error, "observed information");
+      const double statistic = (beta - null) / error;
+      number("glmm.z", key, statistic, "Wald's z");
+      number("glmm.p", key, std::erfc(std::abs(statistic) / std::sqrt(2.0)), "Wald's z, two-sided");
+    };
+    add("intercept", 0, null_);
+    average_proportion(fit);
+    for (const FixedFactor& factor : table_.factors) {
+      for (Eigen::Index level = 0; level < factor.columns(); ++level) {
+        add(both(factor.name, factor.levels[static_cast<std::size_t>(level) + 1]),
+            factor.first_column + level, 0.0);
+      }
+    }
+  }
+
+  /// Of other participants and other items of the same kind: t instead of Wald's z, unless there are factors: the
+  /// intercept is then that of the reference levels, of which fewer participants may have trials.
+  void average_proportion(const CrossedFit& fit) {
+    if (!table_.factors.empty()) {
+      proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
+      return;
+    }
+    const SampledError error = intercept_error(fit, table_.participants, table_.items);
+    const std::string method =
+        "t with the degrees of freedom of the smaller sample, of participants or of items; "
+        "standard error corrected for the bias of the variances";
+    const TLimit limit{.confidence = confidence_, .df = error.df};
+    proportion(fit, error.standard_error * t_limit(limit).value_or(kUndefined), method);
+    const double t = (fit.beta(0) - null_) / error.standard_error;
+    number("glmm.t", "intercept", t, method);
+    number("glmm.t.df", "intercept", error.df, method);
+    number("glmm.t.p", "intercept",
+           two_sided_tail({.value = t, .df = error.df}).value_or(kUndefined),
+           method + ", two-sided");
+  }
+
+  /// `half_width`: of the interval of the intercept.
+  void proportion(const CrossedFit& fit, double half_width, const std::string& interval) {
+    Basis shown = basis(
+        "proportion correct of a participant and an item of average intercept, at the reference "
+        "levels; interval: " +
+        interval);
+    shown.interval = {.low = proportion_at(fit.beta(0) - half_width, table_.model.link),
+                      .high = proportion_at(fit.beta(0) + half_width, table_.model.link)};
+    shown.confidence = confidence_;
+    list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
+  }
+
+  /// Against the model without the factor.
+  void likelihood_ratio(const FixedFactor& factor, const CrossedFit& full) {
+    CrossedModel without = table_.model;
+    const Eigen::Index behind = without.design.cols() - factor.first_column - factor.columns();
+    without.design.resize(table_.model.design.rows(),
+                          table_.model.design.cols() - factor.columns());
+    without.design << table_.model.design.leftCols(factor.first_column),
+        table_.model.design.rightCols(behind);
+    const CrossedAnswer answer = crossed_fit(table_.responses, without);
+    if (!answer.fit) {
+      list_.word("glmm.lr", factor.name, crossed_problem_words(answer.problem).word,
+                 crossed_problem_words(answer.problem).status, basis("model without the factor"));
+      return;
+    }
+    const double ratio = std::max(0.0, 2.0 * (full.log_likelihood - answer.fit->log_likelihood));
+    const auto df = static_cast<double>(factor.columns());
+    number("glmm.lr", factor.name, ratio, "likelihood ratio against the model without the factor");
+    number("glmm.lr.df", factor.name, df, "degrees of freedom of χ²");
+    number("glmm.lr.p", factor.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
+           "χ² of the likelihood ratio");
+  }
+
+  const CrossedTable& table_;
+  double confidence_ = 0.95;
+  std::string method_{};
+  double null_ = 0.0;
+  FindingList list_{};
+};
+
+}  // namespace
+
+std::vector<Finding> glmm_findings(const TidyInput& input) {
+  const CrossedTable table = crossed_table(input);
+  if (table.responses.empty()) {
+    FindingList findings{};
+    findings.word("glmm.status", "", "no_data", "the table has no row: there are no responses");
+    return findings.take();
+  }
+  return CrossedFindings(input, table).findings();
+}
+
+}  // namespace asperity

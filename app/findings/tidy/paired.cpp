@@ -1,0 +1,268 @@
+// Each judgement puts one of two items before the other, or neither.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/bradley_terry.h"
+#include "analysis/comparison_graph.h"
+#include "analysis/tail_probabilities.h"
+#include "analysis/thurstone.h"
+#include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/scale_findings.h"
+#include "app/findings/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view kTie = "tie";
+
+struct Paired {
+  std::vector<std::string> items{};
+  std::vector<std::string> participants{};
+  std::vector<Comparison> comparisons{};
+  Comparisons counts{};
+  double confidence = 0.95;
+};
+
+Paired paired_in(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  Paired read{.items = input.options.texts("items")};
+  if (read.items.size() < 2) {
+    throw std::runtime_error("the option \"items\" must name at least two items");
+  }
+  if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
+    throw std::runtime_error(
+        "the option \"items\" names \"tie\", which as a winner means neither item; give this item "
+        "another name");
+  }
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn first = table.labels("first", read.items);
+  const LabelColumn second = table.labels("second", read.items);
+  std::vector<std::string> outcomes = read.items;
+  outcomes.emplace_back(kTie);
+  const LabelColumn winner = table.labels("winner", outcomes);
+  read.participants = participants.names;
+  read.confidence = input.options.confidence();
+  const std::vector<std::uint64_t> times =
+      table.has("times") ? table.counts("times") : std::vector<std::uint64_t>(table.rows(), 1);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (winner.codes[row] == LabelColumn::kMissing) continue;
+    Comparison one{.participant = participants.codes[row],
+                   .first = first.codes[row],
+                   .second = second.codes[row],
+                   .times = times[row]};
+    if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
+        one.first == one.second) {
+      table.refuse(row, "second", "a judgement needs two different items");
+    }
+    if (winner.codes[row] < read.items.size()) {
+      one.winner = winner.codes[row];
+      if (*one.winner != one.first && *one.winner != one.second) {
+        table.refuse(row, "winner",
+                     "winner is \"" + read.items[*one.winner] + "\", which was not compared here");
+      }
+    }
+    read.comparisons.push_back(one);
+  }
+  read.counts = count_comparisons(read.comparisons, read.items.size());
+  return read;
+}
+
+ScaleNames scale_names(const Paired& read, const std::string& value, const std::string& error,
+                       const std::string& method) {
+  return {.value = value,
+          .error = error,
+          .method = method,
+          .n = read.participants.size(),
+          .confidence = read.confidence};
+}
+
+void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList& findings) {
+  const std::size_t n = read.participants.size();
+  const auto items = static_cast<Eigen::Index>(read.items.size());
+  const std::string method = "Bradley–Terry, ties left out";
+  const auto number = [&](const char* quantity, const std::string& key, double value,
+                          const std::string& how) {
+    findings.number(quantity, key, value, {.n = n, .method = how});
+  };
+  const std::string from_first = method + ", relative to " + read.items.front();
+  const std::string centred = method + ", mean 0";
+  add_clustered_scale(read.items,
+                      {.centred = fit.abilities.about_mean(), .errors = fit.centred_errors},
+                      {.prefix = "bt",
+                       .value = "bt.ability.sumzero.cluster",
+                       .method = method,
+                       .n = n,
+                       .confidence = read.confidence},
+                      findings);
+  const Eigen::VectorXd worth = fit.abilities.worth();
+  for (Eigen::Index i = 0; i < items; ++i) {
+    number("bt.worth", read.items[static_cast<std::size_t>(i)], worth(i), method + ", sum 1");
+  }
+  add_cluster_errors(read.items, fit.clustered.about_mean(),
+                     scale_names(read, "", "bt.se.sumzero.cluster", centred), findings);
+  add_cluster_errors(read.items, fit.clustered, scale_names(read, "", "bt.se.cluster", from_first),
+                     findings);
+  add_scale(read.items, fit.abilities.about_mean(),
+            scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", centred), findings);
+  add_scale(read.items, fit.abilities, scale_names(read, "bt.ability", "bt.se", from_first),
+            findings);
+  const auto df = static_cast<double>(fit.df);
+  number("bt.deviance", "", fit.deviance, method);
+  number("bt.df", "", df, method);
+  if (fit.df > 0) {
+    number("bt.gof.p", "", *upper_tail(ChiSquaredStatistic{.value = fit.deviance, .df = df}),
+           "deviance against a probability for each pair");
+  }
+  const double equal_df = static_cast<double>(items - 1);
+  number("bt.lr.equal", "", fit.likelihood_ratio, "likelihood ratio against equal items");
+  number("bt.lr.equal.p", "",
+         *upper_tail(ChiSquaredStatistic{.value = fit.likelihood_ratio, .df = equal_df}),
+         "likelihood ratio against equal items");
+  for (Eigen::Index i = 0; i < items; ++i) {
+    for (Eigen::Index j = i + 1; j < items; ++j) {
+      if (read.counts.wins(i, j) + read.counts.wins(j, i) == 0.0) continue;
+      const std::string key =
+          both(read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]);
+      const Eigen::MatrixXd& v = fit.abilities.covariance;
+      const double difference = fit.abilities.value(i) - fit.abilities.value(j);
+      number("bt.diff", key, difference, method);
+      number("bt.diff.se", key, std::sqrt(v(i, i) + v(j, j) - 2.0 * v(i, j)), method);
+      number("bt.pij", key, 1.0 / (1.0 + std::exp(-difference)), method);
+    }
+  }
+  const std::string order = "advantage of the item presented first, in log odds";
+  if (fit.order) {
+    number("bt.order.beta", "first", fit.order->advantage, order);
+    number("bt.order.se", "first", fit.order->standard_error, order);
+    number("bt.order.lr", "first", fit.order->likelihood_ratio, "likelihood ratio against none");
+    number("bt.order.lr.p", "first",
+           *upper_tail(ChiSquaredStatistic{.value = fit.order->likelihood_ratio, .df = 1.0}),
+           "likelihood ratio against none");
+  } else {
+    findings.word("bt.order.status", "first", "not_estimable",
+                  "the order of presentation is confounded with the items, or determines the "
+                  "winner completely",
+                  {.n = n, .method = order});
+  }
+}
+
+void add_thurstone(const Paired& read, FindingList& findings) {
+  const std::size_t n = read.participants.size();
+  if (const auto fit = thurstone_likelihood(read.counts)) {
+    add_scale(read.items, fit->abilities,
+              scale_names(read, "thurstone.ml", "thurstone.ml.se",
+                          "Thurstone Case V by likelihood, relative to " + read.items.front()),
+              findings);
+    findings.number("thurstone.ml.deviance", "", fit->deviance,
+                    {.n = n, .method = "Thurstone Case V by likelihood"});
+  }
+  const auto fit = thurstone_least_squares(read.counts);
+  if (!fit) return;
+  const Basis basis{.n = n, .method = "Thurstone Case V by least squares, sum 0"};
+  for (std::size_t i = 0; i < read.items.size(); ++i) {
+    findings.number("thurstone.ls", read.items[i], fit->scale(static_cast<Eigen::Index>(i)), basis);
+  }
+  const Basis test{.n = n, .method = "Mosteller's test of fit"};
+  findings.number("thurstone.mosteller.chisq", "", fit->chi_squared, test);
+  findings.number("thurstone.mosteller.df", "", fit->df, test);
+  if (fit->df > 0.0) {
+    findings.number("thurstone.mosteller.p", "",
+                    *upper_tail(ChiSquaredStatistic{.value = fit->chi_squared, .df = fit->df}),
+                    test);
+  }
+  findings.count("thurstone.clipped.cells", "", fit->clipped,
+                 {.n = n, .method = "pairs that one item always won"});
+}
+
+void add_davidson(const Paired& read, FindingList& findings) {
+  const auto fit = davidson(read.counts);
+  if (!fit) return;
+  const Basis basis{.n = read.participants.size(), .method = "Davidson's model with ties"};
+  add_scale(read.items, fit->abilities,
+            scale_names(read, "davidson.ability", "davidson.se",
+                        basis.method + ", relative to " + read.items.front()),
+            findings);
+  findings.number("davidson.lognu", "", fit->log_tie, basis);
+  findings.number("davidson.lognu.se", "", fit->log_tie_standard_error, basis);
+  findings.number("davidson.deviance", "", fit->deviance, basis);
+  findings.count("davidson.df", "", fit->df, basis);
+}
+
+/// Participants who judged every pair once without a tie.
+void add_consistency(const Paired& read, FindingList& findings) {
+  const std::size_t items = read.items.size();
+  if (items < 3) return;
+  std::vector<std::vector<Comparison>> by_participant(read.participants.size());
+  for (const Comparison& one : read.comparisons) by_participant[one.participant].push_back(one);
+  for (std::size_t person = 0; person < by_participant.size(); ++person) {
+    const std::vector<Comparison>& own_judgements = by_participant[person];
+    std::set<std::pair<std::size_t, std::size_t>> pairs{};
+    std::vector<std::size_t> wins(items);
+    std::size_t judged = 0;
+    bool tied = false;
+    for (const Comparison& one : own_judgements) {
+      pairs.insert(std::minmax(one.first, one.second));
+      judged += one.times;
+      tied = tied || !one.winner;
+      if (one.winner) ++wins[*one.winner];
+    }
+    const std::size_t all = items * (items - 1) / 2;
+    if (tied || judged != all || pairs.size() != all) continue;
+    const Consistency own = consistency(wins);
+    const Basis basis{.n = 1, .method = "Kendall's circular triads"};
+    findings.number("circular.triads", read.participants[person], own.circular_triads, basis);
+    findings.number("zeta", read.participants[person], own.zeta, basis);
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> paired_findings(const TidyInput& input) {
+  const Paired read = paired_in(input);
+  const std::size_t n = read.participants.size();
+  FindingList findings{};
+  const auto items = static_cast<Eigen::Index>(read.items.size());
+  for (Eigen::Index i = 0; i < items; ++i) {
+    for (Eigen::Index j = 0; j < items; ++j) {
+      if (i == j) continue;
+      findings.number(
+          "wins",
+          both(read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]),
+          read.counts.wins(i, j), {.n = n, .method = "first before second"});
+    }
+  }
+  findings.number("ties", "", read.counts.ties.sum() / 2.0, {.n = n});
+  findings.truth("strongly.connected", "", strongly_connected(read.counts.wins),
+                 {.n = n, .method = "whether chains of wins connect all items in both directions"});
+  if (const auto fit = bradley_terry(read.comparisons, read.items.size())) {
+    add_bradley_terry(read, *fit, findings);
+  } else {
+    findings.word("bt.status", "", "not_estimable",
+                  "some items never lost to the others, or were never compared with them, so that "
+                  "the scale has no finite estimate; see bt.firth",
+                  {.n = n, .method = "Bradley–Terry"});
+  }
+  if (const auto firth = firth_bradley_terry(read.counts)) {
+    add_scale(
+        read.items, *firth,
+        scale_names(read, "bt.firth.ability", "bt.firth.se",
+                    "Bradley–Terry with Firth's bias reduction, relative to " + read.items.front()),
+        findings);
+  } else {
+    findings.word("bt.firth.status", "", "not_estimable",
+                  "the comparisons do not connect all items: there is no common scale",
+                  {.n = n, .method = "Bradley–Terry with Firth's bias reduction"});
+  }
+  add_thurstone(read, findings);
+  add_davidson(read, findings);
+  add_consistency(read, findings);
+  return findings.take();
+}
+
+}  // namespace asperity

@@ -1,0 +1,115 @@
+#include "app/findings/tidy/scale_findings.h"
+
+#include <string>
+
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+
+void add_clustered_scale(std::span<const std::string> items, const ClusteredScale& scale,
+                         const ClusteredNames& names, FindingList& findings) {
+  const bool has_errors = !scale.errors.empty();
+  const std::string method = names.method + ", mean 0";
+  const std::string error_method =
+      method + "; CR2 standard error with participants as clusters, Satterthwaite's df";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double value = scale.centred.value(static_cast<Eigen::Index>(i));
+    Basis basis{.n = names.n, .method = method};
+    if (has_errors) {
+      const ClusteredError& error = scale.errors[i];
+      basis.method += "; t interval of the CR2 standard error with participants as clusters";
+      const auto limit = t_limit({.confidence = names.confidence, .df = error.df});
+      if (error.standard_error > 0.0 && limit) {
+        const double half = *limit * error.standard_error;
+        basis.interval = {.low = value - half, .high = value + half};
+        basis.confidence = names.confidence;
+      }
+    }
+    findings.number(names.value, items[i], value, basis);
+    if (!has_errors) continue;
+    const Basis of_error{.n = names.n, .method = error_method};
+    findings.number(names.prefix + ".se.sumzero.cr2", items[i], scale.errors[i].standard_error,
+                    of_error);
+    findings.number(names.prefix + ".df.sumzero.cr2", items[i], scale.errors[i].df, of_error);
+  }
+  if (has_errors) return;
+  findings.word(names.prefix + ".cluster.status", "", "too_few_participants",
+                "an interval over participants needs " + std::to_string(kFewestClusters) +
+                    " participants at least: with fewer, differences between participants cannot "
+                    "be estimated; add participants",
+                {.n = names.n, .method = error_method});
+}
+
+void add_cluster_errors(std::span<const std::string> items, const Abilities& clustered,
+                        const ScaleNames& names, FindingList& findings) {
+  const Eigen::VectorXd errors = clustered.standard_error();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double error = names.n > 1 ? errors(static_cast<Eigen::Index>(i)) : kUndefined;
+    findings.number(names.error, items[i], error,
+                    {.n = names.n,
+                     .method = names.method + ", participants as clusters (CR0: too small with "
+                                              "few participants)",
+                     .undefined = "differences between participants cannot be estimated from one "
+                                  "participant: add participants"});
+  }
+}
+
+void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
+               FindingList& findings) {
+  const Eigen::VectorXd errors = scale.standard_error();
+  const double z = normal_limit(names.confidence);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    const double value = scale.value(index);
+    const double error = errors(index);
+    const std::string method = names.method + ", judgements treated as independent";
+    Basis basis{.n = names.n, .method = method + "; Wald interval"};
+    if (error > 0.0) {
+      basis.interval = {.low = value - z * error, .high = value + z * error};
+      basis.confidence = names.confidence;
+    }
+    findings.number(names.value, items[i], value, basis);
+    findings.number(names.error, items[i], error, {.n = names.n, .method = method});
+  }
+}
+
+void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingList& findings) {
+  const std::size_t n = rows.n;
+  const Basis friedman{.n = n,
+                       .method = "Friedman's test, ties corrected for",
+                       .undefined = "all items are tied in every row: there is no order to test"};
+  if (n < 2) {
+    // One row agrees with itself alone: its W is 1 and its p the same whatever it says.
+    findings.word("friedman.chisq", "", n == 0 ? "no_data" : "undefined_one_row",
+                  n == 0 ? rows.none : rows.one, friedman);
+    return;
+  }
+  const auto with_method = [&friedman](const char* method) {
+    Basis basis = friedman;
+    basis.method = method;
+    return basis;
+  };
+  const Basis iman = with_method(
+      "Iman–Davenport F; in simulations without differences p was at most .05 in up to 6 % of the "
+      "tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
+  findings.number("friedman.chisq", "", test.chi_squared, friedman);
+  findings.number("friedman.df", "", test.df, friedman);
+  findings.number("friedman.p", "", test.p, friedman);
+  Basis concordance = with_method("Kendall's W");
+  if (rows.concordance) {
+    concordance.interval = rows.concordance;
+    concordance.confidence = rows.confidence;
+    concordance.method +=
+        "; interval by the jackknife of the mean rank correlation, which covered 94 to 99.7 % "
+        "instead of 95 % in simulations";
+  }
+  findings.number("kendall.W", "", test.concordance, concordance);
+  if (rows.concordance) {
+    findings.number("kendall.W.ci.lower", "", rows.concordance->low, with_method("limit of W"));
+    findings.number("kendall.W.ci.upper", "", rows.concordance->high, with_method("limit of W"));
+  }
+  findings.number("iman.davenport.F", "", test.f, iman);
+  findings.number("iman.davenport.p", "", test.f_p, iman);
+}
+
+}  // namespace asperity

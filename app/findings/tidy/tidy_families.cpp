@@ -1,0 +1,162 @@
+// The table of families.
+
+#include "app/findings/tidy/tidy_families.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/findings/found_numbers.h"
+#include "protocols/wording.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array kFamilies{
+    TidyFamily{"equivalence",
+               "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
+               "subject,group,value: two samples; one row per participant",
+               "lower, upper: differences between them count as equivalent, both or neither; alpha "
+               "of each one-sided test; groups: two names, in order, of two samples; conf",
+               equivalence_findings, "lower,upper,alpha,groups,conf"},
+    TidyFamily{"glmm",
+               "subject,item,correct,trials and one column per factor: the responses of a "
+               "participant to an item under a condition",
+               "link: logit, probit; random: subject, item or both; fixed: factors with their "
+               "levels, as {\"tip\": [\"a\", \"b\"]}; chance: proportion that the intercept is "
+               "tested against; conf",
+               glmm_findings, "link,random,fixed,chance,conf"},
+    TidyFamily{"group", "subject,group,correct,trials: one participant per row",
+               "groups: two names, in order; conf", group_findings, "groups,conf"},
+    TidyFamily{"icc",
+               "target,rater,score: one rating per target and rater (or repetition), empty where "
+               "there is none",
+               "conf", icc_findings, "conf"},
+    TidyFamily{"learning",
+               "subject,trial,time_s: one response per row, time_s empty where it has no time; or "
+               "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
+               "within each subject",
+               "blocks: into how many blocks the trials are divided at most, 12 where absent; conf",
+               learning_findings, "blocks,conf"},
+    TidyFamily{"magnitude",
+               "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
+               "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
+               "participants",
+               "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
+               "standard_spacing; modulus; conf",
+               magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
+    TidyFamily{
+        "matching",
+        "subject,trial,stimulus,response and, where there are groups, group: one row per "
+        "place of a trial, response empty where it was left blank; and, where a trial stands "
+        "for several, times",
+        "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
+    TidyFamily{
+        "paired",
+        "subject,first,second,winner: the item that was preferred to the other, or tie, empty "
+        "where nothing was judged; and, where rows stand for several judgements, times",
+        "items (all that were compared), conf", paired_findings, "items,conf"},
+    TidyFamily{
+        "power",
+        "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row, with id, kind, n, "
+        "alpha and the columns that its kind needs",
+        "", power_findings, ""},
+    TidyFamily{"proportion",
+               "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
+               "conf, where there is no such column", proportion_findings, "conf"},
+    TidyFamily{"psyfit",
+               "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
+               "the first condition",
+               "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
+               "lambda_max; pt: performance at the threshold, between gamma and 1 - lambda; "
+               "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
+               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
+    TidyFamily{"ranking",
+               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
+               "ranks behind all that were ranked; an item that was not offered has no row; and, "
+               "where a trial stands for several, times",
+               "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
+    TidyFamily{
+        "rating",
+        "subject,item,score: one score per subject and item, the larger the better, ties allowed",
+        "items (all that were scored), conf", rating_findings, "items,conf"},
+    TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
+               "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
+    TidyFamily{"response_times",
+               "subject,time_s and one column per factor: one response per row, time_s empty where "
+               "it has no time",
+               "factors: columns with their levels, as {\"texture\": [\"wood\", \"metal\"]}; "
+               "conf",
+               response_times_findings, "factors,conf"},
+    TidyFamily{
+        "rmanova",
+        "subject,y and one column per factor: one measurement per row; several of a participant in "
+        "a cell are averaged and reported",
+        "within: factors with their levels, as {\"spacing\": [1, 2, 4]}; between: none or one, as "
+        "{\"group\": [\"a\", \"b\"]}; type: 2, 3; trend: a "
+        "factor; trend_scale: linear, log10; conf",
+        rmanova_findings, "within,between,type,trend,trend_scale,conf"},
+    TidyFamily{"seedpaper",
+               "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
+               "exp,sex,correct,n of recognition",
+               "", seedpaper_findings, "", 3},
+    TidyFamily{"selection",
+               "subject,sample,choice: the best of several, empty where none was chosen",
+               "renderers (all that can be chosen), target (one of them), conf", selection_findings,
+               "renderers,target,conf"},
+};
+
+}  // namespace
+
+void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& options) {
+  const std::vector<std::string> known = family.option_names.empty()
+                                             ? std::vector<std::string>{}
+                                             : parts_of(std::string(family.option_names), ',');
+  for (const std::string& name : options.names()) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string meant = did_you_mean(name, known);
+    throw std::runtime_error(std::string(family.name) + " has no option \"" + name + '"' +
+                             (known.empty()   ? "; it takes none"
+                              : meant.empty() ? "; it has: " + std::string(family.options)
+                                              : meant));
+  }
+}
+
+void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
+  if (input.tables.size() <= family.most_tables) return;
+  const std::string tables = family.most_tables == 1
+                                 ? "one table"
+                                 : std::to_string(family.most_tables) + " tables at most";
+  throw std::runtime_error(
+      input.tables[family.most_tables].name() + ": " + std::string(family.name) + " takes " +
+      tables + ": " + std::string(family.tables) + "; put what belongs together into one table");
+}
+
+const TidyTable& TidyInput::table(std::size_t index) const {
+  if (index < tables.size()) return tables[index];
+  throw std::runtime_error("this analysis needs " + std::to_string(index + 1) +
+                           " tables; there are " + std::to_string(tables.size()));
+}
+
+std::span<const TidyFamily> tidy_families() { return kFamilies; }
+
+std::string family_names() {
+  std::string names{};
+  for (const TidyFamily& family : kFamilies) {
+    names += (names.empty() ? "" : ", ") + std::string(family.name);
+  }
+  return names;
+}
+
+const TidyFamily& tidy_family(const std::string& name) {
+  const auto found =
+      std::find_if(kFamilies.begin(), kFamilies.end(),
+                   [&name](const TidyFamily& family) { return family.name == name; });
+  if (found != kFamilies.end()) return *found;
+  throw std::runtime_error("there is no family of analyses \"" + name + "\"; there are " +
+                           family_names());
+}
+
+}  // namespace asperity

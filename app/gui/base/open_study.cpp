@@ -1,0 +1,12 @@
+#include "app/gui/base/open_study.h"
+
+namespace asperity {
+
+OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
+    : QObject(parent),
+      study_(Study::open(folder, Access::read_only)),
+      can_be_written_(Study::can_be_written(folder)) {}
+
+}  // namespace asperity
+
+#include "moc_open_study.cpp"

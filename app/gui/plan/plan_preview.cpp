@@ -1,0 +1,297 @@
+#include "app/gui/plan/plan_preview.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QSplitter>
+
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+/// One step in a line of the table.
+struct Line {
+  QString trial{};
+  QString block{};
+  QString what{};
+  QString answer{};
+};
+
+QString surfaces_text(const Trial& trial) {
+  QStringList surfaces{};
+  for (const PlannedPresentation& surface : trial.presentations) {
+    surfaces.append(PlanPreview::tr("%1 %2").arg(text(surface.code), text(surface.item)));
+  }
+  return surfaces.join(", ");
+}
+
+Line line_of(const Trial& trial) {
+  QStringList right{};
+  for (const std::string& answer : trial.question.correct) right.append(text(answer));
+  return {QString::number(trial.ordinal), text(trial.block), surfaces_text(trial),
+          right.join(", ")};
+}
+
+Line line_of(const PlanStep& step, const Plan& plan) {
+  if (const auto* trial = std::get_if<TrialStep>(&step)) return line_of(plan.trials[trial->trial]);
+  if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
+    return {{}, PlanPreview::tr("screen"), text(screen->text), {}};
+  }
+  if (const auto* check = std::get_if<Protocol::Check>(&step)) {
+    const bool zero = check->what == Protocol::Check::What::force_zero;
+    return {{},
+            PlanPreview::tr("check"),
+            zero ? PlanPreview::tr("the force at rest") : PlanPreview::tr("the device"),
+            {}};
+  }
+  if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
+    return {{},
+            PlanPreview::tr("break"),
+            PlanPreview::tr("at least %1 s: %2").arg(pause->minimum_s).arg(text(pause->text)),
+            {}};
+  }
+  QStringList questions{};
+  for (const std::string& name : std::get<Protocol::Ask>(step).questions) {
+    questions.append(text(name));
+  }
+  return {{}, PlanPreview::tr("questions"), questions.join(", "), {}};
+}
+
+QString html_line(const QString& what, const QString& words) {
+  return words.isEmpty()
+             ? QString{}
+             : QString("<p><b>%1</b><br>%2</p>").arg(what.toHtmlEscaped(), words.toHtmlEscaped());
+}
+
+QString factors_of(const Trial& trial) {
+  QStringList factors{};
+  for (const auto& [name, level] : trial.factors) {
+    factors.append(PlanPreview::tr("%1: %2").arg(text(name), text(text_of(level))));
+  }
+  return factors.join(" · ");
+}
+
+/// "A: height_map of metal, stiffness_N_per_m 500"
+QString surface_in_full(const PlannedPresentation& surface) {
+  const StimulusDescription& stimulus = surface.stimulus;
+  QString words = stimulus.texture.empty()
+                      ? PlanPreview::tr("%1: %2").arg(text(surface.code), text(stimulus.model))
+                      : PlanPreview::tr("%1: %2 of %3")
+                            .arg(text(surface.code), text(stimulus.model), text(stimulus.texture));
+  for (const auto& [name, value] : stimulus.parameters) {
+    const auto* number = std::get_if<double>(&value);
+    words += ", " + text(name) + ' ' +
+             text(number != nullptr ? text_of_number(*number) : std::get<std::string>(value));
+  }
+  return words;
+}
+
+QString in_full(const Trial& trial) {
+  QStringList surfaces{};
+  for (const PlannedPresentation& surface : trial.presentations) {
+    surfaces.append(surface_in_full(surface));
+  }
+  QStringList options{};
+  for (const Option& option : trial.question.options) {
+    options.append(option.label.empty()
+                       ? text(option.value)
+                       : PlanPreview::tr("%1: %2").arg(text(option.label), text(option.value)));
+  }
+  const QString head = PlanPreview::tr("Trial %1, %2, repetition %3")
+                           .arg(trial.ordinal)
+                           .arg(text(trial.block))
+                           .arg(trial.repetition);
+  return QString("<p><b>%1</b></p>").arg(head.toHtmlEscaped()) +
+         html_line(PlanPreview::tr("Factors"), factors_of(trial)) +
+         html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) +
+         html_line(PlanPreview::tr("Question"), text(trial.question.prompt)) +
+         html_line(PlanPreview::tr("Options as shown"), options.join(" · ")) +
+         html_line(PlanPreview::tr("Correct answer"), line_of(trial).answer);
+}
+
+QString in_full(const PlanStep& step, const Plan& plan) {
+  if (const auto* trial = std::get_if<TrialStep>(&step)) return in_full(plan.trials[trial->trial]);
+  const Line line = line_of(step, plan);
+  return html_line(line.block, line.what);
+}
+
+/// "48 trials · 48 contacts · about 42 min · at most 12 min without a break"
+QString cost_in_words(const PlanCost& cost) {
+  const QStringList facts{
+      cost.trials == 1 ? PlanPreview::tr("1 trial") : PlanPreview::tr("%1 trials").arg(cost.trials),
+      cost.contacts == 1 ? PlanPreview::tr("1 contact")
+                         : PlanPreview::tr("%1 contacts").arg(cost.contacts),
+      PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
+      PlanPreview::tr("at most %1 without a break")
+          .arg(text_of_duration(cost.longest_without_break_s))};
+  return facts.join(" · ");
+}
+
+}  // namespace
+
+PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  auto* choice = new QHBoxLayout();
+  choice->setSpacing(kGrid);
+  layout->addLayout(choice);
+  add_choice(*choice);
+  words_ = make_text({}, this, true);
+  words_->setObjectName("plan_words");
+  if (shape == Shape::wide) {
+    choice->addSpacing(kGrid);
+    choice->addWidget(words_, 1);
+  } else {
+    choice->addStretch(1);
+    layout->addWidget(words_);
+  }
+  QPushButton* another = make_button(tr("Another order"), ButtonRole::link, this);
+  another->setObjectName("plan_another");
+  choice->addWidget(another);
+  connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
+  using Align = StudyTable::Align;
+  if (shape == Shape::wide) {
+    table_ = new StudyTable({{tr("Step"), 80, Align::number},
+                             {tr("Trial"), 72, Align::number},
+                             {tr("Block"), 144, Align::text},
+                             {tr("Surfaces in order"), 0, Align::text},
+                             {tr("Correct answer"), 208, Align::text}},
+                            this);
+    layout->addWidget(table_, 1);
+  } else {
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setChildrenCollapsible(false);
+    splitter->setHandleWidth(kGrid);
+    splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+    table_ = new StudyTable({{tr("Step"), 56, Align::number},
+                             {tr("Trial"), 56, Align::number},
+                             {tr("Block"), 96, Align::text},
+                             {tr("Surfaces"), 0, Align::text}},
+                            splitter);
+    const QFont small = text_font(TextSize::small);
+    words_->setFont(small);
+    table_->setFont(small);
+    table_->horizontalHeader()->setFont(small);
+    table_->verticalHeader()->setDefaultSectionSize(3 * kGrid);
+    auto* scroll = new QScrollArea(splitter);
+    scroll->setAccessibleName(tr("Selected step"));
+    scroll->setWidgetResizable(true);
+    scroll->viewport()->setAutoFillBackground(false);
+    detail_ = make_text({}, scroll);
+    detail_->setObjectName("plan_detail");
+    detail_->setFont(small);
+    detail_->setTextFormat(Qt::RichText);
+    detail_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    scroll->setWidget(detail_);
+    detail_->setAutoFillBackground(false);  // setWidget turns it on
+    splitter->addWidget(table_);
+    splitter->addWidget(scroll);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({320, 240});
+    layout->addWidget(splitter, 1);
+    connect(table_, &StudyTable::row_selected, this, [this](const QString& key) {
+      if (!key.isEmpty()) show_step(key.toInt());
+    });
+  }
+  table_->setObjectName("plan_table");
+  table_->setAccessibleName(tr("Generated trial list"));
+  table_->setTextElideMode(Qt::ElideRight);                  // sentences
+  table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
+}
+
+void PlanPreview::add_choice(QHBoxLayout& row) {
+  const auto add = [&](const QString& name, const char* object, int least, int most) {
+    auto* spin = new QSpinBox(this);
+    spin->setObjectName(object);
+    spin->setRange(least, most);
+    spin->setPrefix(name + ' ');
+    spin->setAccessibleName(name);
+    spin->setFixedWidth(88 + spin->fontMetrics().horizontalAdvance(name));
+    row.addWidget(spin);
+    connect(spin, &QSpinBox::valueChanged, this, &PlanPreview::make_plan_anew);
+    return spin;
+  };
+  seed_ = add(tr("Seed"), "plan_seed", 0, std::numeric_limits<int>::max());
+  seed_->setValue(1);
+  seed_->setToolTip(tr("Random orders are drawn separately for every session."));
+  row_ = add(tr("Row"), "plan_row", 1, 1);
+  row_->setToolTip(
+      tr("Row of the counterbalancing: each new participant is assigned the least used one."));
+  rows_ = make_text({}, this, true);
+  rows_->setWordWrap(false);
+  row.addWidget(rows_);
+}
+
+Allocation PlanPreview::allocation() const {
+  return {static_cast<std::uint64_t>(seed_->value()), row_->value() - 1};
+}
+
+void PlanPreview::show_protocol(const Protocol& protocol) {
+  protocol_ = std::make_shared<const Protocol>(protocol);
+  const int rows = counterbalance_rows(protocol);
+  {
+    const QSignalBlocker quiet(row_);
+    row_->setMaximum(rows);
+  }
+  row_->setVisible(rows > 1);  // else nothing is counterbalanced
+  rows_->setVisible(rows > 1);
+  rows_->setText(tr("of %1").arg(rows));
+  make_plan_anew();
+}
+
+void PlanPreview::make_plan_anew() {
+  if (protocol_ == nullptr) return;
+  work_.ask(
+      [this, protocol = protocol_, allocation = allocation()]() -> NewestWork::Delivery {
+        auto plan = std::make_shared<const Plan>(make_plan(*protocol, allocation));
+        return [this, protocol, plan, cost = cost_of(*protocol, *plan)] {
+          if (protocol != protocol_) return;
+          plan_ = plan;
+          words_->setText(cost_in_words(cost));
+          show_plan();
+        };
+      },
+      [this](const QString& what) { words_->setText(what); });
+}
+
+void PlanPreview::show_plan() {
+  std::vector<StudyTable::Row> rows{};
+  for (std::size_t i = 0; i < plan_->steps.size(); ++i) {
+    const Line line = line_of(plan_->steps[i], *plan_);
+    QStandardItem* trial = line.trial.isEmpty() ? number_cell({}, -1.0)
+                                                : number_cell(line.trial, line.trial.toDouble());
+    QList<QStandardItem*> cells{number_cell(static_cast<int>(i) + 1), trial, text_cell(line.block),
+                                text_cell(line.what)};
+    if (detail_ == nullptr) cells.append(text_cell(line.answer));
+    rows.push_back({QString::number(i), cells});
+  }
+  table_->fill(rows);
+  if (detail_ != nullptr && table_->selected_key().isEmpty()) {
+    const auto first =
+        std::find_if(plan_->steps.begin(), plan_->steps.end(),
+                     [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
+    table_->select(QString::number(first - plan_->steps.begin()));
+  }
+}
+
+void PlanPreview::show_step(int step) {
+  if (detail_ == nullptr || static_cast<std::size_t>(step) >= plan_->steps.size()) return;
+  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_));
+}
+
+}  // namespace asperity
+
+#include "moc_plan_preview.cpp"

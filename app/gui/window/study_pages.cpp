@@ -1,0 +1,83 @@
+// The pages of a study, in the order of the navigation.
+
+#include "app/gui/data/analysis_page.h"
+#include "app/gui/data/attempt_page.h"
+#include "app/gui/devices/device_test_page.h"
+#include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/study/devices_page.h"
+#include "app/gui/study/participants_page.h"
+#include "app/gui/study/protocols_page.h"
+#include "app/gui/study/sessions_page.h"
+#include "app/gui/study/stimuli_page.h"
+#include "app/gui/study/trials_page.h"
+#include "app/gui/window/study_window.h"
+#include "app/gui/workbench/workbench_page.h"
+
+namespace asperity {
+
+void StudyWindow::add_pages() {
+  auto* protocols = new ProtocolsPage(*study_);
+  auto* participants = new ParticipantsPage(*study_);
+  auto* sessions = new SessionsPage(*study_);
+  auto* trials = new TrialsPage(*study_);
+  auto* stimuli = new StimuliPage(*study_);
+  auto* devices = new DevicesPage(*study_);
+  add_page("protocols", tr("Protocols"), protocols);
+  add_page_for_later("editor", {}, [this] {
+    auto* editor = new ProtocolEditorPage(*study_);
+    connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
+    return editor;
+  });
+  add_page("participants", tr("Participants"), participants);
+  add_page("sessions", tr("Sessions"), sessions);
+  add_page("trials", {}, trials);
+  add_page_for_later("attempt", {}, [this] {
+    auto* attempt = new AttemptPage(*study_);
+    connect(attempt, &AttemptPage::back_wanted, this, [this] { show_page("trials"); });
+    return attempt;
+  });
+  add_page("stimuli", tr("Stimuli"), stimuli);
+  add_page_for_later("workbench", tr("Workbench"), [this] { return new WorkbenchPage(*study_); });
+  add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
+  add_page("devices", tr("Devices"), devices);
+  auto* device_test = new DeviceTestPage(*study_);
+  add_page("device_test", {}, device_test);
+
+  for (StudyPage* page :
+       std::initializer_list<StudyPage*>{participants, sessions, stimuli, devices}) {
+    connect(page, &StudyPage::counted, this, [this, page](const QString& count) {
+      set_count(page->property("page").toString(), count);
+    });
+  }
+  set_count("devices", devices->count());
+  const auto show_sessions = [this, sessions](const QString& words) {
+    sessions->set_filter(words);
+    show_page("sessions");
+  };
+  connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
+  connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
+  connect(protocols, &ProtocolsPage::sessions_wanted, this, [this] { show_page("sessions"); });
+  connect(protocols, &ProtocolsPage::edit_wanted, this, [this](const QString& file) {
+    show_page("editor");
+    editor()->open(file.toStdString());
+  });
+  connect(sessions, &SessionsPage::session_wanted, this, &StudyWindow::session_wanted);
+  connect(sessions, &SessionsPage::session_opened, this, [this, trials](qlonglong id) {
+    trials->show_session(id);
+    show_page("trials");
+  });
+  connect(devices, &DevicesPage::test_wanted, this,
+          [this, device_test](const TestedDevice& device) {
+            device_test->show_device(device);
+            show_page("device_test");
+          });
+  connect(device_test, &DeviceTestPage::back_wanted, this, [this] { show_page("devices"); });
+  connect(trials, &TrialsPage::attempt_opened, this, [this](qlonglong id) {
+    qobject_cast<AttemptPage*>(page("attempt"))->show_attempt(id);
+    show_page("attempt");
+  });
+  connect(trials, &TrialsPage::back_wanted, this, [this] { show_page("sessions"); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,472 @@
+// Task, trials and order, as the protocol specifies them and the plans have them.
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+#include "app/report/text/report_sections.h"
+#include "protocols/plan.h"
+#include "protocols/stored_protocol.h"
+
+namespace asperity {
+
+namespace {
+
+std::string quoted(const std::string& text) { return "“" + text + "”"; }
+
+/// What the protocol specifies, whatever became of it.
+std::string task_text(const Protocol& protocol) {
+  switch (protocol.kind) {
+    case ProtocolKind::selection: {
+      if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
+        return "Task: in each trial, surfaces are presented that differ in " +
+               words_of_parameter(*parameter) + " only, and one of them is to be chosen.";
+      }
+      std::string text =
+          "Task: in each trial, several surfaces are presented, and one is to be chosen";
+      const std::vector<std::string> questions = main_questions(protocol);
+      if (!questions.empty()) text += ": " + listed(questions);
+      if (!protocol.realism_standard) return text + '.';
+      switch (*protocol.realism_standard) {
+        case RealismStandard::photograph:
+          return text + "; the standard is the texture’s picture.";
+        case RealismStandard::physical_sample:
+          return text + "; the standard is a physical sample.";
+        case RealismStandard::memory:
+          return text + "; the standard is the participant’s own idea of the material.";
+      }
+      return text + '.';
+    }
+    case ProtocolKind::matching:
+      return "Task: in each trial, several textures are presented, and each is to be assigned to "
+             "one of as many pictures.";
+    case ProtocolKind::recognition:
+      return "Task: in each trial, one texture is presented, and its picture is to be chosen from "
+             "several.";
+    case ProtocolKind::magnitude:
+      return "Task: in each trial, one surface is presented, and its roughness is to be given a "
+             "number (absolute magnitude estimation with free modulus).";
+  }
+  return {};
+}
+
+std::string factors_text(const Protocol& protocol) {
+  std::vector<std::string> factors{};
+  for (const auto& [name, factor] : protocol.factors) {
+    std::string meaning = factor.meaning;
+    if (meaning.ends_with('.')) meaning.pop_back();
+    factors.push_back(factor_text(name, factor) + (meaning.empty() ? "" : ": " + meaning));
+  }
+  if (factors.empty()) return {};
+  std::string text = factors.size() == 1 ? "Factor of the protocol: " : "Factors of the protocol: ";
+  for (std::size_t i = 0; i < factors.size(); ++i) text += (i == 0 ? "" : "; ") + factors[i];
+  return text + '.';
+}
+
+std::string order_text(const Protocol::Block& block) {
+  std::string text{};
+  switch (block.order) {
+    case Protocol::Block::Order::fixed:
+      text = "in fixed order";
+      break;
+    case Protocol::Block::Order::shuffle:
+      text = "in random order";
+      break;
+    case Protocol::Block::Order::shuffle_within_repetition:
+      text = "in random order within each repetition";
+      break;
+  }
+  if (!block.drawn.empty()) {
+    text += ", " + listed(block.drawn) + " drawn at random in each trial";
+  }
+  if (block.presented.size() < 2) return text;
+  switch (block.positions) {
+    case Protocol::Block::Positions::as_listed:
+      return text + ", the surfaces of a trial always in the same positions";
+    case Protocol::Block::Positions::shuffle:
+      return text + ", the surfaces of a trial in random positions";
+    case Protocol::Block::Positions::balanced:
+      return text + ", the positions of the surfaces balanced over the trials";
+  }
+  return text;
+}
+
+/// ", until 2 of the last 3 trials are correct, at most 6 trials"
+std::string until_text(const Protocol::Criterion& until) {
+  const std::string number = std::to_string(until.correct);
+  return ", until " +
+         (until.correct == until.of_last
+              ? (until.correct == 1 ? "a trial is" : "the last " + number + " trials are")
+              : number + " of the last " + std::to_string(until.of_last) + " trials are") +
+         " correct, at most " + std::to_string(until.maximum_trials) + " trials";
+}
+
+/// " The criterion was not met in either session."; nothing where it was met in all.
+std::string unmet_text(const std::string& block, const ReportFacts& facts) {
+  const auto unmet = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [&](const ReportedSession& one) { return one.unmet_criteria.contains(block); }));
+  if (unmet == 0) return {};
+  return " The criterion was not met " +
+         SessionShare{.whole = unmet, .all = facts.sessions.size()}.text_after_not() + '.';
+}
+
+ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
+  ReportList list{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* run = std::get_if<Protocol::Run>(&step);
+    if (run == nullptr) continue;
+    const Protocol::Block& block = protocol.blocks.at(run->block);
+    std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
+    text += order_of_run(block, *run);
+    if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
+    switch (block.feedback) {
+      case Protocol::Block::Feedback::none:
+        break;
+      case Protocol::Block::Feedback::correctness:
+        text += ", with feedback on whether each response was correct";
+        break;
+      case Protocol::Block::Feedback::correct_answer:
+        text += ", with the correct response shown after each response";
+        break;
+    }
+    text += ". Question: " + quoted(block.question.prompt);
+    if (block.question.allow_cannot_tell) text += " “Cannot tell” is also a response option.";
+    if (!block.question.allow_revisit) text += " Surfaces cannot be presented again.";
+    text += unmet_text(run->block, facts);
+    list.items.push_back(text);
+  }
+  return list;
+}
+
+/// "speed 30 mm/s to 60 mm/s"; nothing for an open band.
+void add_band(const std::string& name, const Band& band, const std::string& unit,
+              std::vector<std::string>& bands) {
+  if (!band.minimum && !band.maximum && !band.target) return;
+  std::string text{};
+  if (unit.empty()) {  // a number of `name`
+    if (band.minimum) text += "at least " + reading_quantity(*band.minimum, unit) + ' ';
+    if (band.maximum) {
+      text += (band.minimum ? "and at most " : "at most ") + reading_quantity(*band.maximum, unit) +
+              ' ';
+    }
+    text += name;
+  } else {
+    text = name;
+    if (band.minimum && band.maximum) {
+      text += " from " + reading_quantity(*band.minimum, unit) + " to " +
+              reading_quantity(*band.maximum, unit);
+    } else if (band.minimum) {
+      text += " of at least " + reading_quantity(*band.minimum, unit);
+    } else if (band.maximum) {
+      text += " of at most " + reading_quantity(*band.maximum, unit);
+    }
+  }
+  if (band.target) text += " (target " + reading_quantity(*band.target, unit) + ')';
+  bands.push_back(text);
+}
+
+/// "the force or the speed is outside its band", of what has a band.
+std::string guided_by_tones(const Exploration& exploration) {
+  const auto has_band = [](const Band& band) { return band.minimum || band.maximum; };
+  const bool force = has_band(exploration.normal_force_N);
+  const bool speed = has_band(exploration.speed_m_per_s);
+  if (force && speed) return "the force or the speed is outside its band";
+  return force   ? "the force is outside its band"
+         : speed ? "the speed is outside its band"
+                 : "the force or the speed is outside its band (no band is set)";
+}
+
+std::string guidance_text(const Exploration& exploration, const ReportFacts& facts) {
+  std::string requested{};
+  std::string given{};
+  switch (exploration.guidance) {
+    case Exploration::Guidance::experimenter:
+      return {};
+    case Exploration::Guidance::bars:
+      requested = "bars that show force and speed with their bands";
+      given = "Participants were shown the bars";
+      break;
+    case Exploration::Guidance::moving_target:
+      requested =
+          "a mark that moves back and forth at the target speed" +
+          std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
+                          ? ", and a bar that shows the force with its band"
+                          : "");
+      given = "Participants were shown the mark";
+      break;
+    case Exploration::Guidance::tones:
+      requested = "tones while " + guided_by_tones(exploration);
+      given = "The tones were played";
+      break;
+  }
+  const auto unguided = static_cast<std::size_t>(
+      std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                    [](const ReportedSession& session) { return session.is_unguided; }));
+  const std::size_t all = facts.sessions.size();
+  std::string text = " The protocol requests guidance of the hand by " + requested + '.';
+  if (unguided < all) {
+    text += ' ' + given + ' ' + SessionShare{.whole = all - unguided, .all = all}.text() + '.';
+  }
+  if (unguided > 0) {
+    const bool is_virtual = facts.group == AnswerGroup::virtual_participants;
+    const char* const reason = is_virtual ? " (participants are virtual)"
+                               : exploration.guidance == Exploration::Guidance::tones
+                                   ? " (run at a terminal, or no sound output was available)"
+                                   : " (at a terminal)";
+    text += " There was no such guidance " +
+            SessionShare{.whole = unguided, .all = all}.text_after_not() + reason + '.';
+  }
+  return text;
+}
+
+/// "at most two times", "once at most"
+std::string repeats_text(int maximum) {
+  return maximum == 1 ? "once at most"
+                      : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
+}
+
+/// Whatever the protocol makes of exploration outside its limits.
+constexpr const char* kUntouched =
+    "; an attempt in which a surface is not touched does not count and is repeated.";
+const std::string kLastRepeat =
+    std::string("; the last one is then flagged and included") + kUntouched;
+
+std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
+  std::string text = "The protocol requests that each surface be explored " +
+                     instructed_exploration(exploration) + '.';
+  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+  if (exploration.required_fraction_in_band > 0.0) {
+    const std::string fraction = reading_percent(exploration.required_fraction_in_band);
+    if (bounded(exploration.normal_force_N)) {
+      text +=
+          " The force must be within its band for at least " + fraction + " of the contact time.";
+    }
+    if (bounded(exploration.speed_m_per_s)) {
+      text +=
+          " The speed of at least " + fraction +
+          " of the strokes (length divided by time, from turn to turn) must be within its band.";
+    }
+  }
+  const bool is_judged_in_part =
+      exploration.required_fraction_in_band <= 0.0 &&
+      (bounded(exploration.normal_force_N) || bounded(exploration.speed_m_per_s));
+  if (is_judged_in_part) {
+    text +=
+        " The protocol requires no minimum proportion of the contact time or of the strokes within "
+        "the bands of force and speed, so that the bands alone do not place any attempt outside "
+        "the limits.";
+  }
+  text += guidance_text(exploration, facts);
+  const bool repeats = exploration.maximum_repeats > 0;
+  switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
+    case Exploration::OnFailure::flag:
+      return text +
+             " According to the protocol, attempts outside these limits are flagged and included" +
+             kUntouched;
+    case Exploration::OnFailure::repeat_now:
+      return text +
+             " According to the protocol, attempts outside these limits are repeated at once, " +
+             repeats_text(exploration.maximum_repeats) + kLastRepeat;
+    case Exploration::OnFailure::requeue_at_end_of_block:
+      return text +
+             " According to the protocol, attempts outside these limits are repeated at the end of "
+             "the block, " +
+             repeats_text(exploration.maximum_repeats) + kLastRepeat;
+  }
+  return text;
+}
+
+/// Of the presentations stored, and the limits that the protocol sets.
+std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
+  std::string text{};
+  if (!facts.models.empty()) {
+    text = "Force models of the surfaces presented, with their versions: " +
+           listed({facts.models.begin(), facts.models.end()});
+    if (!facts.height_fields.empty()) {
+      text +=
+          "; height fields: " + listed({facts.height_fields.begin(), facts.height_fields.end()});
+    }
+    if (!facts.body_textures.empty()) {
+      text += "; textures of the bodies: " +
+              listed({facts.body_textures.begin(), facts.body_textures.end()});
+    }
+    text += ". ";
+  } else {
+    text = "No surface was presented. ";
+  }
+  text +=
+      "According to the protocol, or by default where it does not state a value, the stiffness "
+      "was " +
+      reading_quantity(protocol.material.stiffness_N_per_m, "N/m") +
+      " and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
+  if (facts.has_equal_force) {
+    text += " The models were matched in the RMS of their texture force along a prescribed path.";
+  }
+  return text;
+}
+
+/// "Three surfaces were presented in each answered trial."
+std::string surfaces_text(const ReportFacts& facts) {
+  if (facts.surfaces.empty()) return {};
+  std::vector<std::string> counts{};
+  for (const std::size_t count : facts.surfaces) counts.push_back(count_in_words(count));
+  return ' ' + capitalised(listed(counts)) +
+         (facts.surfaces == std::set<std::size_t>{1} ? " surface was" : " surfaces were") +
+         " presented in each answered trial.";
+}
+
+std::string counterbalance_text(const Protocol& protocol, const ReportFacts& facts) {
+  std::string square{};
+  switch (protocol.counterbalance) {
+    case Protocol::Counterbalance::none:
+      return {};
+    case Protocol::Counterbalance::latin:
+      square = "Latin";
+      break;
+    case Protocol::Counterbalance::williams:
+      square = "Williams";
+      break;
+  }
+  std::set<int> rows{};
+  for (const ReportedSession& session : facts.sessions) rows.insert(session.row.counterbalance_row);
+  return " The order of the levels is counterbalanced over sessions by a " + square + " square; " +
+         (facts.sessions.size() == 1 ? "the only session uses " : "the sessions use ") +
+         reading_count(rows.size()) + " of its " + std::to_string(counterbalance_rows(protocol)) +
+         " rows.";
+}
+
+}  // namespace
+
+std::vector<std::string> main_questions(const Protocol& protocol) {
+  std::vector<std::string> questions{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const std::string question = quoted(block.question.prompt);
+    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
+    if (block.phase == Phase::main && is_new) questions.push_back(question);
+  }
+  return questions;
+}
+
+std::string factor_text(const std::string& name, const Factor& factor) {
+  std::vector<std::string> levels{};
+  for (const Level& level : factor.levels) {
+    const auto* number = std::get_if<double>(&level);
+    levels.push_back(number != nullptr && !factor.unit.empty()
+                         ? reading_quantity(*number, factor.unit)
+                         : text_of(level));
+  }
+  return (factor.unit.empty() ? name : words_of_parameter(name)) + " (" + listed(levels) + ')';
+}
+
+std::string planned_trials_text(const ReportFacts& facts) {
+  std::set<int> main_trials{};
+  std::set<int> planned{};
+  for (const ReportedSession& session : facts.sessions) {
+    main_trials.insert(session.main_trials);
+    planned.insert(session.planned_trials);
+  }
+  const auto range = [](const std::set<int>& counts) {
+    return *counts.begin() == *counts.rbegin()
+               ? std::to_string(*counts.begin())
+               : std::to_string(*counts.begin()) + " to " + std::to_string(*counts.rbegin());
+  };
+  if (planned.empty()) return {};
+  std::string text = "A session was planned with " + range(main_trials) + " experimental " +
+                     (main_trials == std::set<int>{1} ? "trial" : "trials");
+  if (planned != main_trials) {
+    text += ", and with " + range(planned) + " in total including " +
+            listed({facts.other_planned.begin(), facts.other_planned.end()});
+  }
+  return text + '.';
+}
+
+std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run) {
+  std::string text = order_text(block);
+  if (block.until) {
+    text += until_text(*block.until);
+  } else if (block.repetitions > 1) {
+    text += ", " + std::to_string(block.repetitions) + " repetitions";
+  }
+  if (!run.for_each.empty()) text += ", once for each level of " + run.for_each;
+  return text;
+}
+
+std::string after_failure(const Exploration& exploration) {
+  const bool repeats = exploration.maximum_repeats > 0;
+  const std::string outside = "attempts outside these limits were ";
+  switch (repeats ? exploration.on_failure : Exploration::OnFailure::flag) {
+    case Exploration::OnFailure::flag:
+      return outside + "flagged and included";
+    case Exploration::OnFailure::repeat_now:
+      return outside + "repeated at once, " + repeats_text(exploration.maximum_repeats) +
+             ", and the last one was then included";
+    case Exploration::OnFailure::requeue_at_end_of_block:
+      return outside + "repeated at the end of the block, " +
+             repeats_text(exploration.maximum_repeats) + ", and the last one was then included";
+  }
+  return {};
+}
+
+std::string instructed_exploration(const Exploration& exploration) {
+  std::vector<std::string> bands{};
+  add_band("normal force", exploration.normal_force_N, "N", bands);
+  add_band("speed", exploration.speed_m_per_s, "m/s", bands);
+  add_band("length of a stroke", exploration.stroke_length_m, "m", bands);
+  add_band("strokes", exploration.strokes, "", bands);
+  std::string text = "for " + reading_quantity(exploration.minimum_contact_s, "s") + " to " +
+                     reading_quantity(exploration.maximum_contact_s, "s");
+  if (!bands.empty()) text += ", with " + listed(bands);
+  return text;
+}
+
+ReportSection design_section(const ReportFacts& facts) {
+  ReportSection section{"Design", {}};
+  const ProtocolRow& row = facts.protocol;
+  const ProtocolCheck& check = facts.file;
+  if (facts.sources.size() > 1) {
+    const std::string files = capitalised(count_in_words(facts.sources.size()));
+    section.parts.emplace_back(
+        facts.are_translations
+            ? ReportText{files + " files carry the name and version of this protocol. They differ "
+                                 "in language and texts only; the texts that follow are those of "
+                                 "the first."}
+            : ReportText{files + " different files carry the name and version of this protocol; "
+                                 "their responses are counted together, and what follows is from "
+                                 "the first.",
+                         ReportText::Tone::notice});
+  }
+  if (!check.protocol) {
+    section.parts.emplace_back(ReportText{stopped(
+        "The protocol " + row.name + ", version " + row.version + ", is a " + row.kind + " (" +
+        row.design + "). This program cannot read its file, which is stored in the study: " +
+        (check.diagnostics.empty() ? std::string("no reason is known")
+                                   : check.diagnostics.front().message))});
+    section.parts.emplace_back(ReportText{planned_trials_text(facts) + surfaces_text(facts)});
+    return section;
+  }
+  const Protocol& protocol = *check.protocol;
+  if (!protocol.title.empty()) {
+    section.parts.emplace_back(ReportText{protocol.title, ReportText::Tone::lead});
+  }
+  if (!protocol.description.empty())
+    section.parts.emplace_back(
+        ReportText{"The protocol’s own description: " + protocol.description});
+  section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + planned_trials_text(facts) +
+                                        surfaces_text(facts) +
+                                        counterbalance_text(protocol, facts)});
+  const std::string factors = factors_text(protocol);
+  if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
+  section.parts.emplace_back(blocks_list(protocol, facts));
+  section.parts.emplace_back(ReportText{rendering_text(protocol, facts)});
+  for (const auto& [name, exploration] : protocol.explorations) {
+    const std::string which =
+        protocol.explorations.size() == 1 ? "" : "Exploration " + quoted(name) + ": ";
+    section.parts.emplace_back(ReportText{which + exploration_text(exploration, facts)});
+  }
+  return section;
+}
+
+}  // namespace asperity

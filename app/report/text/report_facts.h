@@ -1,0 +1,123 @@
+// What a chapter of a report is written from, counted in one walk over the study.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "app/findings/study/gathered_answers.h"
+#include "app/records/session_conditions.h"
+#include "app/tasks/protocol_files.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// An event in the experimenter's words.
+struct ReportedNote {
+  std::string kind{};
+  std::string text{};
+  double time_s = 0.0;         ///< since the session began
+  std::optional<int> trial{};  ///< that was under way, or that it is about
+};
+
+struct ReportedSession {
+  SessionRow row{};
+  int planned_trials = 0;
+  int done_trials = 0;  ///< as SessionOverview has them
+  int main_trials = 0;  ///< of the planned ones
+  bool is_running = false;
+  bool is_unguided = false;  ///< the guidance that the protocol requests was neither seen nor heard
+  std::set<std::string> unmet_criteria{};  ///< the blocks that ended without their criterion
+  std::vector<RecordedStretch> stretches{};
+  std::vector<DecisionRow> decisions{};
+  std::vector<EventRow> late_resumes{};  ///< see kResumedLate
+  std::vector<ReportedNote> notes{};     ///< by time
+};
+
+/// Something counted in ticks or records, over attempts or presentations.
+struct ReportedCount {
+  std::int64_t total = 0;
+  std::int64_t worst = 0;    ///< of one
+  std::size_t affected = 0;  ///< of those, how many have any
+  std::size_t of = 0;
+
+  void add(std::int64_t count);
+};
+
+struct ReportedServo {
+  std::size_t attempts = 0;
+  std::int64_t ticks = 0;
+  std::vector<double> lateness_p50_s{};  ///< of each attempt, and so on
+  std::vector<double> lateness_p99_s{};
+  std::vector<double> lateness_maximum_s{};
+  std::vector<double> period_p99_s{};
+  std::vector<double> execution_p99_s{};
+  ReportedCount missed_deadlines{};
+  ReportedCount missed_in_contact{};  ///< of the attempts in which they were counted apart
+  ReportedCount lost_records{};
+  ReportedCount saturated{};
+  ReportedCount slew_limited{};
+  ReportedCount not_finite{};
+  std::map<std::string, std::size_t> faults{};  ///< other than none
+};
+
+/// One quantity with one band, over all presentations that were held against it.
+struct ReportedBand {
+  std::vector<double> means{};      ///< of strokes: where there was one
+  std::vector<double> fractions{};  ///< inside the band: of the contact time, or of the strokes
+  std::size_t passed = 0;
+  std::size_t judged = 0;  ///< where the protocol requires something of it
+};
+
+/// Attempts with the same fate, by their reasons.
+using ReasonCounts = std::map<std::string, std::size_t>;
+
+struct ReportFacts {
+  ProtocolRow protocol{};           ///< the first of its files
+  ProtocolCheck file{};             ///< the same as a value, or why it cannot be read
+  std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
+  bool are_translations = true;     ///< those files are one protocol in several languages
+  AnswerGroup group = AnswerGroup::people;
+  std::vector<ParticipantRow> participants{};  ///< by label
+  std::vector<ReportedSession> sessions{};     ///< by participant, session
+  std::vector<WithdrawalRow> withdrawals{};    ///< from the whole study, those of this group
+
+  std::size_t attempts = 0;               ///< of the main phase
+  std::size_t counted = 0;                ///< of those: answered, valid and not excluded
+  std::set<std::string> counted_participants{};  ///< who have any of them
+  std::size_t other_attempts = 0;         ///< of familiarisation and practice, and at anchors
+  std::set<std::string> other_kinds{};    ///< what those are of: "practice", "anchors"
+  std::set<std::string> other_planned{};  ///< the same of the plans
+  std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
+  ReasonCounts flagged{};                             ///< of those that count
+
+  ReportedServo servo{};  ///< of every attempt
+  /// (model, kind, texture or else stimulus) → ticks
+  std::map<std::tuple<std::string, std::string, std::string>, ReportedCount> limits{};
+  /// (quantity, minimum, maximum) →
+  std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
+      bands{};
+  std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
+  std::set<std::string> height_fields{};   ///< textures that were rendered from one
+  std::set<std::string> body_textures{};   ///< textures of the bodies presented
+  bool has_equal_force = false;            ///< a presentation's texture force was solved for
+  std::set<std::size_t> surfaces{};        ///< how many were presented in an answered attempt
+  std::set<std::string> answer_sources{};  ///< "keyboard"
+
+  bool is_running() const;
+};
+
+/// By protocol, version and group, as `gather_answers` has them. Errors: ResultsError.
+std::vector<ReportFacts> report_facts(const Study& study,
+                                      const std::optional<std::string>& protocol,
+                                      const std::stop_token& stop,
+                                      const std::function<void(double)>& progress);
+
+}  // namespace asperity

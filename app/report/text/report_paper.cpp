@@ -1,0 +1,228 @@
+// Methods and results as a paper prints them, each sentence from what is stored.
+
+#include "app/report/text/report_paper.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/study/references.h"
+#include "app/findings/study/test_methods.h"
+#include "app/study_files/program.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMostExploratory = 24;  // more are read in the table of tests
+
+bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
+
+/// Those of the family first, without further ones that could not be made.
+std::vector<TestSentence> printed_sentences(const AnalysisOutcome& outcome) {
+  std::vector<TestSentence> printed{};
+  std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
+               std::back_inserter(printed), is_of_family);
+  std::size_t exploratory = 0;
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (is_of_family(each) || each.is_untested || exploratory == kMostExploratory) continue;
+    ++exploratory;
+    printed.push_back(each);
+  }
+  return printed;
+}
+
+/// Where no analysis is shown.
+std::string withheld_text(const ReportFacts& facts) {
+  return reading_count(facts.attempts) +
+         (facts.attempts == 1 ? " attempt at a trial is" : " attempts at trials are") +
+         " stored; there are no results.";
+}
+
+/// "The 18 attempts at trials were analysed", "Two of the 18 …", "None of the 18 …"
+std::string analysed_text(const ReportFacts& facts) {
+  const std::string all = facts.attempts == 1
+                              ? "the only attempt at a trial"
+                              : "the " + reading_count(facts.attempts) + " attempts at trials";
+  if (facts.counted == 0) {
+    return facts.attempts == 1 ? "The only attempt at a trial was not included in the analysis."
+                               : "None of " + all + " was included in the analysis.";
+  }
+  const bool is_all = facts.counted == facts.attempts;
+  const std::string others =
+      is_all ? "" : " (of the others, " + listed(fates_of_attempts(facts)) + ')';
+  const std::size_t analysed = facts.counted_participants.size();
+  const std::string of_participants =
+      analysed == facts.participants.size()
+          ? ""
+          : " They were made by " + count_in_words(analysed) + " of the " +
+                participants_text(facts.group, facts.participants.size()) + '.';
+  return (is_all ? capitalised(all) : capitalised(count_in_words(facts.counted)) + " of " + all) +
+         (facts.counted == 1 ? " was" : " were") + " analysed" + others + ", with Asperity " +
+         program_version() + '.' + of_participants;
+}
+
+std::string declaration_text(FamilyDeclaration family) {
+  switch (family) {
+    case FamilyDeclaration::none:
+      return "No test was declared in advance: all tests are exploratory.";
+    case FamilyDeclaration::differs_between_files:
+      return "The files of the protocol declare different tests: all tests are treated as "
+             "exploratory.";
+    case FamilyDeclaration::declared:
+      break;
+  }
+  return {};
+}
+
+std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
+  if (outcome.test_sentences.empty()) return {};
+  std::vector<std::string> names{};  // of the tests in the family
+  std::size_t family = 0;
+  std::size_t made = 0;
+  for (const TestSentence& each : outcome.test_sentences) {
+    if (!is_of_family(each)) continue;
+    ++family;
+    if (!each.is_untested) ++made;
+    const std::string name = words_of_cell("family", each.test).english();
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const bool is_declared = outcome.family == FamilyDeclaration::declared;
+  const std::string declaration = declaration_text(outcome.family);
+  if (family < 2 || made == 0) return declaration;
+  return with_sentences(
+      {declaration,
+       "The p values of the " + reading_count(family) +
+           (is_declared ? " confirmatory tests" : " tests") + " (" + listed(names) +
+           ") were Holm-corrected" + cited("Holm 1979", sources) +
+           (made < family ? "; a test that could not be computed counts as p = 1." : ".")});
+}
+
+/// A name with what it is cited for behind it: "Cohen’s d (Cohen, 1988)".
+std::string cited_name(const Phrase& name, std::string_view source, Sources& sources) {
+  return name.english() + (source.empty() ? "" : cited(std::string(source), sources));
+}
+
+/// "Tests: one-sample t test, effect size Cohen’s d (Cohen, 1988); …": each once.
+std::string methods_text(std::span<const TestSentence> printed, Sources& sources) {
+  struct Used {
+    const TestMethod* method = nullptr;
+    std::vector<std::string> effects{};
+  };
+  std::vector<Used> all{};
+  for (const TestSentence& each : printed) {
+    if (each.made_by == nullptr) continue;
+    const TestMethod& by = *each.made_by;
+    auto used = std::find_if(all.begin(), all.end(),
+                             [&by](const Used& one) { return one.method->code == by.code; });
+    if (used == all.end()) used = all.insert(all.end(), {.method = &by});
+    if (!each.has_effect || by.effect_name.empty()) continue;
+    const std::string effect = cited_name(by.effect_name, by.sources[1], sources);
+    if (std::find(used->effects.begin(), used->effects.end(), effect) == used->effects.end()) {
+      used->effects.push_back(effect);
+    }
+  }
+  std::string text{};
+  for (const Used& used : all) {
+    text += (text.empty() ? "" : "; ") +
+            cited_name(used.method->name, used.method->sources[0], sources);
+    if (used.effects.empty()) continue;
+    text +=
+        (used.effects.size() == 1 ? ", effect size " : ", effect sizes ") + listed(used.effects);
+  }
+  if (text.empty()) return {};
+  return (all.size() == 1 ? "Test: " : "Tests: ") + text + '.';
+}
+
+std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
+                       std::span<const TestSentence> printed, Sources& sources) {
+  std::vector<std::string> sentences{facts.attempts > 0 ? analysed_text(facts) : "",
+                                     correction_text(outcome, sources)};
+  const auto is_any = [&printed](const auto& is_so) {
+    return std::any_of(printed.begin(), printed.end(), is_so);
+  };
+  if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
+    sentences.emplace_back("The level of significance was .05.");
+  }
+  if (outcome.kind == "magnitude") {
+    sentences.emplace_back(
+        "Estimates were analysed as logarithms. For means, curves and exponents each participant's "
+        "estimates were normalised by the geometric mean of that participant's cells.");
+  }
+  if (estimate_sentence(outcome).has_mean_interval ||
+      is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
+    sentences.emplace_back(
+        "Confidence intervals (CI) of mean proportions are Student's t over participants on the "
+        "logit scale.");
+  }
+  sentences.push_back(methods_text(printed, sources));
+  return with_sentences(sentences);
+}
+
+std::string results_paragraph(const AnalysisOutcome& outcome,
+                              std::span<const TestSentence> printed) {
+  std::vector<std::string> sentences{estimate_sentence(outcome).text};
+  // Without a declaration all tests are exploratory, which the methods state.
+  bool follows_confirmatory = false;
+  for (const TestSentence& each : printed) {
+    const bool is_confirmatory = each.role == TestRole::confirmatory;
+    if (follows_confirmatory && !is_confirmatory) {
+      sentences.emplace_back("The following tests are exploratory.");
+    }
+    follows_confirmatory = is_confirmatory;
+    sentences.push_back(each.text);
+  }
+  const auto worth_printing = static_cast<std::size_t>(std::count_if(
+      outcome.test_sentences.begin(), outcome.test_sentences.end(),
+      [](const TestSentence& each) { return is_of_family(each) || !each.is_untested; }));
+  if (worth_printing > printed.size()) {
+    sentences.push_back("The table of tests has " + reading_count(worth_printing - printed.size()) +
+                        " more.");
+  }
+  return with_sentences(sentences);
+}
+
+}  // namespace
+
+std::string cited(const std::string& key, Sources& sources) {
+  sources.insert(key);
+  return " (" + std::string(reference(key).cited) + ')';
+}
+
+std::string with_sentences(const std::vector<std::string>& sentences) {
+  std::string text{};
+  for (const std::string& sentence : sentences) {
+    if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+  }
+  return text;
+}
+
+ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                            const StudyMetadata& metadata) {
+  ReportSection section{"Text for a paper", {}};
+  Sources sources{};
+  std::vector<std::string> methods = paper_procedure(facts, metadata, sources);
+  const std::vector<TestSentence> printed =
+      outcome == nullptr ? std::vector<TestSentence>{} : printed_sentences(*outcome);
+  methods.push_back(outcome == nullptr ? withheld_text(facts)
+                                       : paper_data(facts, *outcome, printed, sources));
+  section.parts.emplace_back(ReportText{"Methods", ReportText::Tone::lead});
+  section.parts.emplace_back(ReportText{with_sentences(methods)});
+  const std::string results = outcome == nullptr ? "" : results_paragraph(*outcome, printed);
+  if (!results.empty()) {
+    section.parts.emplace_back(ReportText{"Results", ReportText::Tone::lead});
+    section.parts.emplace_back(ReportText{results});
+  }
+  if (!sources.empty()) {
+    ReportList entries{};
+    for (const std::string& key : sources) entries.items.emplace_back(reference(key).entry);
+    section.parts.emplace_back(ReportText{"References", ReportText::Tone::lead});
+    section.parts.emplace_back(std::move(entries));
+  }
+  return section;
+}
+
+}  // namespace asperity

@@ -1,0 +1,25 @@
+// The parts of a text for a paper.
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/report/text/report_sections.h"
+
+namespace asperity {
+
+/// The keys of what is cited.
+using Sources = std::set<std::string>;
+/// " (Holm, 1979)"; from now on among the sources.
+std::string cited(const std::string& key, Sources& sources);
+
+/// With blanks between, without empty ones.
+std::string with_sentences(const std::vector<std::string>& sentences);
+
+/// Participants, apparatus, conditions and procedure, each sentence from what is stored.
+std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMetadata& metadata,
+                                         Sources& sources);
+
+}  // namespace asperity

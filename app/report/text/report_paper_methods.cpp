@@ -1,0 +1,334 @@
+// How a study was made, as the methods section of a paper states it.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/study/cell_words.h"
+#include "app/report/text/report_paper.h"
+#include "app/words/coded_phrases.h"
+#include "protocols/stored_protocol.h"
+
+namespace asperity {
+
+namespace {
+
+/// " in one session each", " in 5 sessions in total"
+std::string sessions_of_participants(const ReportFacts& facts) {
+  std::map<std::string, std::size_t> counts{};
+  for (const ReportedSession& session : facts.sessions) ++counts[session.row.participant];
+  if (counts.empty()) return {};
+  const std::size_t first = counts.begin()->second;
+  const bool is_same = std::all_of(counts.begin(), counts.end(),
+                                   [first](const auto& each) { return each.second == first; });
+  const std::size_t shown = is_same ? first : facts.sessions.size();
+  return " in " + count_in_words(shown) + (shown == 1 ? " session" : " sessions") +
+         (!is_same             ? " in total"
+          : counts.size() == 1 ? ""
+                               : " each");
+}
+
+/// "Two sessions were not completed (one was stopped and one was interrupted)."
+std::string unfinished_sessions(const ReportFacts& facts) {
+  std::map<std::string, std::size_t> states{};
+  std::size_t all = 0;
+  for (const ReportedSession& session : facts.sessions) {
+    if (session.row.state == SessionState::completed) continue;
+    ++all;
+    ++states[session.is_running                           ? "running"
+             : session.row.state == SessionState::open    ? "left open"
+             : session.row.state == SessionState::stopped ? "stopped"
+                                                          : "interrupted"];
+  }
+  if (all == 0) return {};
+  std::vector<std::string> parts{};
+  for (const auto& [state, count] : states) {
+    parts.push_back(count_in_words(count) + (count == 1 ? " was " : " were ") + state);
+  }
+  return capitalised(count_in_words(all)) +
+         (all == 1 ? " session was not completed (" : " sessions were not completed (") +
+         (states.size() == 1 ? states.begin()->first : listed(parts)) + ").";
+}
+
+/// "Two sessions were excluded from the analysis (fire alarm; wrong hand)."
+std::string excluded_sessions(const ReportFacts& facts) {
+  std::size_t all = 0;
+  std::string reasons{};
+  std::set<std::string> known{};
+  for (const ReportedSession& session : facts.sessions) {
+    if (!session.row.excluded) continue;
+    ++all;
+    const std::string reason = phrase_of(session.row.excluded).english();
+    if (reason.empty() || !known.insert(reason).second) continue;
+    reasons += (reasons.empty() ? "" : "; ") + reason;
+  }
+  if (all == 0) return {};
+  return capitalised(count_in_words(all)) + (all == 1 ? " session was" : " sessions were") +
+         " excluded from the analysis" + (reasons.empty() ? "" : " (" + reasons + ')') + '.';
+}
+
+std::string paper_participants(const ReportFacts& facts, const StudyMetadata& metadata) {
+  const SampleTexts sample = sample_texts(facts);
+  std::string brackets{};
+  for (const std::string& part :
+       {sample.sexes, sample.ages.empty() ? "" : "age: " + sample.ages, sample.hands}) {
+    if (!part.empty()) brackets += (brackets.empty() ? "" : "; ") + part;
+  }
+  std::string text = capitalised(participants_text(facts.group, facts.participants.size()));
+  if (!brackets.empty()) text += " (" + brackets + ')';
+  const std::string sessions =
+      with_sentences({sessions_of_participants(facts) + '.', unfinished_sessions(facts),
+                      excluded_sessions(facts)});
+  switch (facts.group) {
+    case AnswerGroup::people:
+      text += " took part" + sessions;
+      break;
+    case AnswerGroup::pilot:
+      text += " took part in the pilot study" + sessions;
+      break;
+    case AnswerGroup::virtual_participants:
+      return text + (facts.participants.size() == 1 ? " was simulated" : " were simulated") +
+             sessions + " No human participant took part.";
+  }
+  const auto consented = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [](const ReportedSession& each) { return each.row.consent_version.has_value(); }));
+  if (consented > 0) {
+    const SessionShare share{.whole = consented, .all = facts.sessions.size()};
+    text += " Consent was obtained beforehand" +
+            (share.whole == share.all ? "." : ' ' + share.text() + '.');
+  }
+  if (!facts.withdrawals.empty()) text += ' ' + withdrawals_text(facts.withdrawals).text;
+  if (metadata.ethics_approval) text += " Ethics approval: " + stopped(*metadata.ethics_approval);
+  return text;
+}
+
+std::string paper_apparatus(const ReportFacts& facts) {
+  if (facts.models.empty()) return {};
+  std::vector<std::string> models{};
+  for (const std::string& model : facts.models) {  // "height_map 1"
+    const std::size_t blank = model.rfind(' ');
+    models.push_back(blank == std::string::npos
+                         ? model
+                         : model.substr(0, blank) + " (version " + model.substr(blank + 1) + ')');
+  }
+  std::set<std::string> programs{};
+  for (const ReportedSession& session : facts.sessions) {
+    for (const RecordedStretch& stretch : session.stretches)
+      programs.insert(stretch.program.program);
+  }
+  std::string text =
+      "Surfaces were rendered (" + listed({programs.begin(), programs.end()}) + ") with the " +
+      std::string(facts.models.size() == 1 ? "force model " : "force models ") + listed(models);
+  std::set<double> rates_Hz{};
+  for (const ReportedSession& session : facts.sessions) rates_Hz.insert(session.row.rate_Hz);
+  if (rates_Hz.size() == 1) {
+    text += " at a servo rate of " + reading_quantity(*rates_Hz.begin(), "Hz");
+  }
+  const std::string devices = devices_in(facts);
+  if (!devices.empty()) text += "; device: " + devices;
+  text += '.';
+  if (facts.file.protocol) {
+    text += " The stiffness was " +
+            reading_quantity(facts.file.protocol->material.stiffness_N_per_m, "N/m") +
+            ", and forces were limited to " +
+            reading_quantity(facts.file.protocol->force_limit_N, "N") + '.';
+  }
+  if (facts.group != AnswerGroup::virtual_participants) {
+    if (const std::string unfelt = unfelt_force_text(facts); !unfelt.empty()) text += ' ' + unfelt;
+  }
+  if (facts.has_equal_force) {
+    text +=
+        " The force models were matched in the RMS of their texture force along a prescribed path.";
+  }
+  return text;
+}
+
+std::string paper_environment(const ReportFacts& facts) {
+  if (facts.group == AnswerGroup::virtual_participants) return {};
+  const SessionShare masked = share_of_sessions(
+      facts, [](const RecordedStretch& stretch) { return stretch.eye_mask_confirmed; });
+  const std::string noise = recorded_noise_text(facts);
+  return masked.is_any()
+             ? with_sentences({"Participants wore an eye mask while exploring (confirmed " +
+                                   masked.text() + ").",
+                               noise})
+             : noise;
+}
+
+std::string factors_sentence(const Protocol& protocol) {
+  std::vector<std::string> factors{};
+  for (const auto& [name, factor] : protocol.factors) factors.push_back(factor_text(name, factor));
+  if (factors.empty()) return {};
+  return (factors.size() == 1 ? "The factor was " : "The factors were ") + listed(factors) + '.';
+}
+
+/// The factor whose levels are presented together in every trial of the main phase, each once; null where none is.
+const Factor* factor_within_trials(const Protocol& protocol) {
+  const Factor* within = nullptr;
+  for (const auto& [block_name, block] : protocol.blocks) {
+    if (block.phase != Phase::main) continue;
+    std::map<std::string, std::set<Level>, std::less<>> levels{};
+    for (const Protocol::Presented& presented : block.presented) {
+      for (const auto& [factor, level] : presented.with) levels[factor].insert(level);
+    }
+    const Factor* of_block = nullptr;
+    for (const auto& [factor, presented] : levels) {
+      const auto known = protocol.factors.find(factor);
+      if (known == protocol.factors.end() || presented.size() < 2 ||
+          presented.size() != block.presented.size() ||
+          presented.size() != known->second.levels.size()) {
+        continue;
+      }
+      if (of_block != nullptr) return nullptr;
+      of_block = &known->second;
+    }
+    if (of_block == nullptr || (within != nullptr && within != of_block)) return nullptr;
+    within = of_block;
+  }
+  return within;
+}
+
+/// "In each trial, three stimuli were presented, one for each level of model"; the number only where every answered trial
+/// had the same.
+std::string presented_text(const ReportFacts& facts) {
+  const bool is_one = facts.surfaces == std::set<std::size_t>{1};
+  const std::string number =
+      facts.surfaces.size() == 1 ? count_in_words(*facts.surfaces.begin()) : "several";
+  std::string text =
+      "In each trial, " + number + (is_one ? " stimulus was" : " stimuli were") + " presented";
+  const Factor* within = factor_within_trials(*facts.file.protocol);
+  if (within != nullptr && facts.surfaces == std::set<std::size_t>{within->levels.size()}) {
+    text += ", one for each level of " + words_of_parameter(within->name);
+  }
+  return text;
+}
+
+/// " among six"; of pictures whose number differs between the blocks " among several".
+std::string among_pictures(const Protocol& protocol) {
+  std::set<std::size_t> numbers{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase == Phase::main) numbers.insert(block.question.pictures.size());
+  }
+  return " among " + (numbers.size() == 1 && *numbers.begin() > 1 ? count_in_words(*numbers.begin())
+                                                                  : std::string("several"));
+}
+
+std::string paper_task(const ReportFacts& facts) {
+  const Protocol& protocol = *facts.file.protocol;
+  switch (protocol.kind) {
+    case ProtocolKind::selection: {
+      const auto parameter = stored_protocol(protocol.source).compared_parameter;
+      return presented_text(facts) +
+             (parameter ? "; they differed in " + words_of_parameter(*parameter) + " alone" : "") +
+             ", and one was to be chosen.";
+    }
+    case ProtocolKind::matching:
+      return presented_text(facts) + ", and each was to be assigned to one of as many pictures.";
+    case ProtocolKind::recognition:
+      return presented_text(facts) + ", and its picture was to be chosen" +
+             among_pictures(protocol) + '.';
+    case ProtocolKind::magnitude:
+      return presented_text(facts) +
+             ", and its roughness was to be given a number above 0 (absolute magnitude estimation "
+             "with free modulus).";
+  }
+  return {};
+}
+
+std::string paper_questions(const Protocol& protocol) {
+  const std::vector<std::string> questions = main_questions(protocol);
+  if (questions.empty()) return {};
+  const bool can_abstain =
+      std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& each) {
+        return each.second.phase == Phase::main && each.second.question.allow_cannot_tell;
+      });
+  return (questions.size() == 1 ? "The question was " : "The questions were ") + listed(questions) +
+         (questions.back().ends_with("?”") || questions.back().ends_with(".”") ||
+                  questions.back().ends_with("!”")
+              ? ""
+              : ".") +
+         (can_abstain ? " “Cannot tell” was a response as well." : "");
+}
+
+std::string paper_order(const ReportFacts& facts, Sources& sources) {
+  const Protocol& protocol = *facts.file.protocol;
+  std::string text = planned_trials_text(facts);
+  std::vector<std::string> orders{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* run = std::get_if<Protocol::Run>(&step);
+    if (run == nullptr) continue;
+    const Protocol::Block& block = protocol.blocks.at(run->block);
+    if (block.phase == Phase::main) orders.push_back(order_of_run(block, *run));
+  }
+  const std::size_t runs = orders.size();
+  std::sort(orders.begin(), orders.end());
+  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+  for (const std::string& order : orders) {
+    text += (text.empty() ? "" : " ") +
+            std::string(runs == 1            ? "Trials were"
+                        : orders.size() == 1 ? "In each block, trials were"
+                                             : "In some blocks, trials were") +
+            " presented " + order + '.';
+  }
+  switch (protocol.counterbalance) {
+    case Protocol::Counterbalance::none:
+      break;
+    case Protocol::Counterbalance::latin:
+      text += " The order of the levels was counterbalanced by a Latin square.";
+      break;
+    case Protocol::Counterbalance::williams:
+      text += " The order of the levels was counterbalanced by a Williams square" +
+              cited("Williams 1949", sources) + '.';
+      break;
+  }
+  for (const auto& [name, exploration] : protocol.explorations) {
+    text += (protocol.explorations.size() == 1 ? " Each" : " Exploration “" + name + "”: each") +
+            std::string(" stimulus was to be explored ") + instructed_exploration(exploration) +
+            "; " + after_failure(exploration) + '.';
+  }
+  return text;
+}
+
+/// When the program counts an attempt as invalid, whatever became of it.
+std::string invalid_attempts(const Protocol& protocol) {
+  const auto more_than = [](int count, const std::string& one, const std::string& several) {
+    return count == 0 ? "any " + one + " was"
+                      : "more than " + std::to_string(count) + ' ' + (count == 1 ? one : several) +
+                            " were";
+  };
+  return "An attempt at a trial was invalid if " +
+         more_than(protocol.maximum_missed_deadlines, "deadline of the servo loop",
+                   "deadlines of the servo loop") +
+         " missed during contact, or if " +
+         more_than(protocol.maximum_lost_records, "sample of the recording",
+                   "samples of the recording") +
+         " lost.";
+}
+
+}  // namespace
+
+std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMetadata& metadata,
+                                         Sources& sources) {
+  std::vector<std::string> methods{paper_participants(facts, metadata), paper_apparatus(facts),
+                                   paper_environment(facts)};
+  if (facts.file.protocol) {
+    if (facts.sources.size() > 1) {
+      methods.push_back(facts.are_translations
+                            ? "The protocol was run in " + count_in_words(facts.sources.size()) +
+                                  " versions that differ in language and texts only."
+                            : "The protocol has " + count_in_words(facts.sources.size()) +
+                                  " files of this version; the following is that of the first.");
+    }
+    methods.push_back(factors_sentence(*facts.file.protocol));
+    methods.push_back(paper_task(facts));
+    methods.push_back(paper_questions(*facts.file.protocol));
+    methods.push_back(paper_order(facts, sources));
+    methods.push_back(invalid_attempts(*facts.file.protocol));
+  }
+  return methods;
+}
+
+}  // namespace asperity

@@ -1,0 +1,435 @@
+// The results of a chapter: whatever tables, figures and findings the analysis has, in its order.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_findings.h"
+#include "app/findings/study/study_tests.h"
+#include "app/findings/study/test_methods.h"
+#include "app/findings/tidy/finding_list.h"
+#include "app/report/text/report_numbers.h"
+#include "app/report/text/report_sections.h"
+#include "app/report/text/report_tests.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMostSentences = 16;  // more are read in a table
+constexpr std::size_t kMostKeys = 6;        // of one refusal
+
+std::string printed_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return reading_number(*number);
+  return "–";
+}
+
+/// The same estimate and p can be told once.
+using Told = std::set<std::pair<double, double>>;
+
+/// Of a table of counted shares with intervals, the rows that are about everything, in words.
+std::vector<std::string> answers_in(const Table& table, Told& told) {
+  const auto share = column_of(table, "share");
+  const auto of = column_of(table, "of");
+  const auto low = column_of(table, "wilson_low");
+  const auto chance = column_of(table, "chance");
+  const auto p = column_of(table, "p");
+  const auto persons = column_of(table, "persons");
+  if (!share || !of || !low || *of == 0) return {};
+  const std::size_t hits = *of - 1;  // what is counted; before it stand the keys
+  struct Answer {
+    std::vector<std::string> keys{};
+    std::string text{};
+    std::pair<double, double> numbers{};
+  };
+  std::vector<Answer> answers{};
+  std::set<std::size_t> whole_places{};
+  for (const std::vector<Cell>& row : table.rows) {
+    const auto value = number_of(row[*share]);
+    if (!value) continue;
+    Answer& answer = answers.emplace_back();
+    std::string key{};
+    for (std::size_t i = 0; i < hits; ++i) {
+      answer.keys.push_back(printed_cell(row[i]));
+      if (answer.keys.back() == "all" || answer.keys.back() == "Total") whole_places.insert(i);
+      key += (key.empty() ? "" : " ") + table.columns[i] + '=' + answer.keys.back();
+    }
+    const std::string about = words_of_key(key);
+    // Names stay as the study has them.
+    answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
+                  printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
+                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI [" +
+                  reading_percent(number_of(row[*low]).value_or(0.0)) + ", " +
+                  reading_percent(number_of(row[*low + 1]).value_or(1.0)) + "])";
+    if (chance) {
+      if (const auto by_chance = number_of(row[*chance])) {
+        answer.text += ", compared with a chance level of " + reading_percent(*by_chance);
+      }
+    }
+    if (p) {
+      if (const auto value_of_p = number_of(row[*p])) {
+        answer.text += "; " + reading_p(*value_of_p);
+        answer.numbers = {*value, *value_of_p};
+      }
+    }
+    if (persons) answer.text += " (n = " + printed_cell(row[*persons]) + ')';
+    answer.text += '.';
+  }
+  std::vector<std::string> sentences{};
+  for (const Answer& answer : answers) {
+    const bool is_part =
+        std::any_of(whole_places.begin(), whole_places.end(), [&answer](std::size_t place) {
+          return answer.keys[place] != "all" && answer.keys[place] != "Total";
+        });
+    if (is_part) continue;
+    told.insert(answer.numbers);
+    sentences.push_back(answer.text);
+  }
+  return sentences;
+}
+
+/// The tests that no table of the outcome has.
+std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
+  std::vector<ReportedTest> others = tests_among(outcome.findings);
+  std::erase_if(others, [&outcome](const ReportedTest& test) {
+    return outcome.tests_in_tables.contains(name_of(*test.p));
+  });
+  return others;
+}
+
+/// Where an analysis has not gathered its tests and asked its questions: what is adjusted for its
+/// family, or about everything.
+std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const Told& told) {
+  std::vector<std::string> sentences{};
+  for (const ReportedTest& test : tests_among(outcome.findings)) {
+    if (sentences.size() == kMostSentences) break;
+    const bool is_told =
+        !test.estimates.empty() && told.contains({*test.estimates.front()->value, *test.p->value});
+    const bool is_of_all = test.is_of_whole && !outcome.tests_in_tables.contains(name_of(*test.p));
+    if (!is_told && (test.holm != nullptr || is_of_all)) sentences.push_back(sentence_of(test));
+  }
+  return sentences;
+}
+
+std::string heading_of(const std::string& column) {
+  const std::string no_break = "\u00A0";
+  static const std::map<std::string, std::string> kHeadings{
+      {"achieved_maximum_N", "achieved, maximum (N)"},
+      {"achieved_mean_N", "achieved, mean (N)"},
+      {"achieved_minimum_N", "achieved, minimum (N)"},
+      {"achieved_sd_N", "achieved, SD (N)"},
+      {"by_chance", "expected under guessing"},
+      {"chance", "chance level"},
+      {"change 95 %", "95" + no_break + "% CI"},
+      {"column", "repetition"},
+      {"effect_size", "effect size [95 % CI]"},
+      {"felt_as_other", "confused with the other"},
+      {"fieller_m 95 %", "Fieller 95 % CI (m)"},
+      {"goes", "trials"},
+      {"matched_mean_N", "intended, mean (N)"},
+      {"other_as_felt", "the other confused with it"},
+      {"p_holm", "p, Holm"},
+      {"p_interior", "p, interior maximum"},
+      {"p_smallest", "smallest attainable p"},
+      {"peak_m 95 %", "95 % CI (m)"},
+      {"person", "participant"},
+      {"persons", "participants"},
+      {"r_squared", "R²"},
+      {"right", "correct"},
+      {"sd", "SD"},
+      {"share 95 %", "95" + no_break + "% CI"},
+      {"status", "reason"},
+      {"time_s", "response time (s)"},
+      {"time_s 95 %", "95" + no_break + "% CI (s)"}};
+  if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
+  if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
+  if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
+  constexpr std::string_view kColumn = "column_";  // and the level of the factor
+  if (column.starts_with(kColumn)) return "repetition " + column.substr(kColumn.size());
+  return words_of_quantity(column);
+}
+
+/// A cell as a person reads it: the program's names in words.
+std::string words_in(const std::string& column, const Cell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  if (text == nullptr) return printed_cell(cell);
+  return words_of_cell(column, *text).english();
+}
+
+ReportTable report_table(const NamedTable& named) {
+  Table reading = reading_table(named);
+  drop_empty_columns(reading, 1);
+  ReportTable table{};
+  table.title = named.title.english();
+  table.note = named.note.english();
+  for (const std::string& column : reading.columns) {
+    // Names and levels are text before they are shortened for reading; quantities are not.
+    const auto at = column_of(named.table, column);
+    const bool holds_words =
+        at && std::any_of(named.table.rows.begin(), named.table.rows.end(),
+                          [&at](const std::vector<Cell>& row) {
+                            return std::holds_alternative<std::string>(row[*at]);
+                          });
+    const bool is_name = named.name == kConfusion && column != reading.columns.front();
+    table.columns.push_back(
+        {is_name ? words_of_cell("item", column).english() : heading_of(column), !holds_words});
+  }
+  for (const std::vector<Cell>& row : reading.rows) {
+    std::vector<std::string>& cells = table.rows.emplace_back();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string& column = reading.columns[i];
+      cells.push_back(words_in(column, row[i]));
+    }
+  }
+  return table;
+}
+
+/// What a finding is about that can have no answer; the words of its name where it has no others.
+std::string words_of_unanswered(const std::string& quantity) {
+  static const std::map<std::string, std::string> kWords{
+      {"bt.cluster.status", "the CIs of the preference scale"},
+      {"bt.firth.status", "the preference scale with Firth’s correction"},
+      {"bt.order.status", "whether the first of two is preferred, on the preference scale"},
+      {"bt.se.cluster", "the cluster-robust standard errors of the preference scale"},
+      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the preference scale"},
+      {"bt.status", "the preference scale (Bradley–Terry)"},
+      {"cochran.Q", "Cochran’s Q"},
+      {"dprime", "the sensitivity d′"},
+      {"dprime.se", "the standard error of d′"},
+      {"exponent.t", "the test of the exponent"},
+      {"friedman.chisq", "Friedman’s test"},
+      {"glm.se.cluster", "the cluster-robust standard errors of the logistic regression"},
+      {"geomean.status", "the CI of the geometric mean response time"},
+      {"glm.status", "the logistic regression"},
+      {"glmm.status", "the mixed model with participants and textures crossed"},
+      {"half.difference.status", "the CI of the change of the proportion correct over the trials"},
+      {"half.ratio.status", "the CI of the change of response times over the trials"},
+      {"icc", "the reliability over repetitions"},
+      {"mallows.theta", "Mallows’ θ"},
+      {"mauchly.W", "Mauchly’s test of sphericity"},
+      {"mixed.status", "the logistic regression with random intercepts"},
+      {"p", "the test"},
+      {"pc.se.cluster", "the cluster-robust standard error of the proportion correct"},
+      {"peak.status", "the peak of the curve"},
+      {"pl.cluster.status", "the CIs of the preference scale"},
+      {"pl.status", "the preference scale (Plackett–Luce)"},
+      {"pooled.deff", "the design effect of pooling"},
+      {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
+      {"precision", "the precision (positive predictive value)"},
+      {"quad.c.t", "the test of the curvature"},
+      {"recall", "the recall"},
+      {"relabel.W", "Kendall’s W"},
+      {"scm.G2", "the goodness of fit of the similarity choice model"},
+      {"scm.X2", "the goodness of fit of the similarity choice model"},
+      {"scm.p", "the goodness of fit of the similarity choice model"},
+      {"scm.status", "the similarity choice model"},
+      {"signflip.d", "Cohen’s d of paired differences"},
+      {"slope.ratio.status", "the CI of the change of response times per 10 trials"},
+      {"subj.ci.lower", "the CI of the mean proportion"},
+      {"subj.ci.upper", "the CI of the mean proportion"},
+      {"subj.mean", "the mean proportion"},
+      {"subj.sd", "the SD of the participants’ proportions"},
+      {"subj.t", "the test of the mean proportion"},
+      {"subj.t.p.two", "the test of the mean proportion"},
+      {"tost.p", "the equivalence test"},
+      {"trend.t", "the test of the trend"},
+      {"welch.t", "Welch’s test"}};
+  if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
+  if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();
+  return words_of_number(quantity);
+}
+
+/// What has no other words; both ends of an interval are one thing that is missing.
+std::string refused_quantity(std::string quantity) {
+  bool is_end = false;
+  for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
+    if (!quantity.ends_with(ending)) continue;
+    quantity.erase(quantity.rfind(ending));
+    is_end = true;
+  }
+  std::string words = words_of_unanswered(quantity);
+  if (words.empty()) words = (is_end ? "the " : "") + words_of_quantity(quantity);
+  return (is_end ? "the CI of " : "") + words;
+}
+
+/// A whole analysis that could not be made.
+std::string words_of_analysis_without_numbers(const std::string& analysis) {
+  if (analysis == "anova") return "the analysis of variance";
+  return analysis == "roughness" ? "the curves of roughness" : "a part of the analysis";
+}
+
+/// "the test of the mean proportion of height_map", or nothing for what is only a step of a computation.
+std::string subject_of(const Finding& finding) {
+  std::string words = finding.quantity == "status"
+                          ? words_of_analysis_without_numbers(finding.analysis)
+                          : words_of_unanswered(finding.quantity);
+  if (words.empty()) return {};
+  const bool is_place = finding.analysis == "position" && number_in(finding.key);
+  const std::string about = is_place ? "position " + finding.key : words_of_key(finding.key);
+  const bool says_whole = finding.quantity == "bt.order.status";
+  return about.empty() || says_whole ? words : words + " of " + about;
+}
+
+/// Whether a remark has said it: something was left out or averaged, and nothing is unanswered.
+bool is_said_in_remarks(const Finding& finding) {
+  return finding.quantity == "replicates" || finding.quantity == "subjects.incomplete" ||
+         finding.quantity == "subjects.dropped";
+}
+
+/// What the analysis could not answer, a sentence for each reason.
+std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
+  std::vector<std::string> reasons{};
+  std::map<std::string, std::vector<std::string>> subjects{};
+  std::size_t further = 0;
+  for (const Finding& finding : outcome.findings) {
+    if (finding.status == "ok" || is_said_in_remarks(finding)) continue;
+    if (finding.analysis == StudyTests::kTable) continue;  // the table of tests has its reason
+    std::string subject = subject_of(finding);
+    if (subject.empty() && finding.status == kNotDefined) {
+      ++further;
+      continue;
+    }
+    if (subject.empty()) {  // a reason of its own is told whatever it is about
+      const std::string about = words_of_key(finding.key);
+      subject = refused_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
+    }
+    std::vector<std::string>& same = subjects[finding.status];
+    if (same.empty()) reasons.push_back(finding.status);
+    if (std::find(same.begin(), same.end(), subject) == same.end()) {
+      same.push_back(std::move(subject));
+    }
+  }
+  std::vector<std::string> sentences{};
+  for (const std::string& reason : reasons) {
+    std::vector<std::string> same = subjects[reason];
+    if (same.size() > kMostKeys + 1) {
+      const std::size_t more = same.size() - kMostKeys;
+      same.resize(kMostKeys);
+      same.push_back(reading_count(more) + " more");
+    }
+    sentences.push_back(stopped(capitalised(listed(same)) + ": " + reason));
+  }
+  if (further > 0) {
+    sentences.push_back(
+        (further == 1 ? "One number of the appendix or of a table is"
+                      : reading_count(further) + " numbers of the appendix or of "
+                                                 "tables are") +
+        std::string(
+            " not defined for these data; asperity analyze STUDY --json lists each by its name."));
+  }
+  return sentences;
+}
+
+bool is_of_question(const Figure& figure, const AnalysisOutcome& outcome) {
+  return std::any_of(outcome.questions.begin(), outcome.questions.end(),
+                     [&figure](const AnsweredQuestion& question) {
+                       return !question.name.empty() && question.name == figure.question;
+                     });
+}
+
+/// The tables of the body: what was counted, and what was tested.
+bool is_in_body(const NamedTable& table, const AnalysisOutcome& outcome) {
+  return &table == &outcome.tables.front() || table.name == StudyTests::kTable;
+}
+
+void add_answer(const AnsweredQuestion& question, std::span<const Figure> figures,
+                ReportSection& section) {
+  section.parts.emplace_back(
+      ReportText{question.question.english() + ' ' + question.answer.as_sentence().english(),
+                 ReportText::Tone::lead});
+  std::string method = question.method.as_sentence().english();
+  if (!question.counted.empty()) {
+    method += (method.empty() ? "n = " : " n = ") + question.counted.english() + '.';
+  }
+  if (!method.empty()) section.parts.emplace_back(ReportText{method});
+  for (const Figure& figure : figures) {
+    if (figure.question == question.name) section.parts.emplace_back(ReportFigure{0, figure});
+  }
+}
+
+}  // namespace
+
+ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Figure> figures) {
+  ReportSection section{"Results", {}};
+  for (const AnsweredQuestion& question : outcome.questions) {
+    add_answer(question, figures, section);
+  }
+  Told told{};
+  if (outcome.questions.empty()) {
+    for (const NamedTable& named : outcome.tables) {
+      const std::vector<std::string> answers = answers_in(named.table, told);
+      if (answers.empty()) continue;
+      for (const std::string& answer : answers) {
+        section.parts.emplace_back(ReportText{answer, ReportText::Tone::lead});
+      }
+      break;  // the first table is the one that the experiment is about
+    }
+    std::vector<std::string> sentences = tests_in_words(outcome, told);
+    if (!sentences.empty()) section.parts.emplace_back(ReportList{std::move(sentences)});
+  }
+  for (const Phrase& remark : outcome.remarks) {
+    section.parts.emplace_back(ReportText{remark.english(), ReportText::Tone::notice});
+  }
+  for (const NamedTable& named : outcome.tables) {
+    if (is_in_body(named, outcome)) section.parts.emplace_back(report_table(named));
+  }
+  std::vector<std::string> refusals = refusals_in(outcome);
+  if (!refusals.empty()) {
+    section.parts.emplace_back(ReportText{"What could not be computed, and why:"});
+    section.parts.emplace_back(ReportList{std::move(refusals)});
+  }
+  return section;
+}
+
+ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures) {
+  ReportSection section{"Further tables and figures", {}};
+  const auto belongs_to = [&outcome](const Figure& figure, const NamedTable* table) {
+    if (is_of_question(figure, outcome)) return false;
+    if (table != nullptr) return figure.table == table->name;
+    return std::none_of(outcome.tables.begin(), outcome.tables.end(),
+                        [&figure](const NamedTable& each) { return each.name == figure.table; });
+  };
+  const auto add_figures_of = [&](const NamedTable* table) {
+    for (const Figure& figure : figures) {
+      if (belongs_to(figure, table)) section.parts.emplace_back(ReportFigure{0, figure});
+    }
+  };
+  add_figures_of(nullptr);
+  for (const NamedTable& named : outcome.tables) {
+    add_figures_of(&named);
+    // What a figure with numbers in its cells has said stands once.
+    const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
+      return one.table == named.name && !one.cells.empty();
+    });
+    if (!is_drawn && !is_in_body(named, outcome)) section.parts.emplace_back(report_table(named));
+  }
+  return section;
+}
+
+ReportSection numbers_section(const AnalysisOutcome& outcome) {
+  ReportSection section{"Further tests and numbers", {}};
+  if (outcome.findings.empty()) {
+    section.parts.emplace_back(ReportText{"The analysis yielded no results."});
+    return section;
+  }
+  const std::vector<ReportedTest> others = other_tests(outcome);
+  ReportTable tests = further_tests_table(others);
+  if (!tests.rows.empty()) section.parts.emplace_back(std::move(tests));
+  ReportTable numbers = further_numbers_table(outcome.findings);
+  if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
+  section.parts.emplace_back(ReportText{
+      "Not all numbers are printed: asperity analyze STUDY --protocol " + outcome.protocol +
+      " --json prints each number in full precision with its n, and with its interval and method "
+      "where it has them."});
+  return section;
+}
+
+}  // namespace asperity

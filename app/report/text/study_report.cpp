@@ -1,0 +1,240 @@
+#include "app/report/text/study_report.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "app/findings/reading_number.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/report/text/report_sections.h"
+#include "app/report/text/report_sexes.h"
+#include "app/study_files/program.h"
+#include "app/tasks/study_overview.h"
+
+namespace asperity {
+
+namespace {
+
+// Of the time that a report takes; the rest is looking once more at every answer.
+constexpr double kFactsShare = 0.6;
+
+std::string mark_of(AnswerGroup group) {
+  switch (group) {
+    case AnswerGroup::people:
+      return {};
+    case AnswerGroup::pilot:
+      return "PILOT: not study data";
+    case AnswerGroup::virtual_participants:
+      return "SIMULATED: no human participant";
+  }
+  return {};
+}
+
+std::string group_text(AnswerGroup group) {
+  switch (group) {
+    case AnswerGroup::people:
+      return "people";
+    case AnswerGroup::pilot:
+      return "people, in pilot sessions";
+    case AnswerGroup::virtual_participants:
+      return "virtual participants";
+  }
+  return {};
+}
+
+std::string chapter_heading(const ReportFacts& facts) {
+  return facts.protocol.name + ' ' + facts.protocol.version + ": " + group_text(facts.group);
+}
+
+/// "Data of 2026-03-02 to 2026-04-17 (UTC)". A simulated clock has no date.
+std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals) {
+  std::set<std::string> days{};
+  bool made_up = false;
+  for (const ReportFacts& facts : all) {
+    for (const ReportedSession& session : facts.sessions) {
+      if (has_made_up_dates(session.row)) {
+        made_up = true;
+      } else {
+        days.insert(session.row.started_utc.substr(0, 10));
+      }
+    }
+  }
+  if (days.empty() && made_up) return "Data of a simulated clock, which has no date";
+  if (days.empty()) {
+    return has_withdrawals ? "No data of participants who have not withdrawn" : "No data yet";
+  }
+  std::string text = days.size() == 1 ? "Data of " + *days.begin()
+                                      : "Data of " + *days.begin() + " to " + *days.rbegin();
+  return text + (made_up ? " (UTC), and of a simulated clock, which has no date" : " (UTC)");
+}
+
+ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
+                               const std::vector<WithdrawalRow>& withdrawals) {
+  ReportChapter chapter{"Contents of the study", {}, AnswerGroup::people, {}};
+  ReportSection& section = chapter.sections.emplace_back(ReportSection{"Overview", {}});
+  if (all.empty()) {
+    if (withdrawals.empty()) {
+      section.parts.emplace_back(
+          ReportText{"The study has no sessions yet: there is nothing to report."});
+      return chapter;
+    }
+    section.parts.emplace_back(
+        ReportText{"The study has no sessions of participants who have not withdrawn: there are no "
+                   "results to report."});
+    section.parts.emplace_back(withdrawals_text(withdrawals));
+    return chapter;
+  }
+  ReportTable table{};
+  table.title = "Protocols and participants";
+  table.columns = {{"protocol", false},    {"kind", false},          {"who", false},
+                   {"participants", true}, {"sessions", true},       {"completed", true},
+                   {"attempts", true},     {"answers counted", true}};
+  std::set<AnswerGroup> groups{};
+  for (const ReportFacts& facts : all) {
+    groups.insert(facts.group);
+    const auto completed = std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                                         [](const ReportedSession& session) {
+                                           return session.row.state == SessionState::completed;
+                                         });
+    table.rows.push_back({facts.protocol.name + ' ' + facts.protocol.version,
+                          facts.protocol.kind + ", " + facts.protocol.design,
+                          group_text(facts.group), reading_count(facts.participants.size()),
+                          reading_count(facts.sessions.size()), std::to_string(completed),
+                          reading_count(facts.attempts), reading_count(facts.counted)});
+  }
+  table.note = "Attempts and answers are those of the main phase.";
+  std::string text =
+      all.size() == 1 ? "The study has one set of sessions; its heading indicates simulated data "
+                        "and pilot sessions."
+                      : "The study has " + count_in_words(all.size()) +
+                            " sets of sessions, one for each version of a protocol and each group "
+                            "of participants. They are never pooled: each has a separate chapter, "
+                            "whose heading indicates simulated data and pilot sessions.";
+  text += " Reference tables are in appendices at the end.";
+  section.parts.emplace_back(ReportText{text});
+  section.parts.emplace_back(std::move(table));
+  if (groups.contains(AnswerGroup::virtual_participants)) {
+    // The page names them, so it says so as well, even beside people.
+    chapter.group = AnswerGroup::virtual_participants;
+    chapter.mark = groups.size() == 1 ? mark_of(chapter.group) : "includes SIMULATED data";
+  } else if (groups.contains(AnswerGroup::pilot)) {
+    chapter.group = AnswerGroup::pilot;
+    chapter.mark = groups.size() == 1 ? mark_of(chapter.group) : "includes PILOT data";
+  }
+  return chapter;
+}
+
+const AnalysisOutcome* outcome_of(const std::vector<AnalysisOutcome>& outcomes,
+                                  const ReportFacts& facts) {
+  const auto found =
+      std::find_if(outcomes.begin(), outcomes.end(), [&facts](const AnalysisOutcome& outcome) {
+        return outcome.protocol == facts.protocol.name &&
+               outcome.version == facts.protocol.version && outcome.group == facts.group;
+      });
+  return found == outcomes.end() ? nullptr : &*found;
+}
+
+/// Whoever runs a session is blind.
+bool is_held_back(const ReportFacts& facts) {
+  return facts.group == AnswerGroup::people && facts.is_running();
+}
+
+ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                          std::span<const Figure> figures) {
+  ReportChapter chapter{
+      "Appendix to " + chapter_heading(facts), mark_of(facts.group), facts.group, {}};
+  if (outcome != nullptr && !is_held_back(facts)) {
+    ReportSection tables = tables_section(*outcome, figures);
+    if (!tables.parts.empty()) chapter.sections.push_back(std::move(tables));
+    chapter.sections.push_back(numbers_section(*outcome));
+  }
+  chapter.sections.push_back(sessions_section(facts));
+  ReportSection notes = notes_section(facts);
+  if (!notes.parts.empty()) chapter.sections.push_back(std::move(notes));
+  return chapter;
+}
+
+ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                         std::span<const Figure> figures, const StudyMetadata& metadata) {
+  ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
+  chapter.sections.push_back(design_section(facts));
+  chapter.sections.push_back(conditions_section(facts));
+  chapter.sections.push_back(participants_section(facts));
+  chapter.sections.push_back(exclusions_section(facts));
+  if (is_held_back(facts)) {
+    chapter.sections.push_back(
+        {"Results",
+         {ReportText{"A session of this protocol is running, and its experimenter is blind: create "
+                     "the report again after the session to see the results by name.",
+                     ReportText::Tone::notice}}});
+  } else if (outcome != nullptr) {
+    chapter.sections.push_back(results_section(*outcome, figures));
+  }
+  chapter.sections.push_back(exploration_section(facts));
+  chapter.sections.push_back(presentation_section(facts));
+  chapter.sections.push_back(
+      paper_section(facts, is_held_back(facts) ? nullptr : outcome, metadata));
+  chapter.sections.push_back(making_section(facts));
+  return chapter;
+}
+
+void number_parts(Report& report) {
+  int tables = 0;
+  int figures = 0;
+  for (ReportChapter& chapter : report.chapters) {
+    for (ReportSection& section : chapter.sections) {
+      for (ReportPart& part : section.parts) {
+        if (auto* table = std::get_if<ReportTable>(&part)) table->number = ++tables;
+        if (auto* figure = std::get_if<ReportFigure>(&part)) {
+          if (figure->figure.is_drawn()) figure->number = ++figures;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
+                    const std::optional<std::string>& protocol, const std::stop_token& stop,
+                    const std::function<void(double)>& progress) {
+  Report report{};
+  report.title = study.name();
+  report.program = version_line();
+  std::vector<ReportFacts> all{};
+  std::vector<AnalysisOutcome> outcomes{};
+  std::vector<WithdrawalRow> withdrawals{};
+  StudyMetadata metadata{};
+  study.read_at_one_moment([&] {
+    withdrawals = study.withdrawals();
+    metadata = study.metadata();
+    all = report_facts(study, protocol, stop, [&progress](double fraction) {
+      if (progress) progress(kFactsShare * fraction);
+    });
+    if (!stop.stop_requested()) outcomes = analyze_study(study, protocol, stop);
+  });
+  if (stop.stop_requested()) return report;
+  for (AnalysisOutcome& outcome : outcomes) {
+    if (!outcome.declares_sexes) outcome = without_sexes(std::move(outcome));
+  }
+  report.subtitle = dates_text(all, !withdrawals.empty());
+  report.chapters.push_back(overview_chapter(all, withdrawals));
+  // What is read comes first, what is looked up behind it.
+  std::vector<ReportChapter> appendices{};
+  for (const ReportFacts& facts : all) {
+    if (stop.stop_requested()) return report;
+    const AnalysisOutcome* outcome = outcome_of(outcomes, facts);
+    const std::vector<Figure> figures =
+        outcome != nullptr && figures_of ? figures_of(*outcome) : std::vector<Figure>{};
+    report.chapters.push_back(chapter_of(facts, outcome, figures, metadata));
+    appendices.push_back(appendix_of(facts, outcome, figures));
+  }
+  std::move(appendices.begin(), appendices.end(), std::back_inserter(report.chapters));
+  number_parts(report);
+  if (progress) progress(1.0);
+  return report;
+}
+
+}  // namespace asperity

@@ -1,0 +1,196 @@
+#include "app/session/attempt_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/compliance.h"
+#include "analysis/summary.h"
+
+namespace asperity {
+
+namespace {
+
+bool belongs(const TickRecord& record, std::uint64_t presentation) {
+  return record.presentation == presentation && record.has(TickFlag::presenting);
+}
+
+bool touches(const TickRecord& record) {
+  return record.has(TickFlag::presenting) && record.penetration_m > 0.0;
+}
+
+bool touches(const TickRecord& record, std::uint64_t presentation) {
+  return record.presentation == presentation && touches(record);
+}
+
+std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
+  for (double& value : nanoseconds) value *= 1e-9;
+  std::sort(nanoseconds.begin(), nanoseconds.end());
+  return nanoseconds;
+}
+
+ComplianceRow compliance_row(const std::string& quantity, std::span<const double> samples,
+                             const Band& band) {
+  ComplianceRow row{};
+  row.quantity = quantity;
+  row.minimum = band.minimum;
+  row.maximum = band.maximum;
+  if (const auto compliance = compliance_of(samples, {band.minimum, band.maximum})) {
+    row.mean = compliance->summary.mean;
+    row.sd = compliance->summary.sd;
+    row.p05 = compliance->summary.p05;
+    row.p50 = compliance->summary.p50;
+    row.p95 = compliance->summary.p95;
+    row.fraction_in_band = compliance->fraction_inside;
+  }
+  return row;
+}
+
+bool is_declared(const Band& band) { return band.minimum || band.maximum; }
+
+/// A quantity that varies during contact: enough of its samples have to lie inside.
+ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const double> samples,
+                                 const Band& band, double required_fraction) {
+  ComplianceRow row = compliance_row(quantity, samples, band);
+  if (is_declared(band)) row.passed = row.fraction_in_band.value_or(0.0) >= required_fraction;
+  return row;
+}
+
+/// A quantity with one value per surface, or whose mean is asked for.
+ComplianceRow judged_by_mean(const std::string& quantity, std::span<const double> samples,
+                             const Band& band) {
+  ComplianceRow row = compliance_row(quantity, samples, band);
+  if (is_declared(band)) {
+    row.passed = !samples.empty() && row.mean >= band.minimum.value_or(row.mean) &&
+                 row.mean <= band.maximum.value_or(row.mean);
+  }
+  return row;
+}
+
+}  // namespace
+
+ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rate_Hz,
+                                 std::uint64_t lost_records) {
+  ServoQualityRow row{};
+  row.rate_Hz = rate_Hz;
+  row.ticks = static_cast<std::int64_t>(records.size());
+  row.lost_records = static_cast<std::int64_t>(lost_records);
+  std::int64_t missed_in_contact = 0;
+  std::vector<double> periods{};
+  std::vector<double> lateness{};
+  std::vector<double> execution{};
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const TickRecord& record = records[i];
+    if (i > 0) {
+      periods.push_back(static_cast<double>(record.probe.time_ns - records[i - 1].probe.time_ns));
+    }
+    lateness.push_back(record.lateness_ns);
+    execution.push_back(record.execution_ns);
+    if (record.has(TickFlag::missed_deadline)) {
+      ++row.missed_deadlines;
+      if (touches(record) || (i > 0 && touches(records[i - 1]))) ++missed_in_contact;
+    }
+    if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
+      ++row.saturated_ticks;
+    }
+    if (record.has(TickFlag::limited_slew)) ++row.slew_limited_ticks;
+    if (record.has(TickFlag::limited_not_finite)) ++row.not_finite_ticks;
+  }
+  row.missed_in_contact = missed_in_contact;
+  if (periods.empty()) return row;
+  periods = sorted_seconds(std::move(periods));
+  lateness = sorted_seconds(std::move(lateness));
+  execution = sorted_seconds(std::move(execution));
+  const Summary summary = *summary_of(periods);
+  row.period_mean_s = summary.mean;
+  row.period_sd_s = summary.sd;
+  row.period_p50_s = quantile(periods, 0.5);
+  row.period_p99_s = quantile(periods, 0.99);
+  row.period_p99_9_s = quantile(periods, 0.999);
+  row.period_maximum_s = periods.back();
+  row.lateness_p50_s = quantile(lateness, 0.5);
+  row.lateness_p99_s = quantile(lateness, 0.99);
+  row.lateness_maximum_s = lateness.back();
+  row.execution_p99_s = quantile(execution, 0.99);
+  row.execution_maximum_s = execution.back();
+  return row;
+}
+
+void fill_times(std::span<const TickRecord> records, std::uint64_t presentation, double rate_Hz,
+                PresentationRow& row) {
+  std::int64_t contact_ticks = 0;
+  for (const TickRecord& record : records) {
+    if (!belongs(record, presentation)) continue;
+    if (!row.onset_ns) row.onset_ns = record.probe.time_ns;
+    row.offset_ns = record.probe.time_ns;
+    if (!touches(record, presentation)) continue;
+    if (!row.contact_ns) row.contact_ns = record.probe.time_ns;
+    ++contact_ticks;
+  }
+  row.contact_s = static_cast<double>(contact_ticks) / rate_Hz;
+}
+
+std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
+                                         std::uint64_t presentation, double rate_Hz,
+                                         const Exploration& exploration, JudgedForce force) {
+  ContactReader reader(exploration.direction_rad, force);
+  HandStrokes hand_strokes{};
+  std::vector<double> force_N{};
+  std::int64_t contact_ticks = 0;
+  std::int64_t visit_ticks = 0;  // of contact since the surface was last presented
+  std::int64_t longest_visit_ticks = 0;
+  for (const TickRecord& record : records) {
+    if (belongs(record, presentation) && record.has(TickFlag::first_of_presentation)) {
+      visit_ticks = 0;
+    }
+    if (touches(record, presentation)) {
+      ++contact_ticks;
+      longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
+    }
+    const std::optional<HandSample> hand = reader.take(record);
+    if (!hand || hand->presentation != presentation) continue;
+    force_N.push_back(hand->pressing_N);
+    if (hand->begins_contact) hand_strokes.lift();
+    hand_strokes.take(hand->along_m, record.probe.time_ns);
+  }
+  const std::vector<double> stroke_lengths_m = hand_strokes.lengths_m();
+  const std::vector<double> speed_m_per_s = hand_strokes.speeds_m_per_s();
+  const double fraction = exploration.required_fraction_in_band;
+  const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
+  const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
+  // The minimum is asked of all visits together, the maximum of each: who may go back may feel
+  // longer.
+  ComplianceRow contact = compliance_row(
+      "contact_s", contact_s, {exploration.minimum_contact_s, {}, exploration.maximum_contact_s});
+  contact.fraction_in_band.reset();
+  contact.passed =
+      contact_s[0] >= exploration.minimum_contact_s &&
+      static_cast<double>(longest_visit_ticks) / rate_Hz <= exploration.maximum_contact_s;
+  return {judged_by_fraction("normal_force_N", force_N, exploration.normal_force_N, fraction),
+          judged_by_fraction("speed_m_per_s", speed_m_per_s, exploration.speed_m_per_s, fraction),
+          contact, judged_by_mean("strokes", strokes, exploration.strokes),
+          judged_by_mean("stroke_length_m", stroke_lengths_m, exploration.stroke_length_m)};
+}
+
+HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch) {
+  const auto aim = [](const Band& band, double otherwise) {
+    if (band.target) return *band.target;
+    if (band.minimum && band.maximum) return 0.5 * (*band.minimum + *band.maximum);
+    return band.maximum ? std::min(otherwise, *band.maximum)
+                        : std::max(otherwise, band.minimum.value_or(otherwise));
+  };
+  HandHabits habits{};
+  habits.centre_m = patch.centre_m;
+  habits.direction_rad = exploration.direction_rad;
+  habits.stroke_length_m = aim(exploration.stroke_length_m, habits.stroke_length_m);
+  if (is_declared(exploration.speed_m_per_s) || exploration.speed_m_per_s.target) {
+    // Asked for is the mean of a stroke; a hand's habit is its steady middle.
+    const double mean_of_steady = 1.0 - habits.gathering;
+    habits.speed_m_per_s =
+        aim(exploration.speed_m_per_s, mean_of_steady * habits.speed_m_per_s) / mean_of_steady;
+  }
+  habits.normal_force_N = aim(exploration.normal_force_N, habits.normal_force_N);
+  return habits;
+}
+
+}  // namespace asperity

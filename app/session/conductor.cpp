@@ -1,0 +1,557 @@
+#include "app/session/conductor.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session/rig/clock.h"
+#include "app/session/trial_attempt.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
+
+namespace asperity {
+
+namespace {
+
+// A device or machine that fails a trial three times will not do better the fourth time.
+constexpr int kTechnicalRepeats = 3;
+// Of a person's session in which nothing can sound (a terminal), as Sound::description_json has it.
+constexpr const char* kNoNoise = R"({"kind":"none","heard":false})";
+
+}  // namespace
+
+Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& builder, Rig& rig,
+                     Respondent& respondent, ConductorSettings settings)
+    : study_(study),
+      protocol_(protocol),
+      builder_(builder),
+      rig_(rig),
+      respondent_(respondent),
+      settings_(std::move(settings)),
+      requests_(settings_.links.requests == nullptr ? own_requests_ : *settings_.links.requests),
+      course_(study, protocol, rig, respondent, requests_, settings_.links),
+      outside_([this](double duration_s) { course_.wait_outside_trial(duration_s); }),
+      unheeding_([this](double duration_s) {
+        for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
+          course_.pass_slice();
+        }
+      }) {}
+
+SessionEnd Conductor::run(OpenSession session) {
+  session_ = std::move(session);
+  stopped_.reset();
+  attempts_made_ = 0;
+  standstills_ = 0;
+  const std::int64_t began_ns = rig_.clock().now_ns();
+  requests_.attach(rig_);
+  const struct Attached {
+    SessionRequests& requests;
+    ~Attached() { requests.detach(); }
+  } attached{requests_};
+  try {
+    begin();
+    run_steps();
+  } catch (const Interruption& interruption) {  // outside an attempt
+    stop(is_fault(interruption.outcome) ? with_semicolon(fault_sentence(interruption, {}),
+                                                         phrase_of(Reason::every_trial_stored))
+                                        : interruption.reason);
+  } catch (const RespondentGone& gone) {
+    stop(gone.said());
+  } catch (const std::exception& error) {
+    end_after(error);
+    throw;
+  }
+  return finish(began_ns);
+}
+
+void Conductor::begin() {
+  const std::int64_t began_ns = rig_.clock().now_ns();
+  course_.begin(session_.row);
+  progress_.reset();
+  SessionFacts facts = facts_of_session();
+  tally_.emplace(protocol_, session_.plan);
+  for (AttemptRow& attempt : std::exchange(session_.attempts, {})) tally_->add(std::move(attempt));
+  if (session_.resumed) {
+    study_.reopen_session(session_.row.id);
+    for (const DecisionRow& decision : study_.decisions(session_.row.id)) {
+      if (decision.verdict == Verdict::set_aside) {
+        tally_->remember_set_aside(decision.trial.value_or(0), decision.attempt.value_or(0));
+      }
+    }
+  }
+  // Before the first that may fail: what is in the store can be gone on with.
+  course_.set_facts(std::move(facts));
+  segment_ = study_.begin_segment(session_.row.id, began_ns);
+  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
+  if (conditions.is_object()) conditions["segment"] = segment_;
+  course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
+  progress_.emplace(course_, session_.plan, *tally_, began_ns);
+  // May wait for the card to open, which the windows are told before.
+  if (settings_.links.sound != nullptr) {
+    course_.event("masking_noise", "", settings_.links.sound->description_json());
+  } else if (session_.row.mode != SessionMode::simulate) {
+    course_.event("masking_noise", "", kNoNoise);
+  }
+  note_guidance();
+  course_.enter(SessionPhase::ready);
+}
+
+SessionFacts Conductor::facts_of_session() const {
+  SessionFacts facts{.protocol = std::make_shared<const Protocol>(protocol_),
+                     .plan = std::make_shared<const Plan>(session_.plan),
+                     .row = session_.row,
+                     .study_folder = study_.folder().string(),
+                     .mirrored = session_.row.mirrored,
+                     .clock_ahead_ns = rig_.clock().ahead_ns()};
+  if (!session_.resumed) return facts;
+  facts.earlier_s = study_.session_counts(session_.row.id).running_s;
+  for (EventRow& event : events_in_order(study_.events(session_.row.id), session_.attempts)) {
+    if (event.kind == "note") facts.earlier_notes.push_back(phrase_of(event));
+  }
+  return facts;
+}
+
+/// Whether whoever takes part sees and hears what the protocol guides the hand by: a virtual
+/// participant and a person at a terminal have neither.
+void Conductor::note_guidance() {
+  if (!guides_participants(protocol_)) return;
+  const bool sees = respondent_.wears_mask();  // has eyes, and a window before them
+  const bool hears = settings_.links.sound != nullptr && settings_.links.sound->is_heard();
+  const bool is_told = std::all_of(
+      protocol_.explorations.begin(), protocol_.explorations.end(), [&](const auto& each) {
+        using Guidance = Exploration::Guidance;
+        const Guidance guidance = each.second.guidance;
+        return guidance == Guidance::experimenter || (guidance == Guidance::tones ? hears : sees);
+      });
+  course_.event("guidance", is_told ? "given" : "not_given");
+}
+
+SessionEnd Conductor::finish(std::int64_t began_ns) {
+  rig_.loop().withdraw();
+  SessionEnd end{};
+  if (stopped_) end = *stopped_;
+  course_.set_masking(false);
+  course_.set_guiding_tones(false);
+  course_.store_respondent_events();
+  course_.store_remarks();
+  end.attempts = attempts_made_;
+  end.duration_s = seconds_between(began_ns, rig_.clock().now_ns());
+  course_.event(end.state == SessionState::completed ? "session_completed" : "session_stopped",
+                end.reason);
+  if (course_.has_monitor()) course_.event("phase", text_of(SessionPhase::ended));
+  study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(),
+                     end.state == SessionState::completed ? "completed" : "stopped");
+  study_.end_session(session_.row.id, end.state, rig_.clock().utc());
+  if (end.state != SessionState::completed && !end.as_the_protocol_says) {
+    publish_trouble(
+        phrase("Troubles", "%1 Every finished trial is stored.").with(end.reason.as_sentence()),
+        SessionTrouble::Remedy::try_again);
+  }
+  course_.play(Cue::finished);
+  course_.show({.kind = ParticipantScene::Kind::ended});
+  course_.publish(SessionPhase::ended);
+  return end;
+}
+
+/// The store, a file or a renderer failed: every finished trial is on disk. Says so in the session
+/// as far as the store still takes it; if it does not, the session is found as crashed.
+void Conductor::end_after(const std::exception& error) noexcept {
+  course_.recorder().abandon();
+  rig_.hand().lift();
+  rig_.loop().withdraw();
+  try {
+    course_.set_masking(false);
+    course_.set_guiding_tones(false);
+    publish_trouble(phrase("Troubles", "%1; the force is zero, and every finished trial is stored")
+                        .with(phrase_of(error))
+                        .as_sentence(),
+                    SessionTrouble::Remedy::try_again);
+    course_.show({.kind = ParticipantScene::Kind::ended});
+    course_.publish(SessionPhase::ended);
+    course_.take_attempt_events();  // of an attempt that has no row to hang on
+    course_.store_remarks();
+    course_.event("session_failed", Phrase("%1").with(phrase_of(error)));
+    study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
+    study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
+  } catch (const std::exception&) {
+    // The first error is the one that the caller is told.
+  }
+}
+
+void Conductor::stop(const Phrase& reason) {
+  stopped_ = SessionEnd{.state = SessionState::stopped, .reason = reason};
+}
+
+// --- the plan, step by step ----------------------------------------------------------------------
+
+void Conductor::run_steps() {
+  const std::vector<PlanStep>& steps = session_.plan.steps;
+  // A resumed session goes on behind the last trial that was tried; what was read, asked and rested
+  // before is not repeated.
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
+    if (step != nullptr && tally_->attempts_at(session_.plan.trials[step->trial].ordinal) > 0)
+      first = i;
+  }
+  if (first > 0) lead_back(first);
+  block_ = 0;
+  resume_repeats(first);
+  for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
+    step_ = i;
+    // A stop that was asked for while something was read or answered: there is no trial to wait for.
+    if (requests_.take_stop(StopAfter::trial)) {
+      stop(phrase_of(Reason::as_asked));
+      break;
+    }
+    // Asked for between two blocks, the block that it means is over.
+    if (block_ == 0 && !tally_->attempts().empty() && requests_.take_stop(StopAfter::block)) {
+      stop(phrase_of(Reason::as_asked_after_block));
+      break;
+    }
+    const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
+    if (step != nullptr) {
+      const Trial& trial = session_.plan.trials[step->trial];
+      if (trial.block_ordinal != block_) {
+        if (block_ != 0) finish_block(block_);
+        block_ = trial.block_ordinal;
+      }
+      if (stopped_ || tally_->is_done(trial) || tally_->is_over(trial) || is_put_off(trial)) {
+        continue;
+      }
+      run_trial(trial);
+      continue;
+    }
+    // What follows a block waits until the block is finished; what lies inside it (a break) happens
+    // only while there is more of it to come.
+    int next_block = 0;
+    bool more_to_come = false;
+    for (std::size_t later = i + 1; later < steps.size() && next_block == 0; ++later) {
+      if (const TrialStep* next = std::get_if<TrialStep>(&steps[later])) {
+        const Trial& trial = session_.plan.trials[next->trial];
+        next_block = trial.block_ordinal;
+        more_to_come = !tally_->is_over(trial);
+      }
+    }
+    if (block_ != 0 && next_block == block_) {
+      if (more_to_come) run_other(steps[i]);
+      continue;
+    }
+    if (block_ != 0) finish_block(block_);
+    block_ = 0;
+    course_.update([](SessionSnapshot& snapshot) { snapshot.block = 0; });
+    if (!stopped_) run_other(steps[i]);
+  }
+  if (!stopped_) step_ = steps.size();
+  if (block_ != 0 && !stopped_) finish_block(block_);
+  block_ = 0;
+  if (!stopped_) between_steps(Next::other);
+  // Nobody is left behind a mask.
+  if (!stopped_) course_.put_mask(false, [this](double duration_s) { course_.wait(duration_s); });
+}
+
+/// What the participant needs before trial `first`, who was interrupted and comes back to it.
+void Conductor::lead_back(std::size_t first) {
+  const std::vector<PlanStep>& steps = session_.plan.steps;
+  // A virtual participant has forgotten nothing, and answers as if there had been no interruption.
+  const bool is_person = session_.row.mode != SessionMode::simulate;
+  std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
+  if (!protocol_.resume.screens) {
+    for (std::size_t i = 0; i < first; ++i) {
+      if (const auto* screen = std::get_if<Protocol::Screen>(&steps[i])) texts = {screen->text};
+    }
+  }
+  if (!is_person) texts.clear();
+  for (const std::string& text : texts) {
+    run_outside_trials([&] { let_read(scene_to_read(text)); });
+  }
+  // The device may be another one now, or the same one after a fault.
+  for (std::size_t i = 0; i < first; ++i) {
+    if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
+  }
+  if (is_person) run_outside_trials([&] { let_read(scene_of_resuming()); });
+}
+
+/// Trials of blocks before the one that is gone on with: set aside to be asked again, and then the
+/// session was interrupted.
+void Conductor::resume_repeats(std::size_t first) {
+  if (!session_.resumed) return;
+  const TrialStep* next = std::get_if<TrialStep>(&session_.plan.steps.at(first));
+  if (next == nullptr) return;
+  const int block = session_.plan.trials[next->trial].block_ordinal;
+  for (const auto& [ordinal, attempt] : tally_->those_set_aside()) {
+    const Trial& trial = session_.plan.trials.at(static_cast<std::size_t>(ordinal - 1));
+    if (trial.block_ordinal < block && !tally_->is_done(trial) && !stopped_) ask_again(trial);
+  }
+}
+
+/// A step that is no trial; it is begun again after a fault.
+void Conductor::run_other(const PlanStep& step) {
+  run_outside_trials([&] { try_other(step); });
+}
+
+void Conductor::run_outside_trials(const std::function<void()>& step) {
+  for (;;) {
+    between_steps(Next::other);
+    if (stopped_) return;
+    try {
+      step();
+      course_.store_respondent_events();
+      show_progress();
+      return;
+    } catch (const Interruption& interruption) {
+      course_.store_respondent_events();
+      if (!outlives(interruption)) throw;
+      if (stopped_) return;
+    }
+  }
+}
+
+void Conductor::try_other(const PlanStep& step) {
+  if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
+    let_read(scene_to_read(screen->text));
+  } else if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
+    rest(*pause);
+  } else if (const auto* check = std::get_if<Protocol::Check>(&step)) {
+    course_.enter(SessionPhase::ready);
+    check_device();
+    course_.event("check_passed",
+                  check->what == Protocol::Check::What::device ? "device" : "force_zero");
+  } else if (const auto* questions = std::get_if<Protocol::Ask>(&step)) {
+    ask(*questions);
+  }
+  course_.show({});
+}
+
+void Conductor::let_read(const ParticipantScene& scene) {
+  course_.enter(SessionPhase::ready);
+  course_.put_mask(false, outside_);
+  course_.show(scene);
+  respondent_.read(scene.text, 0.0, outside_);
+  course_.show({});
+}
+
+void Conductor::rest(const Protocol::Break& pause) {
+  course_.enter(SessionPhase::rest);
+  course_.event("break_began", "");
+  if (pause.zero_force) {
+    check_device();
+    course_.event("force_zeroed", "break");
+  }
+  course_.put_mask(false, outside_);
+  ParticipantScene scene{.kind = ParticipantScene::Kind::rest, .text = pause.text};
+  scene.rest_until_ns = course_.now_ns() + static_cast<std::int64_t>(pause.minimum_s * 1e9);
+  course_.show(std::move(scene));
+  course_.play(Cue::rest);
+  respondent_.read(pause.text, pause.minimum_s, outside_);
+  course_.play(Cue::rest);
+  course_.event("break_ended", "");
+}
+
+void Conductor::ask(const Protocol::Ask& questions) {
+  for (const std::string& name : questions.questions) {
+    const std::vector<ResponseRow> answered = study_.session_answers(session_.row.id);
+    const bool is_answered =
+        std::any_of(answered.begin(), answered.end(),
+                    [&name](const ResponseRow& row) { return row.question == name; });
+    if (is_answered) continue;  // before the session was interrupted
+    hold(Next::other);
+    if (stopped_) return;
+    const Question& question = protocol_.questions.at(name);
+    course_.enter(SessionPhase::questions);
+    course_.put_mask(false, outside_);
+    course_.show(scene_of_form(question));
+    const std::int64_t cue_ns = course_.now_ns();
+    const std::string answer = respondent_.answer(question, outside_);
+    if (answer.empty() && question.optional) continue;
+    ResponseRow row{};
+    row.question = name;
+    row.answer = answer;
+    row.time_ns = respondent_.answered_ns().value_or(course_.now_ns());
+    row.from_cue_s = seconds_between(cue_ns, row.time_ns);
+    row.source = respondent_.source();
+    row.options_json = nlohmann::json(question.options).dump();
+    study_.add_session_answer(session_.row.id, row);
+  }
+}
+
+void Conductor::finish_block(int block_ordinal) {
+  // Rounds over what is still open: a trial that is asked again comes after all others.
+  for (bool again = true; again && !stopped_;) {
+    again = false;
+    // The last trial is repeated before a wish to stop after the block comes true.
+    repeat_as_asked();
+    for (const Trial& trial : session_.plan.trials) {
+      if (trial.block_ordinal != block_ordinal || stopped_ || tally_->is_done(trial) ||
+          tally_->is_over(trial)) {
+        continue;
+      }
+      run_trial(trial);
+      again = true;
+    }
+  }
+  if (stopped_) return;
+  const auto of_block = std::find_if(
+      session_.plan.trials.begin(), session_.plan.trials.end(),
+      [block_ordinal](const Trial& trial) { return trial.block_ordinal == block_ordinal; });
+  const Protocol::Block& block = protocol_.blocks.at(of_block->block);
+  if (block.until && tally_->criterion_of(*of_block) != BlockState::criterion_met) {
+    course_.event("criterion_not_met", of_block->block);
+    if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
+      stopped_ = SessionEnd{.state = SessionState::stopped,
+                            .reason = phrase_of(Reason::criterion_not_met).with(of_block->block),
+                            .as_the_protocol_says = true};
+    }
+  }
+  if (!stopped_ && requests_.take_stop(StopAfter::block)) {
+    stop(phrase_of(Reason::as_asked_after_block));
+  }
+}
+
+// --- one trial -----------------------------------------------------------------------------------
+
+void Conductor::run_trial(const Trial& trial) {
+  int failures = 0;
+  for (;;) {
+    do {
+      course_.enter(SessionPhase::iti);
+      course_.update([&](SessionSnapshot& snapshot) {
+        snapshot.block = trial.block_ordinal;
+        snapshot.trial = trial.ordinal;
+        snapshot.attempt = tally_->attempts_at(trial.ordinal) + 1;
+      });
+      course_.show({});
+    } while (between_steps(Next::trial) && !stopped_);
+    if (stopped_) return;
+    std::optional<Interruption> interruption{};
+    const AttemptRow attempt = make_attempt(trial, interruption);
+    tell(trial, attempt);
+    if (stopped_) return;
+    if (is_fault(attempt.outcome)) {
+      if (!wait_out_fault(fault_sentence(interruption.value(), trial.ordinal))) return;
+      continue;
+    }
+    if (interruption && interruption->ask_again) {
+      pause_without_noise();  // also where it has come back meanwhile
+      continue;
+    }
+    if (attempt.outcome == AttemptOutcome::aborted) {
+      stop(attempt.invalid_reason ? phrase_of(attempt.invalid_reason) : phrase_of(Reason::aborted));
+      return;
+    }
+    if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
+    if (failed_technically(attempt)) {
+      if (++failures < kTechnicalRepeats) continue;
+      stop(phrase_of(Reason::failed_repeatedly)
+               .with(std::to_string(trial.ordinal), std::to_string(failures),
+                     phrase_of(attempt.invalid_reason)));
+      return;
+    }
+    if (waits_for_others(trial, attempt)) break;  // finish_block asks again
+  }
+  if (requests_.take_stop(StopAfter::trial)) {
+    stop(phrase_of(Reason::as_asked_after_trial));
+  }
+}
+
+AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruption>& interruption) {
+  const AttemptOrder order{.trial = trial,
+                           .attempt = tally_->attempts_at(trial.ordinal) + 1,
+                           .segment = segment_,
+                           .explored_wrongly = tally_->explored_wrongly(trial.ordinal),
+                           .earlier_estimate = tally_->earlier_estimate(trial),
+                           .record = settings_.record};
+  course_.update([&order](SessionSnapshot& snapshot) {
+    snapshot.trial = order.trial.ordinal;
+    snapshot.attempt = order.attempt;
+  });
+  tell_of_repetition(trial);
+  TrialAttempt attempt(course_, builder_, order);
+  AttemptRow row = attempt.make();
+  interruption = attempt.interruption();
+  row.id = study_.add_attempt(session_.row.id, row);
+  tally_->add(row);
+  ++attempts_made_;
+  const TrialTally::Again again =
+      waits_for_others(trial, row) ? TrialTally::Again::after_others : TrialTally::Again::at_once;
+  progress_->add(row, step_, tally_->coming(step_, block_, trial.ordinal, again));
+  if (settings_.done) {
+    settings_.done({.participant = session_.row.participant,
+                    .session = session_.row.session,
+                    .trial = trial.ordinal,
+                    .attempt = order.attempt,
+                    .counts = row.valid,
+                    .outcome = row.outcome});
+  }
+  return row;
+}
+
+/// Why a trial is asked once more, where nobody sees it in a window.
+void Conductor::tell_of_repetition(const Trial& trial) const {
+  if (!settings_.links.tell) return;
+  const std::vector<AttemptRow>& made = tally_->attempts();
+  const auto last = std::find_if(made.rbegin(), made.rend(), [&trial](const AttemptRow& attempt) {
+    return attempt.trial == trial.ordinal;
+  });
+  if (last == made.rend()) return;
+  settings_.links.tell(
+      "Trial " + std::to_string(trial.ordinal) + " is repeated: " +
+      (last->invalid_reason ? phrase_of(last->invalid_reason).english() : text_of(last->outcome)) +
+      '.');
+}
+
+bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {
+  // What others are judged by comes before them: an anchor is asked again at once.
+  return trial.repetition > 0 && attempt.outcome == AttemptOutcome::not_compliant &&
+         !failed_technically(attempt) &&
+         exploration_of(protocol_, trial).on_failure ==
+             Exploration::OnFailure::requeue_at_end_of_block;
+}
+
+/// To the end of its block, before the session was interrupted.
+bool Conductor::is_put_off(const Trial& trial) const {
+  const std::vector<AttemptRow>& made = tally_->attempts();
+  const auto last = std::find_if(made.rbegin(), made.rend(), [&trial](const AttemptRow& attempt) {
+    return attempt.trial == trial.ordinal;
+  });
+  return last != made.rend() && !last->valid && waits_for_others(trial, *last);
+}
+
+void Conductor::show_progress() {
+  progress_->show(step_, tally_->coming(step_, block_, 0, TrialTally::Again::at_once));
+}
+
+/// Feedback, where the block gives any.
+void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
+  using Feedback = Protocol::Block::Feedback;
+  const Feedback feedback = protocol_.blocks.at(trial.block).feedback;
+  if (!attempt.valid || attempt.outcome != AttemptOutcome::answered || feedback == Feedback::none) {
+    return;
+  }
+  const bool right = is_right(attempt);
+  std::string right_answer{};
+  if (feedback == Feedback::correct_answer) {
+    for (const std::string& correct : trial.question.correct) {
+      for (const Option& option : trial.question.options) {
+        if (option.value != correct) continue;
+        if (!right_answer.empty()) right_answer += ' ';
+        right_answer += option.label;
+      }
+    }
+  }
+  ParticipantScene scene = scene_of_feedback(right, right_answer);
+  const std::string text = scene.text;
+  course_.enter(SessionPhase::feedback);
+  course_.show(std::move(scene));
+  course_.play(right ? Cue::right : Cue::wrong);
+  try {
+    respondent_.tell(text, [this](double duration_s) { course_.wait(duration_s); });
+  } catch (const Interruption& interruption) {
+    if (!outlives(interruption)) throw;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,154 @@
+// Runs one session: the walk over its plan, and what holds it up.
+
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/session_course.h"
+#include "app/session/session_links.h"
+#include "app/session/session_progress.h"
+#include "app/session/session_requests.h"
+#include "app/session/session_setup.h"
+#include "app/session/stimulus_builder.h"
+#include "app/session/trial_tally.h"
+#include "protocols/protocol.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// An attempt that is on disk.
+struct AttemptDone {
+  std::string participant{};
+  int session = 0;
+  int trial = 0;
+  int attempt = 0;
+  bool counts = true;  ///< it does its trial; otherwise it is kept, and the trial may be repeated
+  AttemptOutcome outcome = AttemptOutcome::answered;
+};
+
+struct ConductorSettings {
+  bool record = true;  ///< keep the tick records of every attempt
+  /// What runs this stretch of the session (program, scheduling); stored with its beginning.
+  std::string conditions_json = "null";
+  /// Called after each commit, and only then.
+  std::function<void(const AttemptDone&)> done{};
+  SessionLinks links{};
+};
+
+/// How a session ended.
+struct SessionEnd {
+  SessionState state = SessionState::completed;
+  Phrase reason{};  ///< where the session was stopped
+  /// Stopped by a rule of the protocol (a criterion), not by a person or a fault.
+  bool as_the_protocol_says = false;
+  int attempts = 0;         ///< made now
+  double duration_s = 0.0;  ///< on the session's clock
+};
+
+/// Takes a participant through the plan of a session.
+///
+/// For each trial a TrialAttempt is made and stored in one transaction → `done`. Nothing is reported
+/// that is not on disk. An attempt that does not count stays in the store and the trial is asked
+/// again, now or at the end of its block, as the protocol specifies. An attempt that the experimenter
+/// has repeated is invalidated first, so that the new one can be the valid one.
+///
+/// A fault of the device, an emergency stop included, stores the attempt and stops the session,
+/// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
+/// goes on with what was interrupted, or until it is stopped. After a standstill it resumes by itself;
+/// the third since it was begun or resumed stops it.
+///
+/// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
+/// from any.
+///
+/// Errors: `run` throws ResultsError when the store fails; every attempt reported done is on disk.
+class Conductor final {
+ public:
+  /// All must outlive the conductor.
+  Conductor(Study& study, const Protocol& protocol, StimulusBuilder& builder, Rig& rig,
+            Respondent& respondent, ConductorSettings settings);
+
+  SessionEnd run(OpenSession session);
+
+  /// The verbs towards this session: the settings', or the conductor's own.
+  SessionRequests& requests() noexcept { return requests_; }
+
+ private:
+  enum class Next { trial, other };
+
+  void begin();
+  SessionFacts facts_of_session() const;
+  void note_guidance();
+  SessionEnd finish(std::int64_t began_ns);
+  void end_after(const std::exception& error) noexcept;
+  void stop(const Phrase& reason);
+
+  void run_steps();
+  void lead_back(std::size_t first);
+  void resume_repeats(std::size_t first);
+  void run_outside_trials(const std::function<void()>& step);
+  void run_other(const PlanStep& step);
+  void try_other(const PlanStep& step);
+  void let_read(const ParticipantScene& scene);
+  void rest(const Protocol::Break& pause);
+  void ask(const Protocol::Ask& questions);
+
+  void finish_block(int block_ordinal);
+  void run_trial(const Trial& trial);
+  AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
+  void tell(const Trial& trial, const AttemptRow& attempt);
+  void tell_of_repetition(const Trial& trial) const;
+  /// Is asked again after all others of its block.
+  bool is_put_off(const Trial& trial) const;
+  bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;
+  void show_progress();
+
+  // What holds it up (conductor_holds.cpp).
+  /// True when a trial was asked again meanwhile: the position in the session has then to be reported anew.
+  bool between_steps(Next next);
+  void hold(Next next);
+  void pause_without_noise();
+  void repeat_as_asked();
+  void repeat_last(const Phrase& reason);
+  void ask_again(const Trial& trial);
+  bool outlives(const Interruption& interruption);
+  void check_device();
+  Phrase device_problem(const Wait& waiting);
+  /// False when the session is to end; it then has its reason.
+  bool wait_out_fault(Phrase what);
+  std::optional<Phrase> trouble_after_standstill();
+  void forget_surface();
+
+  void publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy);
+
+  Study& study_;
+  const Protocol& protocol_;
+  StimulusBuilder& builder_;
+  Rig& rig_;
+  Respondent& respondent_;
+  ConductorSettings settings_{};
+  SessionRequests own_requests_{};
+  SessionRequests& requests_;
+  SessionCourse course_;
+  OpenSession session_{};  ///< its attempts are in the tally
+  std::optional<TrialTally> tally_{};
+  std::optional<SessionProgress> progress_{};
+  int segment_ = 0;
+  std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
+  int attempts_made_ = 0;
+
+  int standstills_ = 0;
+
+  Wait outside_{};    ///< waits where there is no trial under way
+  Wait unheeding_{};  ///< waits whatever is asked for meanwhile and whatever fault comes
+
+  int block_ = 0;  ///< whose trials are asked, by ordinal; 0 between blocks
+
+  std::size_t step_ = 0;  ///< of the plan, under way
+};
+
+}  // namespace asperity

@@ -1,0 +1,259 @@
+// What keeps a session from going on: pauses, repeats, lost noise, faults.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session/conductor.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
+// A machine that stops that often does so again.
+constexpr int kMostStandstills = 3;
+
+/// Where a session is again after a fault: an attempt that it ended is over.
+SessionPhase after_fault(SessionPhase before) {
+  const bool in_attempt = before == SessionPhase::fore || before == SessionPhase::contact ||
+                          before == SessionPhase::response;
+  return in_attempt ? SessionPhase::iti : before;
+}
+
+}  // namespace
+
+// --- pauses and repeats --------------------------------------------------------------------------
+
+void Conductor::repeat_as_asked() {
+  while (!stopped_) {
+    const std::optional<Phrase> reason = requests_.take_repeat();
+    if (!reason) return;
+    repeat_last(*reason);
+  }
+}
+
+bool Conductor::between_steps(Next next) {
+  for (bool repeated = false;; repeated = true) {
+    course_.store_remarks();
+    hold(next);
+    if (stopped_) return repeated;
+    const std::optional<Phrase> reason = requests_.take_repeat();
+    if (!reason) return repeated;
+    repeat_last(*reason);
+  }
+}
+
+void Conductor::repeat_last(const Phrase& reason) {
+  const AttemptRow* last = tally_->last_done();
+  if (last == nullptr) {
+    course_.event("repeat_refused", phrase_of(Reason::nothing_to_repeat));
+    return;
+  }
+  const int trial = last->trial;
+  const int attempt = last->attempt;
+  study_.set_aside(session_.row.id, trial, attempt, stored(reason));
+  tally_->set_aside(trial, attempt, stored(reason));
+  course_.event("trial_repeated", reason,
+                nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
+  progress_->set_aside(*last);
+  show_progress();
+  ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
+}
+
+/// A trial that was set aside. Where its block is over nothing at the end of the block asks it once
+/// more when that should be needed.
+void Conductor::ask_again(const Trial& trial) {
+  do {
+    run_trial(trial);
+  } while (!stopped_ && trial.block_ordinal != block_ && !tally_->is_done(trial));
+}
+
+/// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.
+void Conductor::hold(Next next) {
+  const SessionPhase before = course_.phase();
+  const bool is_attended = settings_.links.experimenter_is_there;
+  bool paused = false;
+  while (!stopped_) {
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
+      return;
+    }
+    const Fault fault = rig_.loop().status().fault;
+    if (fault != Fault::none && (is_attended || fault == Fault::standstill) &&
+        !wait_out_fault(fault_sentence(interruption_by(fault), {}))) {
+      return;
+    }
+    if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
+      pause_without_noise();
+    }
+    if (!requests_.is_paused()) break;
+    if (!paused) {
+      course_.event("paused", "");
+      course_.enter(SessionPhase::paused);
+      course_.show({.kind = ParticipantScene::Kind::paused});
+      course_.play(Cue::paused);
+    }
+    paused = true;
+    if (requests_.take_stop(StopAfter::trial)) {
+      stop(phrase_of(Reason::as_asked));
+      return;
+    }
+    course_.pass_slice();
+    course_.store_remarks();
+  }
+  if (!paused || stopped_) return;
+  course_.event("resumed", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({});
+}
+
+void Conductor::pause_without_noise() {
+  requests_.pause();
+  publish_trouble(course_.has_masked()
+                      ? phrase("Troubles",
+                               "The masking noise has stopped, and the session is paused. Fix the "
+                               "sound, then resume.")
+                      : phrase("Troubles",
+                               "The masking noise cannot start: the sound card does not play. The "
+                               "session is paused. Fix the sound, then resume."),
+                  SessionTrouble::Remedy::resume);
+  course_.event(course_.has_masked() ? "masking_noise_lost" : "masking_noise_missing", "");
+}
+
+// --- faults --------------------------------------------------------------------------------------
+
+/// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
+void Conductor::check_device() {
+  const Phrase problem = device_problem([this](double duration_s) { course_.wait(duration_s); });
+  if (!problem.empty()) {
+    throw Interruption{AttemptOutcome::device_fault, phrase_of(Reason::not_ready).with(problem)};
+  }
+}
+
+/// What is wrong with the device, as part of a sentence; empty when it is fit.
+Phrase Conductor::device_problem(const Wait& waiting) {
+  rig_.loop().withdraw();
+  Recorder& recorder = course_.recorder();
+  recorder.begin(nullptr, protocol_.rate_Hz, rig_.records());
+  waiting(kCheck_s);
+  const std::vector<TickRecord> records = recorder.finish(rig_.records()).records;
+  if (records.empty()) return phrase_of(Reason::does_not_tick);
+  if (records.back().has(TickFlag::device_lost)) return phrase_of(Reason::does_not_answer);
+  if (records.back().sent.force_N != glm::dvec3{0.0}) return phrase_of(Reason::sends_force);
+  return {};
+}
+
+/// Whether what was interrupted outside an attempt can be begun again; waits for it.
+bool Conductor::outlives(const Interruption& interruption) {
+  if (!is_fault(interruption.outcome) ||
+      !(settings_.links.experimenter_is_there || interruption.fault == Fault::standstill)) {
+    return false;
+  }
+  wait_out_fault(fault_sentence(interruption, {}));
+  return true;
+}
+
+/// A standstill is over when the loop sees it, and nobody has to do anything: the fault is lifted and the device checked.
+/// Nothing when that is done, and otherwise the sentence of what is wrong now.
+std::optional<Phrase> Conductor::trouble_after_standstill() {
+  rig_.clear_fault(Fault::standstill);
+  const Phrase problem = device_problem(unheeding_);
+  const Fault fault = rig_.loop().status().fault;
+  if (fault != Fault::none) return fault_sentence(interruption_by(fault), {});
+  if (!problem.empty()) {
+    return phrase_of(Reason::failed_between_trials)
+        .with(phrase_of(Reason::not_ready).with(problem));
+  }
+  forget_surface();
+  course_.event("fault_cleared", "");
+  publish_trouble(
+      phrase("Troubles",
+             "The servo loop stalled for more than 50 ms: the force was set to zero, and what was "
+             "interrupted is repeated. At the third occurrence the session stops."),
+      SessionTrouble::Remedy::none);
+  return {};
+}
+
+/// What was felt when a fault came is not felt again.
+void Conductor::forget_surface() {
+  while (rig_.loop().collect().renderer != nullptr) {
+  }
+}
+
+bool Conductor::wait_out_fault(Phrase what) {
+  if (rig_.loop().status().fault == Fault::standstill) {
+    course_.event("fault", name_of(Fault::standstill));
+    if (++standstills_ == kMostStandstills) {
+      stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)));
+      return false;
+    }
+    std::optional<Phrase> trouble = trouble_after_standstill();
+    if (!trouble) return true;
+    what = *std::move(trouble);
+  }
+  if (!settings_.links.experimenter_is_there) {
+    stop(what);
+    return false;
+  }
+  const SessionPhase before = after_fault(course_.phase());
+  requests_.take_clear_fault();  // one from before this fault
+  course_.event("fault", name_of(rig_.loop().status().fault));
+  course_.enter(SessionPhase::fault);
+  course_.show({.kind = ParticipantScene::Kind::paused});
+  course_.play(Cue::paused);
+  const auto stopped = [&] {
+    const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
+    return (by_hand ? phrase("Troubles", "%1 The force is zero until the stop is cleared.")
+                    : phrase("Troubles", "%1 The force is zero until the fault is cleared."))
+        .with(what.as_sentence());
+  };
+  const auto tell = [this](const Phrase& sentence) {
+    publish_trouble(sentence, SessionTrouble::Remedy::clear_fault);
+    respondent_.hear_of_fault(sentence.english());
+  };
+  tell(stopped());
+  for (;;) {
+    course_.pass_slice();
+    course_.store_remarks();
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
+      return false;
+    }
+    const Respondent::AfterFault wish = respondent_.after_fault();
+    if (wish == Respondent::AfterFault::end || requests_.take_stop(StopAfter::trial) ||
+        requests_.take_stop(StopAfter::block)) {
+      stop(what);
+      return false;
+    }
+    if (wish == Respondent::AfterFault::go_on) requests_.clear_fault();
+    if (!requests_.lift_fault(rig_.loop().status().fault)) continue;
+    const Phrase problem = device_problem(unheeding_);
+    if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
+    const Fault fault = rig_.loop().status().fault;
+    tell(fault == Fault::emergency_stop
+             ? phrase("Troubles", "%1 The emergency stop was pressed in the meantime.")
+                   .with(stopped())
+             : phrase("Troubles", "%1 The device is not ready yet: %2.")
+                   .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
+  }
+  forget_surface();
+  course_.event("fault_cleared", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({.kind = before == SessionPhase::paused ? ParticipantScene::Kind::paused
+                                                       : ParticipantScene::Kind::blank});
+  return true;
+}
+
+void Conductor::publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy) {
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.trouble = SessionTrouble{what, course_.now_ns(), remedy};
+  });
+}
+
+}  // namespace asperity

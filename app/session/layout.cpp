@@ -1,0 +1,17 @@
+#include "app/session/layout.h"
+
+#include <numbers>
+
+namespace asperity {
+
+SurfacePatch Layout::of(SurfacePatch patch) const {
+  if (mirrored) patch.centre_m.x = -patch.centre_m.x;
+  return patch;
+}
+
+Exploration Layout::of(Exploration exploration) const {
+  if (mirrored) exploration.direction_rad = std::numbers::pi - exploration.direction_rad;
+  return exploration;
+}
+
+}  // namespace asperity

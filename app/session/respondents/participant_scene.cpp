@@ -1,0 +1,252 @@
+#include "app/session/respondents/participant_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+bool contains(const std::vector<int>& positions, int position) {
+  return std::find(positions.begin(), positions.end(), position) != positions.end();
+}
+
+std::vector<ParticipantScene::Surface> surfaces_of(const Trial& trial,
+                                                   const std::vector<int>& felt) {
+  std::vector<ParticipantScene::Surface> surfaces{};
+  for (const PlannedPresentation& planned : trial.presentations) {
+    surfaces.push_back({.code = planned.code, .felt = contains(felt, planned.position)});
+  }
+  return surfaces;
+}
+
+std::vector<ParticipantScene::Choice> choices_of(const Trial& trial) {
+  std::vector<ParticipantScene::Choice> choices{};
+  for (const Option& option : trial.question.options) {
+    ParticipantScene::Choice choice{};
+    choice.picture = option.picture;
+    const bool is_surface = std::any_of(
+        trial.presentations.begin(), trial.presentations.end(),
+        [&option](const PlannedPresentation& planned) { return planned.code == option.label; });
+    if (option.picture || is_surface) {
+      choice.key = option.label;
+    } else {
+      choice.key = "0";
+      choice.saying.what = Saying::What::cannot_tell;
+      choice.text = text_of(choice.saying);
+    }
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+bool is_answered_by_pictures(const Trial& trial) {
+  return std::any_of(trial.question.options.begin(), trial.question.options.end(),
+                     [](const Option& option) { return option.picture.has_value(); });
+}
+
+ParticipantScene scene_that_says(ParticipantScene::Kind kind, Saying saying) {
+  ParticipantScene scene{};
+  scene.kind = kind;
+  scene.text = text_of(saying);
+  scene.text_saying = std::move(saying);
+  return scene;
+}
+
+}  // namespace
+
+Phrase phrase_of(const Saying& saying) {
+  switch (saying.what) {
+    case Saying::What::nothing:
+      return {};
+    case Saying::What::feel_surface:
+      return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
+    case Saying::What::lift:
+      return phrase("ParticipantWords",
+                    "You have finished with surface %1. Please lift the handle.")
+          .with(saying.code);
+    case Saying::What::put_mask_on:
+      return phrase("ParticipantWords", "Please put on the eye mask.");
+    case Saying::What::take_mask_off:
+      return phrase("ParticipantWords", "Please take off the eye mask.");
+    case Saying::What::cannot_tell:
+      return phrase("ParticipantWords", "I cannot tell");
+    case Saying::What::feel_first:
+      return phrase("ParticipantWords", "Please feel surface %1 first.").with(saying.code);
+    case Saying::What::feel_longer:
+      return phrase("ParticipantWords", "Please feel surface %1 a little longer.")
+          .with(saying.code);
+    case Saying::What::not_asked_yet:
+      return phrase("ParticipantWords", "Please wait for the question.");
+    case Saying::What::wait:
+      if (saying.number == 1) return phrase("ParticipantWords", "Please wait 1 more second.");
+      return phrase("ParticipantWords", "Please wait %1 more seconds.")
+          .with(std::to_string(saying.number));
+    case Saying::What::choose_first:
+      return phrase("ParticipantWords", "Please choose first.");
+    case Saying::What::assign_first:
+      return phrase("ParticipantWords", "Please assign a picture to surface %1 first.")
+          .with(saying.code);
+    case Saying::What::feel_again:
+      return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
+    case Saying::What::no_going_back:
+      return phrase("ParticipantWords", "The surfaces cannot be felt again.");
+    case Saying::What::was_right:
+      return phrase("ParticipantWords", "Correct.");
+    case Saying::What::was_wrong:
+      if (saying.code.empty()) return phrase("ParticipantWords", "Incorrect.");
+      return phrase("ParticipantWords", "Incorrect. The correct answer is %1.").with(saying.code);
+    case Saying::What::answer_needed:
+      return phrase("ParticipantWords", "Please answer this question.");
+    case Saying::What::number_needed:
+      if (saying.minimum && saying.maximum) {
+        return phrase("ParticipantWords", "Please enter a number from %1 to %2.")
+            .with(number_text(*saying.minimum), number_text(*saying.maximum));
+      }
+      if (saying.minimum) {
+        return phrase("ParticipantWords", "Please enter a number of at least %1.")
+            .with(number_text(*saying.minimum));
+      }
+      if (saying.maximum) {
+        return phrase("ParticipantWords", "Please enter a number of at most %1.")
+            .with(number_text(*saying.maximum));
+      }
+      return phrase("ParticipantWords", "Please enter a number.");
+    case Saying::What::option_needed:
+      return phrase("ParticipantWords", "Please choose one of the answers.");
+    case Saying::What::estimate_needed:
+      return phrase("ParticipantWords", "Please enter a number above 0, such as 7 or 0.5.");
+    case Saying::What::estimate_unclear:
+      return phrase("ParticipantWords",
+                    "%1 is ambiguous. Please write thousands without a point or a comma, and "
+                    "decimals with one or two decimal places.")
+          .with(saying.code);
+    case Saying::What::session_resumes:
+      return phrase("ParticipantWords",
+                    "The session continues where it was interrupted. Confirm when you are ready.");
+    case Saying::What::check_estimate:
+      return phrase(
+                 "ParticipantWords",
+                 "Please check the number %1: enter it again, or enter the number that you meant.")
+          .with(saying.code);
+  }
+  return {};
+}
+
+std::string text_of(const Saying& saying) { return phrase_of(saying).english(); }
+
+ParticipantScene scene_to_read(const std::string& text) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::text;
+  scene.text = text;
+  return scene;
+}
+
+ParticipantScene scene_of_resuming() {
+  return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::session_resumes});
+}
+
+namespace {
+
+ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& felt, int now,
+                                  Saying saying) {
+  for (const PlannedPresentation& planned : trial.presentations) {
+    if (planned.position == now) saying.code = planned.code;
+  }
+  ParticipantScene scene = scene_that_says(ParticipantScene::Kind::feel, std::move(saying));
+  scene.surfaces = surfaces_of(trial, felt);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    scene.surfaces[i].now = trial.presentations[i].position == now;
+  }
+  scene.standard_picture = trial.question.standard_picture;
+  if (is_answered_by_pictures(trial) && !trial.question.pictures_after_feeling) {
+    scene.choices = choices_of(trial);
+  }
+  return scene;
+}
+
+}  // namespace
+
+ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now) {
+  return scene_at_surface(trial, felt, now, {.what = Saying::What::feel_surface});
+}
+
+ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now) {
+  return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
+}
+
+bool is_guided_by_sight(const Exploration& exploration) noexcept {
+  return exploration.guidance == Exploration::Guidance::bars ||
+         exploration.guidance == Exploration::Guidance::moving_target;
+}
+
+double end_of_bar(const Band& band) {
+  if (band.maximum) return 1.25 * *band.maximum;
+  return 2.5 * band.minimum.value_or(0.0);
+}
+
+GuideScale guide_scale_of(const Protocol& protocol) {
+  GuideScale scale{};
+  for (const auto& [name, exploration] : protocol.explorations) {
+    if (!is_guided_by_sight(exploration)) continue;
+    scale.force_N = std::max(scale.force_N, end_of_bar(exploration.normal_force_N));
+    scale.speed_m_per_s = std::max(scale.speed_m_per_s, end_of_bar(exploration.speed_m_per_s));
+  }
+  return scale;
+}
+
+ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt) {
+  ParticipantScene scene = scene_at_surface(trial, felt, 0, {});
+  scene.kind = ParticipantScene::Kind::blank;
+  return scene;
+}
+
+ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::question;
+  scene.text = trial.question.prompt;
+  scene.surfaces = surfaces_of(trial, felt);
+  scene.can_switch = trial.question.allow_revisit;
+  for (ParticipantScene::Surface& surface : scene.surfaces) surface.can_go = scene.can_switch;
+  const bool all_felt =
+      std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                  [](const ParticipantScene::Surface& surface) { return surface.felt; });
+  if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
+  scene.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
+  if (scene.is_assignment) scene.assigning = 0;
+  scene.takes_number = trial.question.form == TrialQuestion::Form::number;
+  scene.standard_picture = trial.question.standard_picture;
+  scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate) {
+  ParticipantScene scene = scene_of_question(trial, felt);
+  scene.text_saying = {.what = Saying::What::check_estimate, .code = number_text(estimate)};
+  scene.text = text_of(scene.text_saying);
+  return scene;
+}
+
+ParticipantScene scene_of_form(const Question& question) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::form;
+  scene.text = question.prompt;
+  scene.question = question;
+  return scene;
+}
+
+ParticipantScene scene_of_feedback(bool was_right, const std::string& right_answer) {
+  Saying saying{.what = was_right ? Saying::What::was_right : Saying::What::was_wrong};
+  if (!was_right) saying.code = right_answer;
+  return scene_that_says(ParticipantScene::Kind::feedback, std::move(saying));
+}
+
+ParticipantScene scene_of_mask(bool on) {
+  return on ? scene_that_says(ParticipantScene::Kind::mask_on, {.what = Saying::What::put_mask_on})
+            : scene_that_says(ParticipantScene::Kind::mask_off,
+                              {.what = Saying::What::take_mask_off});
+}
+
+}  // namespace asperity

@@ -1,0 +1,633 @@
+#include "app/session/respondents/person_at_window.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session/respondents/answer_sheet.h"
+#include "app/session/respondents/form_answer.h"
+
+namespace asperity {
+
+namespace {
+
+using Kind = ParticipantInput::Kind;
+
+constexpr double kLongestPoll_s = 0.01;
+constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
+constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
+constexpr double kHeld_s = 0.8;
+// From a key to here: nothing keeps a window's thread for longer.
+constexpr double kHandedOn_s = 0.05;
+// Nobody means more than this between two looks; a key is stuck.
+constexpr std::size_t kMostWaiting = 1000;
+
+/// What an input asked for, as it is stored.
+std::string description_of(const ParticipantInput& input) {
+  switch (input.kind) {
+    case Kind::option:
+      return "option " + std::to_string(input.number);
+    case Kind::assign:
+      return "option " + std::to_string(input.number) + " to surface " +
+             std::to_string(input.surface);
+    case Kind::surface:
+      return "surface " + std::to_string(input.number);
+    case Kind::next:
+      return "next";
+    case Kind::confirm:
+      return "confirm";
+    case Kind::click:
+      return "click";
+    case Kind::text:
+      return "text";  // what it says is an answer, and may be private
+    case Kind::device_button:
+      return "device button " + std::to_string(input.number);
+    case Kind::released:
+      return input.text;
+  }
+  return {};
+}
+
+/// Index of what an input counts from 1; nothing where there is no such thing.
+std::optional<std::size_t> index_of(int number, std::size_t count) {
+  if (number < 1 || static_cast<std::size_t>(number) > count) return {};
+  return static_cast<std::size_t>(number - 1);
+}
+
+bool confirms_by_button(const ParticipantInput& input) {
+  return input.kind == Kind::device_button && (input.number != 1 || input.held_s >= kHeld_s);
+}
+
+bool steps_by_button(const ParticipantInput& input) {
+  return input.kind == Kind::device_button && !confirms_by_button(input);
+}
+
+/// Where there is nothing to answer.
+bool goes_on(const ParticipantInput& input) {
+  return input.kind == Kind::confirm || input.kind == Kind::device_button;
+}
+
+}  // namespace
+
+/// Everything between the inputs and the answers.
+struct PersonAtWindow::Desk {
+  Desk(SessionMonitor& monitor_, Sound* sound_) : monitor(monitor_), sound(sound_) {}
+
+  SessionMonitor& monitor;
+  Sound* sound = nullptr;
+
+  std::mutex mutex{};
+  std::deque<ParticipantInput> inputs{};  // under the mutex; all else is the conductor's
+
+  std::vector<EventRow> events{};
+  std::string source = "keyboard";
+  std::optional<std::int64_t> answered_ns{};                     ///< the last question of a form
+  ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
+  std::uint64_t cues = 0;         ///< a new scene may begin without the number of the last cue
+  std::int64_t shown_ns = 0;      ///< what is stamped before was meant for another scene
+  std::int64_t perceived_ns = 0;  ///< nobody means the scene, as it is now, any sooner
+  std::optional<std::int64_t> deadline_ns{};  ///< what is stamped after came too late
+
+  std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
+  std::set<int> felt{};              ///< positions, of this attempt
+  int now = 0;                       ///< position under the hand; 0 between surfaces
+  int last_felt = 0;
+  std::optional<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
+
+  std::map<int, std::int64_t> buttons_down{};
+  std::map<int, std::int64_t> buttons_let_go{};
+  std::atomic<bool> more_to_read{false};
+
+  /// The conductor has shown the scene, with what only it knows (progress, workspace); where there
+  /// is none of these kinds yet it is `plain`.
+  void face(std::initializer_list<ParticipantScene::Kind> kinds, ParticipantScene plain);
+  /// Between two surfaces, where cues are shown too. What was pressed before it is refused as well.
+  void see_ground_between();
+  /// Nothing while the conductor shows something else (a pause).
+  void change(const std::function<void(ParticipantScene&)>& alter);
+  void put(ParticipantInput input);
+  /// What is pressed from `time_ns` on was not perceived before a little later.
+  void change_meaning(std::int64_t time_ns) {
+    perceived_ns = time_ns + std::llround(1e9 * kTooSoon_s);
+  }
+  /// The next input that is meant for the present scene.
+  std::optional<ParticipantInput> hear();
+  /// Words under the scene.
+  void remind(Saying saying);
+  void refuse(const ParticipantInput& input, Saying saying);
+  /// There is no question yet: surface `to_feel` has to be felt before it.
+  void refuse_answer(const ParticipantInput& input, std::optional<int> to_feel);
+  void play(Cue cue, int number = 0) const {
+    if (sound != nullptr) sound->play(cue, number);
+  }
+  /// Hears until `heard` is done (true) or the time is over; false when it was. By the session's
+  /// clock: waiting takes a little longer than it was asked to, every time.
+  bool listen(const Wait& wait, std::optional<std::int64_t> until_ns,
+              const std::function<bool(const ParticipantInput&)>& heard);
+  std::int64_t after_shown_ns(double duration_s) const {
+    return shown_ns + std::llround(1e9 * duration_s);
+  }
+
+  /// A button that turned the page has done what it was pressed for.
+  bool turned_page(const ParticipantInput& input);
+  void wait_for_confirmation(const Wait& wait);
+
+  void leave_surface();
+  std::vector<int> felt_positions() const { return {felt.begin(), felt.end()}; }
+  /// Position of a surface other than the present one that nobody has felt yet.
+  std::optional<int> other_unfelt() const;
+  /// Position of the surface whose turn it is to be felt again.
+  int next_again(const Trial& trial) const {
+    return last_felt % static_cast<int>(trial.presentations.size()) + 1;
+  }
+  const std::string& code_of(int position) const {
+    return codes.at(static_cast<std::size_t>(position - 1));
+  }
+
+  /// The rules of the trial's question; a reply once there is one.
+  std::optional<Reply> hear_answer(const Trial& trial, const ParticipantInput& input);
+  std::optional<Reply> hear_number(const Trial& trial, const ParticipantInput& input);
+  std::optional<Reply> hear_confirmation(const Trial& trial, const ParticipantInput& input);
+  std::optional<Reply> hear_wish(const Trial& trial, const ParticipantInput& input);
+  void show_sheet();
+};
+
+void PersonAtWindow::Desk::face(std::initializer_list<ParticipantScene::Kind> kinds,
+                                ParticipantScene plain) {
+  SessionSnapshot snapshot = monitor.snapshot();
+  if (std::find(kinds.begin(), kinds.end(), snapshot.scene->kind) == kinds.end()) {
+    monitor.show(std::move(plain));
+    snapshot = monitor.snapshot();
+  }
+  shown = snapshot.scene->kind;
+  shown_ns = snapshot.scene->shown_ns != 0 ? snapshot.scene->shown_ns
+                                           : std::max(snapshot.now_ns, snapshot.phase_began_ns);
+  change_meaning(shown_ns);
+  deadline_ns.reset();
+}
+
+void PersonAtWindow::Desk::see_ground_between() {
+  const std::shared_ptr<const ParticipantScene> scene = monitor.snapshot().scene;
+  if (scene->kind == ParticipantScene::Kind::blank && !scene->surfaces.empty()) shown = scene->kind;
+}
+
+void PersonAtWindow::Desk::change(const std::function<void(ParticipantScene&)>& alter) {
+  ParticipantScene scene = *monitor.snapshot().scene;  // only this thread shows scenes
+  if (scene.kind != shown) return;
+  alter(scene);
+  monitor.show(std::move(scene));
+}
+
+void PersonAtWindow::Desk::put(ParticipantInput input) {
+  const std::lock_guard lock(mutex);
+  if (inputs.size() < kMostWaiting) inputs.push_back(std::move(input));
+}
+
+std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
+  for (;;) {
+    ParticipantInput input{};
+    {
+      const std::lock_guard lock(mutex);
+      if (inputs.empty()) return {};
+      input = std::move(inputs.front());
+      inputs.pop_front();
+    }
+    const bool is_release = input.kind == Kind::released;
+    const bool is_stale = !is_release && input.time_ns < shown_ns;
+    const bool is_too_soon = !is_release && !is_stale && input.time_ns < perceived_ns;
+    nlohmann::ordered_json data{{"source", input.source}};
+    if (input.held_s > 0.0) data["held_s"] = input.held_s;
+    const bool is_late = !is_release && deadline_ns && input.time_ns > *deadline_ns;
+    if (is_stale) data["meant_for_an_earlier_scene"] = true;
+    if (is_too_soon) data["too_soon"] = true;
+    if (is_late) data["after_the_deadline"] = true;
+    const auto held_ns = static_cast<std::int64_t>(std::llround(1e9 * input.held_s));
+    events.push_back({is_release ? input.time_ns + held_ns : input.time_ns,
+                      is_release ? "input_released" : "input", description_of(input), data.dump()});
+    if (!is_release && !is_stale && !is_too_soon && !is_late) return input;
+  }
+}
+
+void PersonAtWindow::Desk::remind(Saying saying) {
+  change([&](ParticipantScene& scene) {
+    scene.cue = text_of(saying);
+    scene.cue_saying = std::move(saying);
+    cues = std::max(cues, scene.cue_number) + 1;
+    scene.cue_number = cues;
+  });
+}
+
+void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) {
+  events.push_back({input.time_ns, "refused", text_of(saying),
+                    nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
+  remind(std::move(saying));
+  play(Cue::refused);
+}
+
+void PersonAtWindow::Desk::refuse_answer(const ParticipantInput& input,
+                                         std::optional<int> to_feel) {
+  if (to_feel) {
+    refuse(input, {.what = Saying::What::feel_first, .code = code_of(*to_feel)});
+  } else {
+    refuse(input, {.what = Saying::What::not_asked_yet});
+  }
+}
+
+bool PersonAtWindow::Desk::listen(const Wait& wait, std::optional<std::int64_t> until_ns,
+                                  const std::function<bool(const ParticipantInput&)>& heard) {
+  for (;;) {
+    while (const std::optional<ParticipantInput> input = hear()) {
+      if (heard(*input)) return true;
+    }
+    double slice_s = kLongestPoll_s;
+    if (until_ns) {
+      const std::int64_t left_ns = *until_ns - monitor.snapshot().now_ns;
+      if (left_ns <= 0) return false;
+      slice_s = std::clamp(1e-9 * static_cast<double>(left_ns), kShortestPoll_s, kLongestPoll_s);
+    }
+    wait(slice_s);
+  }
+}
+
+bool PersonAtWindow::Desk::turned_page(const ParticipantInput& input) {
+  if (input.kind != Kind::device_button || !more_to_read) return false;
+  change([](ParticipantScene& scene) { ++scene.pages_turned; });
+  return true;
+}
+
+void PersonAtWindow::Desk::wait_for_confirmation(const Wait& wait) {
+  change([](ParticipantScene& scene) { scene.can_confirm = true; });
+  listen(wait, {},
+         [this](const ParticipantInput& input) { return !turned_page(input) && goes_on(input); });
+}
+
+void PersonAtWindow::Desk::leave_surface() {
+  if (now == 0) return;
+  felt.insert(now);
+  last_felt = now;
+  now = 0;
+}
+
+std::optional<int> PersonAtWindow::Desk::other_unfelt() const {
+  for (int position = 1; position <= static_cast<int>(codes.size()); ++position) {
+    if (position != now && !felt.contains(position)) return position;
+  }
+  return {};
+}
+
+// --- the question of a trial ---------------------------------------------------------------------
+
+void PersonAtWindow::Desk::show_sheet() {
+  change([this](ParticipantScene& scene) {
+    sheet->mark(scene);
+    scene.cue.clear();
+    scene.cue_saying = {};
+  });
+}
+
+std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
+                                                       const ParticipantInput& input) {
+  if (trial.question.form == TrialQuestion::Form::number) return hear_number(trial, input);
+  const std::optional<std::size_t> option = index_of(input.number, sheet->options());
+  switch (input.kind) {
+    case Kind::option:
+      if (!option) return {};
+      sheet->choose(*option);
+      break;
+    case Kind::assign: {
+      if (!option || !sheet->is_assignment()) return {};
+      const std::optional<std::size_t> surface = index_of(input.surface, sheet->surfaces());
+      if (surface) {
+        sheet->assign(*option, *surface);
+      } else if (input.surface == 0) {
+        sheet->take_back(*option);
+      } else {
+        return {};
+      }
+      break;
+    }
+    case Kind::surface: {
+      const std::optional<std::size_t> surface = index_of(input.number, trial.presentations.size());
+      if (!surface) return {};
+      if (!sheet->is_assignment() || trial.question.allow_revisit) return hear_wish(trial, input);
+      sheet->turn_to(*surface);
+      break;
+    }
+    case Kind::next:
+      return hear_wish(trial, input);
+    case Kind::confirm:
+      return hear_confirmation(trial, input);
+    case Kind::device_button:
+      if (confirms_by_button(input)) return hear_confirmation(trial, input);
+      if (const std::optional<std::size_t> pointed = sheet->point()) {
+        play(Cue::option, static_cast<int>(*pointed) + 1);
+        break;
+      }
+      show_sheet();
+      remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
+      play(Cue::surface, next_again(trial));
+      return {};
+    case Kind::click:
+    case Kind::text:
+    case Kind::released:
+      return {};
+  }
+  show_sheet();
+  return {};
+}
+
+std::optional<Reply> PersonAtWindow::Desk::hear_number(const Trial& trial,
+                                                       const ParticipantInput& input) {
+  switch (input.kind) {
+    case Kind::surface:
+      if (!index_of(input.number, trial.presentations.size())) return {};
+      return hear_wish(trial, input);
+    case Kind::next:
+      return hear_wish(trial, input);
+    case Kind::text:
+      if (const std::optional<double> estimate = estimate_in(input.text)) {
+        source = input.source;
+        return Reply{.answered_ns = input.time_ns, .estimate = estimate};
+      }
+      if (is_unclear_estimate(input.text)) {
+        refuse(input, {.what = Saying::What::estimate_unclear, .code = trimmed(input.text)});
+        return {};
+      }
+      break;
+    case Kind::confirm:
+    case Kind::device_button:  // it cannot say a number
+      break;
+    case Kind::option:
+    case Kind::assign:
+    case Kind::click:
+    case Kind::released:
+      return {};
+  }
+  refuse(input, {.what = Saying::What::estimate_needed});
+  return {};
+}
+
+std::optional<Reply> PersonAtWindow::Desk::hear_confirmation(const Trial& trial,
+                                                             const ParticipantInput& input) {
+  if (sheet->points_at_feeling_again()) return hear_wish(trial, input);
+  if (sheet->take_pointed()) {
+    // A button that is held means it from when it is let go.
+    change_meaning(input.time_ns + std::llround(1e9 * input.held_s));
+    show_sheet();
+    // What comes next: the surface whose turn it is, or the confirmation of the whole.
+    if (sheet->is_complete()) {
+      play(Cue::question);
+    } else {
+      play(Cue::surface, static_cast<int>(sheet->turn()) + 1);
+    }
+    return {};
+  }
+  if (sheet->is_complete()) {
+    source = input.source;
+    return Reply{.options = sheet->answer(), .answered_ns = input.time_ns};
+  }
+  if (sheet->is_assignment()) {
+    refuse(input, {.what = Saying::What::assign_first,
+                   .code = trial.presentations.at(*sheet->free_surface()).code});
+  } else {
+    refuse(input, {.what = Saying::What::choose_first});
+  }
+  return {};
+}
+
+/// To feel a surface again: the one that was named, or the one after the last that was felt.
+std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
+                                                     const ParticipantInput& input) {
+  if (!trial.question.allow_revisit) {
+    refuse(input, {.what = Saying::What::no_going_back});
+    return {};
+  }
+  sheet->forget_feeling_again();
+  return Reply{.feel_again = input.kind == Kind::surface ? input.number : next_again(trial),
+               .answered_ns = input.time_ns};
+}
+
+// --- the person ----------------------------------------------------------------------------------
+
+PersonAtWindow::PersonAtWindow(SessionMonitor& monitor, Sound* sound)
+    : desk_(std::make_unique<Desk>(monitor, sound)) {}
+
+PersonAtWindow::~PersonAtWindow() = default;
+
+void PersonAtWindow::post(ParticipantInput input) { desk_->put(std::move(input)); }
+
+void PersonAtWindow::set_sound(Sound* sound) { desk_->sound = sound; }
+
+void PersonAtWindow::set_more_to_read(bool more) { desk_->more_to_read = more; }
+
+void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait& wait) {
+  desk_->face({ParticipantScene::Kind::text, ParticipantScene::Kind::rest}, scene_to_read(text));
+  if (minimum_s > 0.0) {
+    // Where the scene counts down, to the same moment.
+    const std::int64_t until_ns =
+        desk_->monitor.snapshot().scene->rest_until_ns.value_or(desk_->after_shown_ns(minimum_s));
+    const bool is_over = desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
+      if (desk_->turned_page(input) || !goes_on(input)) return false;
+      if (input.time_ns >= until_ns) return true;
+      const double left_s = 1e-9 * static_cast<double>(until_ns - input.time_ns);
+      desk_->refuse(input,
+                    {.what = Saying::What::wait, .number = static_cast<int>(std::ceil(left_s))});
+      return false;
+    });
+    if (is_over) return;
+    // A button that is still held was pressed while the break had to last.
+    desk_->shown_ns = until_ns;
+  }
+  desk_->wait_for_confirmation(wait);
+}
+
+void PersonAtWindow::put_mask(bool on, const Wait& wait) {
+  desk_->face({on ? ParticipantScene::Kind::mask_on : ParticipantScene::Kind::mask_off},
+              scene_of_mask(on));
+  desk_->play(on ? Cue::mask_on : Cue::mask_off);
+  desk_->wait_for_confirmation(wait);
+}
+
+void PersonAtWindow::begin_attempt(int, int) {
+  desk_->felt.clear();
+  desk_->now = 0;
+  desk_->last_felt = 0;
+  desk_->sheet.reset();
+}
+
+void PersonAtWindow::announce(const Trial& trial, const PlannedPresentation& surface) {
+  desk_->leave_surface();
+  desk_->now = surface.position;
+  desk_->codes.clear();
+  for (const PlannedPresentation& planned : trial.presentations) {
+    desk_->codes.push_back(planned.code);
+  }
+  desk_->face({ParticipantScene::Kind::feel},
+              scene_of_surface(trial, desk_->felt_positions(), surface.position));
+}
+
+bool PersonAtWindow::wants_next(bool may_go) {
+  const std::optional<int> next = desk_->other_unfelt();
+  std::optional<int> to_feel = next;
+  if (!to_feel && !desk_->felt.contains(desk_->now)) to_feel = desk_->now;
+  while (const std::optional<ParticipantInput> input = desk_->hear()) {
+    switch (input->kind) {
+      case Kind::next:
+        break;
+      case Kind::surface:
+        if (input->number == next) break;
+        // The letter of any other surface is the answer to a choice.
+        desk_->refuse_answer(*input, to_feel);
+        continue;
+      case Kind::device_button:
+        if (input->number == 1) break;
+        [[fallthrough]];
+      case Kind::option:
+      case Kind::assign:
+      case Kind::confirm:
+        desk_->refuse_answer(*input, to_feel);
+        continue;
+      case Kind::click:
+      case Kind::text:
+      case Kind::released:
+        continue;
+    }
+    if (may_go) return true;
+    desk_->refuse(*input, {.what = Saying::What::feel_longer, .code = desk_->code_of(desk_->now)});
+  }
+  return false;
+}
+
+void PersonAtWindow::refuse_answers() {
+  const std::optional<int> next = desk_->other_unfelt();
+  desk_->see_ground_between();
+  while (const std::optional<ParticipantInput> input = desk_->hear()) {
+    switch (input->kind) {
+      case Kind::surface:
+        if (input->number == next) continue;  // it comes
+        break;
+      case Kind::device_button:
+        if (input->number == 1) continue;
+        break;
+      case Kind::option:
+      case Kind::assign:
+      case Kind::confirm:
+      case Kind::click:
+        break;
+      case Kind::next:  // they go on already
+      case Kind::text:
+      case Kind::released:
+        continue;
+    }
+    desk_->refuse_answer(*input, next);
+  }
+}
+
+Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,
+                          std::optional<double> deadline_s, const Wait& wait) {
+  desk_->leave_surface();
+  if (!desk_->sheet) desk_->sheet.emplace(trial);
+  desk_->face({ParticipantScene::Kind::question},
+              scene_of_question(trial, desk_->felt_positions()));
+  desk_->show_sheet();
+  std::optional<std::int64_t> until_ns{};
+  if (deadline_s) {
+    desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);
+    until_ns = desk_->after_shown_ns(*deadline_s + kHandedOn_s);
+  }
+  std::optional<Reply> reply{};
+  desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
+    reply = desk_->hear_answer(trial, input);
+    return reply.has_value();
+  });
+  return reply.value_or(Reply{});
+}
+
+void PersonAtWindow::tell(const std::string& text, const Wait& wait) {
+  ParticipantScene plain{};
+  plain.kind = ParticipantScene::Kind::feedback;
+  plain.text = text;
+  desk_->face({ParticipantScene::Kind::feedback}, std::move(plain));
+  desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), goes_on);
+}
+
+std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
+  desk_->face({ParticipantScene::Kind::form}, scene_of_form(question));
+  std::string given{};
+  std::optional<std::size_t> pointed{};
+  desk_->listen(wait, {}, [&](const ParticipantInput& input) {
+    if (steps_by_button(input)) {
+      if (question.options.empty()) return false;
+      pointed = pointed ? (*pointed + 1) % question.options.size() : 0;
+      desk_->play(Cue::option, static_cast<int>(*pointed) + 1);
+      return false;
+    }
+    std::string text{};
+    if (input.kind == Kind::text) {
+      text = trimmed(input.text);
+    } else if (input.kind == Kind::option) {
+      const std::optional<std::size_t> option = index_of(input.number, question.options.size());
+      if (!option) return false;
+      text = question.options[*option];
+    } else if (goes_on(input)) {
+      if (pointed) text = question.options[*pointed];
+    } else {
+      return false;
+    }
+    if (std::optional<Saying> refusal = refusal_of(question, text)) {
+      desk_->refuse(input, std::move(*refusal));
+      return false;
+    }
+    given = std::move(text);
+    desk_->source = input.source;
+    desk_->answered_ns = input.time_ns;
+    return true;
+  });
+  return given;
+}
+
+std::optional<std::int64_t> PersonAtWindow::answered_ns() const { return desk_->answered_ns; }
+
+std::string PersonAtWindow::source() const { return desk_->source; }
+
+void PersonAtWindow::button_changed(const ButtonChange& change) {
+  if (change.down) {
+    const auto let_go = desk_->buttons_let_go.find(change.button);
+    if (let_go != desk_->buttons_let_go.end() &&
+        1e-9 * static_cast<double>(change.time_ns - let_go->second) < kBounce_s) {
+      return;
+    }
+    desk_->buttons_down[change.button] = change.time_ns;
+    // How long the first one is held decides what it means.
+    if (change.button == 1) return;
+  }
+  if (!change.down) desk_->buttons_let_go[change.button] = change.time_ns;
+  const auto pressed = desk_->buttons_down.find(change.button);
+  if (pressed == desk_->buttons_down.end()) return;  // down since before the session, or bouncing
+  ParticipantInput input{};
+  input.kind = Kind::device_button;
+  input.number = change.button;
+  input.time_ns = pressed->second;
+  input.source = "device_button";
+  if (!change.down) {
+    input.held_s = 1e-9 * static_cast<double>(change.time_ns - pressed->second);
+    desk_->buttons_down.erase(pressed);
+    if (change.button != 1) {
+      input.text = description_of(input);
+      input.kind = Kind::released;
+    }
+  }
+  desk_->put(std::move(input));
+}
+
+std::vector<EventRow> PersonAtWindow::take_events() { return std::exchange(desk_->events, {}); }
+
+}  // namespace asperity

@@ -1,0 +1,256 @@
+// A person at a terminal: numbered options, typed answers.
+
+#include "app/session/respondents/terminal_respondent.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <utility>
+
+#include <poll.h>
+#include <termios.h>
+
+#include "app/session/respondents/form_answer.h"
+#include "app/study_files/height_field_files.h"
+#include "app/words/reason.h"
+#include "app/words/text_parts.h"
+#include "stimuli/preview.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kTerminalPoll_s = 0.05;
+constexpr const char* kAfterFault =
+    "When the fault is fixed and it is safe, press Return to continue; to end the session here, "
+    "type: end\n";
+
+/// Of a terminal, as far as lines are read with ease.
+std::size_t columns_of_terminal(int terminal) {
+  constexpr std::size_t kUsual = 80;
+  constexpr std::size_t kMost = 100;
+  winsize size{};
+  if (::ioctl(terminal, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsual;
+  return std::min<std::size_t>(size.ws_col, kMost);
+}
+
+}  // namespace
+
+TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
+                                       std::filesystem::path sheet)
+    : input_(input), output_(output), study_(std::move(study)), sheet_(std::move(sheet)) {}
+
+void TerminalRespondent::show(const std::vector<std::string>& pictures) {
+  constexpr std::size_t kRows = 400;
+  if (in_grey_) {
+    std::vector<GreyImage> images{};
+    for (const std::string& picture : pictures) {
+      images.push_back(load_photograph(study_ / picture).photograph.grey);
+    }
+    return save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
+  }
+  // Each of red, green and blue is laid out as a picture.
+  std::array<std::vector<GreyImage>, 3> planes{};
+  for (const std::string& picture : pictures) {
+    ColorPlanes colours = load_color_picture(study_ / picture);
+    for (std::size_t i = 0; i < planes.size(); ++i) planes[i].push_back(std::move(colours[i]));
+  }
+  ColorPlanes sheet{};
+  for (std::size_t i = 0; i < planes.size(); ++i) sheet[i] = side_by_side(planes[i], kRows);
+  save_color_picture(sheet_, sheet, Overwrite::allow);
+}
+
+std::optional<std::string> TerminalRespondent::typed_line() {
+  for (;;) {
+    if (const auto end = buffer_.find('\n'); end != std::string::npos) {
+      std::string text = trimmed(buffer_.substr(0, end));
+      buffer_.erase(0, end + 1);
+      return text;
+    }
+    pollfd ready{input_, POLLIN, 0};
+    if (::poll(&ready, 1, 0) <= 0) return {};
+    std::array<char, 512> bytes{};
+    const ssize_t count = ::read(input_, bytes.data(), bytes.size());
+    if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
+      throw RespondentGone(phrase_of(Reason::terminal_closed));
+    }
+    if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+std::optional<std::string> TerminalRespondent::line(const Wait& wait,
+                                                    const std::optional<double>& left_s) {
+  unechoed_.reset();
+  for (;;) {
+    const bool is_late = left_s && *left_s <= 0.0;
+    if (is_late && buffer_.find('\n') == std::string::npos) return {};
+    if (std::optional<std::string> text = typed_line()) return text;
+    wait(kTerminalPoll_s);
+  }
+}
+
+void TerminalRespondent::hear_of_fault(const std::string& what) {
+  unechoed_.reset();
+  forget_typed();  // what was typed before is no answer to this
+  output_ << "\n\n" << what << '\n' << kAfterFault << std::flush;
+}
+
+Respondent::AfterFault TerminalRespondent::after_fault() {
+  const std::optional<std::string> typed = typed_line();
+  if (!typed) return AfterFault::nothing;
+  if (typed->empty()) return AfterFault::go_on;
+  if (*typed == "end") return AfterFault::end;
+  output_ << kAfterFault << std::flush;
+  return AfterFault::nothing;
+}
+
+void TerminalRespondent::forget_typed() {
+  ::tcflush(input_, TCIFLUSH);
+  buffer_.clear();
+}
+
+void TerminalRespondent::read(const std::string& text, double minimum_s, const Wait& wait) {
+  output_ << '\n' << wrapped_text(text, columns_of_terminal(input_)) << '\n';
+  if (minimum_s > 0.0) {
+    output_ << "(at least " << static_cast<int>(minimum_s) << " s)\n" << std::flush;
+    wait(minimum_s);
+    // A Return during the break ends neither it nor what follows.
+    while (typed_line()) {
+    }
+    forget_typed();
+  }
+  output_ << "Press Return to continue. " << std::flush;
+  line(wait);
+}
+
+void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation& surface) {
+  if (surface.position == 1 && trial.question.standard_picture) {
+    show({*trial.question.standard_picture});
+    output_ << "\nThe picture is in " << sheet_.string() << ".\n";
+  }
+  output_ << "\nFeel surface " << surface.code << " now." << std::endl;
+  if (!unechoed_) unechoed_.emplace(input_);
+}
+
+Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
+                              std::optional<double> deadline_s, const Wait& wait) {
+  // What was typed while the surfaces were felt does not answer the question; what is typed once it is shown does, also
+  // while its pictures are read.
+  unechoed_.reset();
+  forget_typed();
+  const TrialQuestion& question = trial.question;
+  const bool assignment = question.form == TrialQuestion::Form::assignment;
+  output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
+  std::vector<std::string> pictures{};
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    const Option& option = question.options[i];
+    if (option.picture) pictures.push_back(*option.picture);
+    output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "") << option.label << '\n';
+  }
+  if (!pictures.empty()) {
+    output_ << std::flush;
+    show(pictures);
+    output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
+            << " from left to right.\n";
+  }
+  if (question.allow_revisit) {
+    output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
+  }
+  // One deadline for the whole question, however many lines it takes.
+  std::optional<double> left_s = deadline_s;
+  const Wait timed = [&](double duration_s) {
+    wait(duration_s);
+    if (left_s) left_s = std::max(0.0, *left_s - duration_s);
+  };
+  if (question.form == TrialQuestion::Form::number) return ask_for_number(trial, timed, left_s);
+  Reply reply{};
+  const std::size_t items = assignment ? trial.presentations.size() : 1;
+  while (reply.options.size() < items) {
+    if (assignment) {
+      output_ << "Surface " << trial.presentations[reply.options.size()].code << " is picture: ";
+    } else {
+      output_ << "Your answer: ";
+    }
+    output_ << std::flush;
+    const std::optional<std::string> typed = line(timed, left_s);
+    if (!typed) return {};
+    bool is_wish = false;
+    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
+      if (!reply.options.empty()) output_ << "After that, please assign all pictures again.\n";
+      return {{}, again};
+    }
+    if (is_wish) continue;
+    const std::optional<std::size_t> number = whole_number(*typed);
+    if (!number || *number < 1 || *number > question.options.size()) {
+      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
+      continue;
+    }
+    if (std::find(reply.options.begin(), reply.options.end(), *number - 1) != reply.options.end()) {
+      output_ << "That picture is already assigned; each picture belongs to one surface.\n";
+      continue;
+    }
+    reply.options.push_back(*number - 1);
+  }
+  return reply;
+}
+
+Reply TerminalRespondent::ask_for_number(const Trial& trial, const Wait& wait,
+                                         const std::optional<double>& left_s) {
+  for (;;) {
+    output_ << "Your number: " << std::flush;
+    const std::optional<std::string> typed = line(wait, left_s);
+    if (!typed) return {};
+    bool is_wish = false;
+    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) return {{}, again};
+    if (is_wish) continue;
+    if (const std::optional<double> estimate = estimate_in(*typed)) return {.estimate = estimate};
+    output_ << text_of(is_unclear_estimate(*typed)
+                           ? Saying{.what = Saying::What::estimate_unclear, .code = trimmed(*typed)}
+                           : Saying{.what = Saying::What::estimate_needed})
+            << '\n';
+  }
+}
+
+std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const Trial& trial,
+                                               bool& said) {
+  said = trial.question.allow_revisit && typed.rfind("feel", 0) == 0;
+  if (!said) return {};
+  std::string code = trimmed(typed.substr(4));
+  for (char& letter : code) {
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  }
+  for (const PlannedPresentation& surface : trial.presentations) {
+    if (surface.code == code) return surface.position;
+  }
+  output_ << "There is no surface " << code << ".\n";
+  return {};
+}
+
+void TerminalRespondent::tell(const std::string& text, const Wait&) {
+  output_ << text << std::endl;
+}
+
+std::string TerminalRespondent::answer(const Question& question, const Wait& wait) {
+  output_ << '\n'
+          << wrapped_text(question.prompt + (question.optional ? " (may be left empty)" : ""),
+                          columns_of_terminal(input_))
+          << '\n';
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    output_ << "  " << i + 1 << "  " << question.text_of_option(i) << '\n';
+  }
+  for (;;) {
+    output_ << "Your answer: " << std::flush;
+    std::string typed = line(wait).value_or(std::string());
+    const std::optional<Saying> refusal = refusal_of(question, typed);
+    if (!refusal) return typed;
+    if (refusal->what == Saying::What::option_needed) {
+      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
+    } else {
+      output_ << text_of(*refusal) << '\n';
+    }
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,75 @@
+// A person at a terminal: numbered options, typed answers.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "app/session/respondents/respondent.h"
+#include "app/session/respondents/unechoed_input.h"
+
+namespace asperity {
+
+/// Asks on a terminal. While it waits for a line the session goes on ticking.
+///
+/// What it shows are prompts, codes and option numbers, never names of textures or models.
+/// Pictures, which a terminal cannot show, are put side by side into one file in the order of the
+/// options, made anew for each question; any viewer can keep it open beside the terminal. It has
+/// their colours, unless the protocol shows them in shades of grey.
+///
+/// From the announcement of a surface until the next question or text is shown, the terminal does not show what is typed,
+/// and it is discarded.
+///
+/// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
+class TerminalRespondent final : public Respondent {
+ public:
+  /// `input` is a file descriptor that can be polled (standard input); both outlive the respondent.
+  /// Pictures are read from `study` and put into `sheet`, a PNG.
+  TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
+                     std::filesystem::path sheet);
+
+  /// From now on pictures are shown in shades of grey.
+  void show_in_grey() noexcept { in_grey_ = true; }
+
+  void read(const std::string& text, double minimum_s, const Wait& wait) override;
+  void announce(const Trial& trial, const PlannedPresentation& surface) override;
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
+  void tell(const std::string& text, const Wait& wait) override;
+  std::string answer(const Question& question, const Wait& wait) override;
+  std::string source() const override { return "keyboard"; }
+  /// At a terminal there is no experimenter's window: Return states that the fault is corrected.
+  void hear_of_fault(const std::string& what) override;
+  AfterFault after_fault() override;
+  void begin_attempt(int, int) override {}
+
+ private:
+  /// The answer that is a number, or the wish to feel again.
+  Reply ask_for_number(const Trial& trial, const Wait& wait, const std::optional<double>& left_s);
+  /// The wish to feel a surface again, where the line is one of a surface that is there; where it is
+  /// of another, `said` is true.
+  std::optional<int> wish_in(const std::string& typed, const Trial& trial, bool& said);
+
+  /// The next line typed; nothing when no time is left. `wait` may count `left_s` down.
+  std::optional<std::string> line(const Wait& wait, const std::optional<double>& left_s = {});
+
+  /// A line that has been typed already.
+  std::optional<std::string> typed_line();
+
+  /// Writes the sheet with these pictures (paths in the study), from left to right.
+  void show(const std::vector<std::string>& pictures);
+  void forget_typed();
+
+  int input_ = 0;
+  std::ostream& output_;
+  std::filesystem::path study_{};
+  std::filesystem::path sheet_{};
+  bool in_grey_ = false;
+  std::string buffer_{};
+  std::optional<UnechoedInput> unechoed_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,254 @@
+#include "app/session/respondents/virtual_participant.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/session/attempt_measures.h"
+#include "app/session/rig/recorder.h"
+#include "app/session/rig/rig.h"
+#include "renderers/offline/recorded_force.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kReading_s = 2.0;
+constexpr double kExpectationContact_s = 4.0;
+constexpr std::uint64_t kExpectationPresentation = 1;
+
+ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
+                        const Protocol& protocol, const HandHabits& habits, const Random& random) {
+  RigSettings settings{};
+  settings.servo.rate_Hz = protocol.rate_Hz;
+  settings.limits.force_N = protocol.force_limit_N;
+  SteppedRig rig(settings, 0);
+  Recorder recorder;
+  rig.prepare_attempt(habits, random.split("hand"));
+  recorder.begin(nullptr, protocol.rate_Hz, rig.records());
+  rig.pass(0.1, recorder);
+  RendererInputs seeded = inputs;
+  seeded.seed = random.split("renderer").bits();
+  rig.loop().present({kExpectationPresentation, model.make(seeded)});
+  recorder.watch(kExpectationPresentation);
+  rig.hand().stroke();
+  const double limit_s = 4.0 * kExpectationContact_s;
+  for (double passed_s = 0.0;
+       recorder.live().contact_s < kExpectationContact_s && passed_s < limit_s; passed_s += 0.1) {
+    rig.pass(0.1, recorder);
+  }
+  const Recorder::Attempt attempt = recorder.finish(rig.records());
+  return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
+}
+
+std::size_t option_with(const TrialQuestion& question, const std::string& value) {
+  for (std::size_t option = 0; option < question.options.size(); ++option) {
+    if (question.options[option].value == value) return option;
+  }
+  throw std::logic_error("no option has the value " + value);
+}
+
+}  // namespace
+
+namespace {
+
+/// What is felt of a texture where its heights are known: a plate that has them.
+struct Sample {
+  const ForceModel* model = nullptr;
+  RendererInputs inputs{};
+};
+
+Sample plate_with(const std::string& height_field, const Protocol& protocol,
+                  StimulusBuilder& builder) {
+  const ForceModel* model = builder.models().find("height_map");
+  if (model == nullptr) throw std::logic_error("there is no model height_map");
+  Sample sample{.model = model};
+  sample.inputs.parameters = complete_values(model->declaration, {});
+  sample.inputs.material = protocol.material;
+  sample.inputs.patch = protocol.patch;
+  const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
+  sample.inputs.height_field =
+      cutoff_m ? builder.height_field_without_long_wavelengths(height_field, *cutoff_m)
+               : builder.height_field(height_field).field;
+  return sample;
+}
+
+Sample bodies_of(StimulusDescription stimulus, StimulusBuilder& builder) {
+  stimulus.parameters.clear();
+  PreparedStimulus prepared = builder.unmatched(stimulus);
+  return {.model = prepared.model, .inputs = std::move(prepared.inputs)};
+}
+
+std::set<std::string, std::less<>> body_models_of(const ModelRegistry& models) {
+  std::set<std::string, std::less<>> ids{};
+  for (const ForceModel& model : models.models()) {
+    if (model.declaration.needs_bodies) ids.insert(model.declaration.id);
+  }
+  return ids;
+}
+
+Expectations true_surfaces(const Protocol& protocol, StimulusBuilder& builder,
+                           const Random& random) {
+  const auto on_bodies =
+      stimuli_on_bodies(possible_trials(protocol), body_models_of(builder.models()));
+  const HandHabits habits = protocol.explorations.empty()
+                                ? HandHabits{}
+                                : habits_for(protocol.explorations.begin()->second, protocol.patch);
+  Expectations expectations{};
+  for (const auto& [name, texture] : protocol.textures) {
+    const auto stimulus = on_bodies.find(name);
+    if (stimulus == on_bodies.end() && !texture.true_height_field) continue;
+    const Sample sample = stimulus == on_bodies.end()
+                              ? plate_with(*texture.true_height_field, protocol, builder)
+                              : bodies_of(stimulus->second, builder);
+    expectations[name] = felt_once(*sample.model, sample.inputs, protocol, habits,
+                                   random.split("expectation").split(name));
+  }
+  return expectations;
+}
+
+}  // namespace
+
+Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
+                             const Random& random) {
+  Expectations expectations{};
+  using Source = ObserverDeclaration::Expectation;
+  switch (protocol.observer.expectation) {
+    case Source::none:
+      break;
+    case Source::prior:
+      for (const auto& [name, texture] : protocol.textures) {
+        if (texture.prior) expectations[name] = *texture.prior;
+      }
+      break;
+    case Source::true_surface:
+      expectations = true_surfaces(protocol, builder, random);
+      break;
+  }
+  return expectations;
+}
+
+VirtualParticipant::VirtualParticipant(const Protocol& protocol, Expectations expectations,
+                                       ParticipantRow person, const Random& random)
+    : protocol_(protocol),
+      expectations_(std::move(expectations)),
+      person_(std::move(person)),
+      random_(random),
+      attempt_random_(random) {}
+
+void VirtualParticipant::begin_attempt(int trial, int attempt) {
+  attempt_random_ = random_.split("attempt")
+                        .split(static_cast<std::uint64_t>(trial))
+                        .split(static_cast<std::uint64_t>(attempt));
+}
+
+void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& wait) {
+  wait(std::max(minimum_s, kReading_s));
+}
+
+void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
+
+std::vector<std::size_t> VirtualParticipant::open_options(const Trial& trial) const {
+  std::vector<std::size_t> open{};
+  if (protocol_.kind == ProtocolKind::selection) {
+    for (const PlannedPresentation& surface : trial.presentations) {
+      open.push_back(option_with(trial.question, surface.item));
+    }
+    return open;
+  }
+  for (std::size_t option = 0; option < trial.question.options.size(); ++option) {
+    if (protocol_.textures.contains(trial.question.options[option].value)) open.push_back(option);
+  }
+  return open;
+}
+
+Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures> felt,
+                              std::optional<double> deadline_s, const Wait& wait) {
+  VirtualObserver observer(protocol_.observer, attempt_random_);
+  const double thinking_s = observer.response_time_s();
+  if (deadline_s && thinking_s > *deadline_s) {
+    wait(*deadline_s);
+    return {};
+  }
+  wait(thinking_s);
+  if (trial.question.form == TrialQuestion::Form::number) {
+    source_ = protocol_.observer.deaf ? "virtual_guess" : "virtual";
+    return {.estimate = observer.estimate(felt.front(), number_habit_of(random_.split("numbers")))};
+  }
+  return choose(trial, felt, observer);
+}
+
+Reply VirtualParticipant::choose(const Trial& trial, std::span<const ForceFeatures> felt,
+                                 VirtualObserver& observer) {
+  const bool selects = protocol_.kind == ProtocolKind::selection;
+  const std::vector<std::size_t> open = open_options(trial);
+  std::vector<ForceFeatures> expected{};
+  const auto expect = [&](const std::string& texture) {
+    const auto found = expectations_.find(texture);
+    if (found != expectations_.end()) expected.push_back(found->second);
+  };
+  if (selects) {
+    expect(trial.presentations.front().stimulus.texture);
+  } else {
+    for (const std::size_t option : open) expect(trial.question.options[option].value);
+  }
+  const bool knows = expected.size() == (selects ? 1 : open.size());
+  source_ = knows && !protocol_.observer.deaf ? "virtual" : "virtual_guess";
+
+  const bool assigns = trial.question.form == TrialQuestion::Form::assignment;
+  std::vector<std::size_t> chosen{};
+  if (!knows && assigns) {
+    chosen.resize(felt.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    Random guessing = attempt_random_.split("assignment");
+    guessing.shuffle(std::span<std::size_t>(chosen));
+  } else if (!knows) {
+    chosen = {observer.guess(open.size())};
+  } else if (selects) {
+    chosen = {observer.select(felt, expected.front())};
+  } else if (assigns) {
+    chosen = observer.match(felt, expected);
+  } else {
+    chosen = {observer.recognise(felt.front(), expected)};
+  }
+  Reply reply{};
+  for (const std::size_t index : chosen) reply.options.push_back(open[index]);
+  return reply;
+}
+
+std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {
+  wait(kReading_s);
+  source_ = "virtual";
+  switch (question.form) {
+    case Question::Form::choice:
+      return question.options.empty() ? std::string() : question.options.front();
+    case Question::Form::number: {
+      const double low = question.minimum.value_or(0.0);
+      const double high = question.maximum.value_or(low + 10.0);
+      return std::to_string(static_cast<int>(0.5 * (low + high)));
+    }
+    case Question::Form::text:
+      return {};
+  }
+  return {};
+}
+
+ParticipantRow virtual_person(int number, const Random& random, const std::string& created_utc) {
+  Random draws = random.split("person").split(static_cast<std::uint64_t>(number));
+  ParticipantRow person{};
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  person.label = "virtual" + digits;
+  person.is_virtual = true;
+  person.sex = number % 2 == 1 ? "F" : "M";
+  person.age_years = 20.0 + static_cast<double>(draws.below(9));  // mean 24, as in the chapter
+  person.handedness = draws.below(10) == 0 ? "left" : "right";
+  person.answers_json = R"({"hand_used":")" + *person.handedness + R"("})";
+  person.created_utc = created_utc;
+  return person;
+}
+
+}  // namespace asperity

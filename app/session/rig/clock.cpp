@@ -1,0 +1,29 @@
+#include "app/session/rig/clock.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "app/words/utc_time.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+SystemClock::SystemClock(std::int64_t not_before_ns)
+    : ahead_ns_(std::max<std::int64_t>(0, not_before_ns - monotonic_now_ns())) {}
+
+std::int64_t SystemClock::now_ns() const noexcept { return monotonic_now_ns() + ahead_ns_; }
+
+std::string SystemClock::utc() const {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count());
+}
+
+std::string SimulatedClock::utc() const { return utc_text(kEpoch_s * 1'000'000'000 + now_ns()); }
+
+void SimulatedClock::move_to(std::int64_t now_ns) {
+  if (now_ns < now_ns_) throw std::logic_error("a simulated clock cannot go back");
+  now_ns_ = now_ns;
+}
+
+}  // namespace asperity

@@ -1,0 +1,159 @@
+// A device, the servo loop that drives it, and what paces the loop: the physical side of a session.
+
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/random.h"
+#include "app/session/rig/clock.h"
+#include "device/drivers.h"
+#include "device/simulated_device.h"
+#include "device/virtual_hand.h"
+#include "protocols/protocol.h"
+#include "renderers/record_ring.h"
+#include "renderers/servo_loop.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+class Recorder;
+
+struct RigSettings {
+  ServoSettings servo{};
+  ForceLimits limits{};
+  SimulatedDeviceSettings device{};
+};
+
+/// The settings that a protocol requires. `device` as --device names it: what the simulated device
+/// stands for; without meaning for other devices.
+/// Errors: std::runtime_error for a "simulated:MODEL" that does not exist.
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
+                             const std::string& device = "simulated");
+
+/// What the conductor needs of the physical side.
+///
+/// `pass` is how time goes by in a session: ticks happen, the recorder takes their records, the
+/// loop receives the conductor's heartbeat. Everything the conductor waits for, it waits for in
+/// `pass`.
+///
+/// Threads: all of it belongs to the conductor's thread, but for `emergency_stop`.
+class Rig {
+ public:
+  virtual ~Rig() = default;
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  virtual const Clock& clock() const noexcept = 0;
+  virtual ServoLoop& loop() noexcept = 0;
+  virtual RecordRing& records() noexcept = 0;
+  virtual VirtualHand& hand() noexcept = 0;
+  virtual const DeviceCapability& capability() const noexcept = 0;
+  /// "stepped" or "real_time", and how the thread is scheduled.
+  virtual std::string pacing() const = 0;
+  virtual std::string scheduling() const = 0;
+  /// What is wrong with the device now (HapticDevice::complaint); empty while all is well.
+  virtual std::string complaint() const { return {}; }
+
+  /// The hand as it is for the next attempt, lifted. A stepped rig starts anew, so that an attempt
+  /// does not depend on the ones before it.
+  virtual void prepare_attempt(const HandHabits& habits, const Random& random) = 0;
+
+  virtual void pass(double duration_s, Recorder& recorder) = 0;
+
+  /// Zero force at once, latched; from any thread.
+  virtual void emergency_stop() noexcept = 0;
+  /// Lifts the fault that the loop showed to the caller; another one that has come since stays.
+  virtual void clear_fault(Fault seen) noexcept { loop().clear_fault(seen); }
+
+ protected:
+  Rig() = default;
+};
+
+/// A simulated device on a simulated clock: as fast as the machine can.
+class SteppedRig final : public Rig {
+ public:
+  SteppedRig(const RigSettings& settings, std::int64_t session_index);
+  ~SteppedRig() override;
+
+  const Clock& clock() const noexcept override { return clock_; }
+  ServoLoop& loop() noexcept override;
+  RecordRing& records() noexcept override;
+  VirtualHand& hand() noexcept override;
+  const DeviceCapability& capability() const noexcept override;
+  std::string pacing() const override { return "stepped"; }
+  std::string scheduling() const override { return "none"; }
+  void prepare_attempt(const HandHabits& habits, const Random& random) override;
+  void pass(double duration_s, Recorder& recorder) override;
+  /// Reaches the loop with its next tick, whichever attempt that belongs to.
+  void emergency_stop() noexcept override { stop_wanted_.store(true); }
+  void clear_fault(Fault seen) noexcept override;
+
+  /// A resumed session goes on after what was stored.
+  void move_clock_to(std::int64_t now_ns);
+
+ private:
+  struct Assembly;
+  RigSettings settings_{};
+  SimulatedClock clock_;
+  std::int64_t grid_origin_ns_ = 0;
+  std::int64_t ticks_since_origin_ = 0;
+  double owed_s_ = 0.0;
+  std::atomic<bool> stop_wanted_{false};
+  std::unique_ptr<Assembly> assembly_;
+};
+
+/// Opens the device of a rig. The simulated one is held by the hand; to others it means nothing.
+using DeviceOpening = std::function<std::unique_ptr<HapticDevice>(VirtualHand& hand)>;
+
+/// The device of a rig in real time: its name as RunInputs::device, and the settings of its driver.
+struct NamedDevice {
+  std::string name = "simulated";
+  DriverOptions options{};
+};
+
+/// A device in real time, on a servo thread.
+class RealTimeRig final : public Rig {
+ public:
+  /// `not_before_ns`: the session's clock goes on from there when the machine's is behind it (it
+  /// starts anew with the machine).
+  RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
+              Scheduling scheduling, std::int64_t not_before_ns);
+  /// On the device that is opened, instead of the simulated one of the settings.
+  RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
+              Scheduling scheduling, std::int64_t not_before_ns, const DeviceOpening& open);
+  ~RealTimeRig() override;
+
+  const Clock& clock() const noexcept override { return clock_; }
+  ServoLoop& loop() noexcept override { return loop_; }
+  RecordRing& records() noexcept override { return records_; }
+  VirtualHand& hand() noexcept override { return hand_; }
+  const DeviceCapability& capability() const noexcept override { return device_->capability(); }
+  std::string pacing() const override { return "real_time"; }
+  std::string scheduling() const override { return thread_.scheduling(); }
+  std::string complaint() const override { return device_->complaint(); }
+  void prepare_attempt(const HandHabits& habits, const Random& random) override;
+  void pass(double duration_s, Recorder& recorder) override;
+  void emergency_stop() noexcept override { loop_.emergency_stop(); }
+
+ private:
+  SystemClock clock_;
+  VirtualHand hand_;
+  std::unique_ptr<HapticDevice> device_;
+  RecordRing records_;
+  ServoLoop loop_;
+  ServoThread thread_;
+};
+
+/// A rig in real time, as fast as the system lets its thread be: on the simulated device of the settings where
+/// the name is that of one, otherwise on what one of the drivers opens. It can play recordings ("replay:FILE").
+/// Errors: as DriverRegistry::open.
+std::unique_ptr<RealTimeRig> open_rig(const NamedDevice& device, const DriverRegistry& drivers,
+                                      const RigSettings& settings, const Random& hand,
+                                      std::int64_t not_before_ns);
+
+}  // namespace asperity

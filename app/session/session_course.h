@@ -1,0 +1,159 @@
+// How time goes by in a session, and what is seen, heard and written down of it meanwhile.
+
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/respondents/respondent.h"
+#include "app/session/rig/device_complaints.h"
+#include "app/session/rig/record_watch.h"
+#include "app/session/rig/recorder.h"
+#include "app/session/rig/rig.h"
+#include "app/session/session_links.h"
+#include "app/session/session_monitor.h"
+#include "app/session/session_requests.h"
+#include "app/session/session_setup.h"
+#include "app/session/sound/sound.h"
+#include "protocols/protocol.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// What ends an attempt before its answer, or what was read or asked outside one.
+struct Interruption {
+  AttemptOutcome outcome = AttemptOutcome::aborted;
+  Phrase reason{};
+  /// The session does not end with it: whatever was interrupted is asked again.
+  bool ask_again = false;
+  Fault fault = Fault::none;  ///< that the loop showed, if it was one
+};
+
+/// By a fault of the loop, or by the emergency stop.
+Interruption interruption_by(Fault fault);
+/// "the device failed in trial 3: the device does not respond"; without a trial "the emergency stop was pressed between
+/// trials".
+Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial);
+
+/// What the walk over the plan and an attempt have in common: they wait, they are in a phase, the
+/// participant sees a scene, something happens that is to be stored.
+///
+/// Waiting is done in slices of a few hundredths of a second. In each the rig ticks, buttons of the
+/// device are handed to the respondent, the monitor is brought up to date, and what the experimenter
+/// asked for is taken up. Without a monitor nothing is published and changes of phase are not
+/// stored, so that simulated studies stay as small as they are.
+///
+/// Events within an attempt are kept until `take_attempt_events` and belong into its row; those
+/// outside are stored at once.
+///
+/// A problem that the device reports is shown unchanged, and reported and stored (`device_trouble`, `device_well`)
+/// as DeviceComplaints specifies.
+///
+/// Threads: the conductor's.
+class SessionCourse final {
+ public:
+  /// All must outlive the course.
+  SessionCourse(Study& study, const Protocol& protocol, Rig& rig, Respondent& respondent,
+                SessionRequests& requests, const SessionLinks& links);
+  SessionCourse(const SessionCourse&) = delete;
+  SessionCourse& operator=(const SessionCourse&) = delete;
+
+  /// What follows belongs to this session.
+  void begin(const SessionRow& row);
+
+  Study& study() noexcept { return study_; }
+  const Protocol& protocol() const noexcept { return protocol_; }
+  Rig& rig() noexcept { return rig_; }
+  Respondent& respondent() noexcept { return respondent_; }
+  Recorder& recorder() noexcept { return recorder_; }
+  std::int64_t now_ns() const noexcept { return rig_.clock().now_ns(); }
+  const SessionRow& row() const noexcept { return row_; }
+  bool has_monitor() const noexcept { return links_.monitor != nullptr; }
+
+  // --- time ---
+
+  /// Throws Interruption on a fault, when the session is aborted, when the trial under way is
+  /// skipped, and when masking noise that is needed stops.
+  void wait(double duration_s);
+  /// As `wait`, where there is no trial to wait for: a wish to stop after the trial ends it as well.
+  void wait_outside_trial(double duration_s);
+  /// As `wait`, within an attempt while there is neither a surface to be felt nor a question: the
+  /// respondent refuses answers meanwhile.
+  void wait_refusing_answers(double duration_s);
+  /// One slice, whatever is asked for.
+  void pass_slice();
+  static constexpr double kSlice_s = 0.02;
+
+  // --- what is seen and heard ---
+
+  /// Enters a phase: an event, and the monitor's.
+  void enter(SessionPhase phase);
+  /// Only informs the monitor, where the event was stored before.
+  void publish(SessionPhase phase);
+  SessionPhase phase() const noexcept { return phase_; }
+  void show(ParticipantScene scene);
+  void set_facts(SessionFacts facts);
+  void update(const std::function<void(SessionSnapshot&)>& change);
+  void add_attempt(AttemptSummary attempt);
+  void play(Cue cue, int number = 0);
+  /// Does nothing where the protocol requests no noise or nothing can sound.
+  void set_masking(bool on);
+  /// Tones warn the participant who feels a surface when force or speed leave the instructed range.
+  void set_guiding_tones(bool on);
+  bool is_masking() const noexcept { return masking_; }
+  /// The protocol requests noise, there is a card to play it, and it does not. Without a card nothing
+  /// was heard before either: the checklist and the window state this, and there is nothing to repair.
+  bool has_lost_noise() const;
+  /// The noise has sounded since the session was begun or resumed.
+  bool has_masked() const noexcept { return has_masked_; }
+  /// Has the experimenter do something before a trial (place a sample) and waits until that was
+  /// confirmed; the participant sees nothing of it. Where no experimenter is there, the respondent reads.
+  void ask_experimenter(const std::string& prompt, const Wait& waiting);
+  /// Has the eye mask put on or taken off by a person who wears one, if it is not so already.
+  void put_mask(bool on, const Wait& waiting);
+
+  // --- what is written down ---
+
+  void event(const std::string& kind, const Phrase& text, const std::string& data_json = "null");
+  /// What the experimenter remarked since the last call.
+  void store_remarks();
+  /// What happened at the participant's side outside an attempt.
+  void store_respondent_events();
+  void begin_attempt();
+  /// From now on force and speed are counted against these.
+  void watch_hand(const HandBands& bands) { watch_.begin_attempt(bands); }
+  /// Ends the attempt: what happened in it, in the order of time.
+  std::vector<EventRow> take_attempt_events();
+
+ private:
+  void wait_in_slices(double duration_s, const std::function<void()>& after_each);
+  void pass(double duration_s);
+  void look(bool outside_trial);
+  void listen_to_device();
+  void publish_now();
+  bool plays_noise() const;
+  MaskingState masking_state() const;
+
+  Study& study_;
+  const Protocol& protocol_;
+  Rig& rig_;
+  Respondent& respondent_;
+  SessionRequests& requests_;
+  SessionLinks links_{};
+  RecordWatch watch_;
+  Recorder recorder_;
+  SessionRow row_{};
+  SessionPhase phase_ = SessionPhase::idle;
+  bool in_attempt_ = false;
+  bool masking_ = false;
+  bool guiding_ = false;
+  bool has_masked_ = false;
+  bool mask_on_ = false;
+  std::vector<EventRow> attempt_events_{};
+  std::int64_t health_shown_ns_ = 0;
+  DeviceComplaints complaints_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,151 @@
+#include "app/session/session_progress.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/words/coded_phrases.h"
+
+namespace asperity {
+
+namespace {
+
+double duration_s(const AttemptRow& attempt) {
+  return static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
+}
+
+}  // namespace
+
+SessionProgress::SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
+                                 std::int64_t began_ns)
+    : course_(course), plan_(plan), tally_(tally) {
+  if (!course_.has_monitor()) return;
+  Plan one{.trials = plan_.trials, .steps = {}};
+  trial_s_.resize(plan_.trials.size());
+  for (const PlanStep& step : plan_.steps) {
+    one.steps.assign(1, step);
+    planned_s_.push_back(cost_of(course_.protocol(), one).total_s);
+    if (const auto* of_trial = std::get_if<TrialStep>(&step)) {
+      trial_s_.at(of_trial->trial) = planned_s_.back();
+    }
+  }
+  int blocks = 0;
+  for (const Trial& trial : plan_.trials) blocks = std::max(blocks, trial.block_ordinal);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.began_ns = began_ns;
+    snapshot.blocks = blocks;
+    snapshot.trials = static_cast<int>(plan_.trials.size());
+    snapshot.trouble.reset();
+  });
+  for (const AttemptRow& attempt : tally_.attempts()) course_.add_attempt(summary_of(attempt));
+  show(0, tally_.coming(0, 0, 0, TrialTally::Again::at_once));
+}
+
+void SessionProgress::add(const AttemptRow& attempt, std::size_t step, int coming) {
+  if (course_.has_monitor()) publish(step, coming, summary_of(attempt));
+}
+
+void SessionProgress::show(std::size_t step, int coming) {
+  if (course_.has_monitor()) publish(step, coming, {});
+}
+
+void SessionProgress::set_aside(const AttemptRow& attempt) {
+  course_.update([&](SessionSnapshot& snapshot) {
+    auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
+    for (AttemptSummary& summary : *attempts) {
+      if (summary.trial != attempt.trial || summary.attempt != attempt.attempt) continue;
+      summary.valid = false;
+      summary.reason = phrase_of(attempt.invalid_reason);
+    }
+    snapshot.attempts = std::move(attempts);
+  });
+}
+
+/// All of it at once: no frame shows an attempt as done whose trial is still under way.
+void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
+  int done = 0;
+  double trials_left_s = 0.0;
+  double others_left_s = 0.0;  // breaks and screens, which take as long however long trials take
+  for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+    if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
+      const Trial& trial = plan_.trials[of_trial->trial];
+      if (tally_.is_done(trial) || tally_.is_over(trial)) {
+        ++done;
+      } else {
+        trials_left_s += planned_s_[i];
+      }
+    } else if (i > step) {
+      others_left_s += planned_s_[i];
+    }
+  }
+  std::optional<double> left_s = others_left_s;
+  if (trials_left_s > 0.0) {
+    left_s = pace();
+    if (left_s) *left_s = *left_s * trials_left_s + others_left_s;
+  }
+  const AttemptRow* last = tally_.last_done();
+  course_.update([&](SessionSnapshot& snapshot) {
+    if (added) {
+      auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
+      attempts->push_back(std::move(*added));
+      snapshot.attempts = std::move(attempts);
+      // What follows it is not known here yet; the phase is stored when it is.
+      snapshot.phase = SessionPhase::iti;
+      snapshot.phase_began_ns = snapshot.now_ns;
+    }
+    snapshot.trial = coming;
+    snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
+    snapshot.last_done = last == nullptr ? 0 : last->trial;
+    snapshot.trials_done = done;
+    snapshot.expected_left_s = left_s;
+    snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
+  });
+}
+
+/// Of trials that were skipped nothing is known.
+std::optional<double> SessionProgress::pace() const {
+  constexpr int kFewest = 3;  // one slow trial is no pace
+  int done = 0;
+  double planned_s = 0.0;
+  double spent_s = 0.0;
+  for (const AttemptRow& attempt : tally_.attempts()) {
+    if (attempt.outcome == AttemptOutcome::skipped) continue;
+    spent_s += duration_s(attempt);
+    if (!attempt.valid) continue;
+    planned_s += trial_s_.at(static_cast<std::size_t>(attempt.trial - 1));
+    ++done;
+  }
+  if (done < kFewest || planned_s <= 0.0) return {};
+  return spent_s / planned_s;
+}
+
+AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
+  const auto index = static_cast<std::size_t>(attempt.trial - 1);
+  const Trial& trial = plan_.trials.at(index);
+  AttemptSummary summary{};
+  summary.trial = attempt.trial;
+  summary.attempt = attempt.attempt;
+  summary.outcome = attempt.outcome;
+  summary.valid = attempt.valid;
+  summary.flagged = attempt.flagged;
+  summary.reason = phrase_of(attempt.valid ? attempt.flag_reason : attempt.invalid_reason);
+  for (const ResponseRow& response : attempt.responses) {
+    if (trial.question.form == TrialQuestion::Form::number) {
+      summary.answers.push_back(response.answer);
+      continue;
+    }
+    const auto option = std::find_if(
+        trial.question.options.begin(), trial.question.options.end(),
+        [&response](const Option& candidate) { return candidate.value == response.answer; });
+    summary.answers.push_back(option == trial.question.options.end() ? "?" : option->label);
+  }
+  if (!attempt.responses.empty()) {
+    if (attempt.responses.front().correct) summary.correct = is_right(attempt);
+    summary.from_cue_s = attempt.responses.front().from_cue_s;
+    summary.from_contact_s = attempt.responses.front().from_contact_s;
+  }
+  summary.duration_s = duration_s(attempt);
+  return summary;
+}
+
+}  // namespace asperity

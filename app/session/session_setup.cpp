@@ -1,0 +1,233 @@
+#include "app/session/session_setup.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/random.h"
+#include "app/words/phrase.h"
+#include "protocols/protocol_reader.h"
+#include "results_schema/sha256.h"
+
+namespace asperity {
+
+namespace {
+
+ProtocolRow protocol_row(const Protocol& protocol) {
+  ProtocolRow row{};
+  row.name = protocol.name;
+  row.version = protocol.version;
+  row.kind = text_of(protocol.kind);
+  row.design = text_of(protocol.design);
+  row.source_sha256 = sha256_of(protocol.source);
+  row.source = protocol.source;
+  return row;
+}
+
+std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
+  std::vector<PlannedTrialRow> rows{};
+  rows.reserve(plan.trials.size());
+  for (const Trial& trial : plan.trials) {
+    PlannedTrialRow row{};
+    row.trial = trial.ordinal;
+    row.block = trial.block;
+    row.block_ordinal = trial.block_ordinal;
+    row.phase = text_of(trial.phase);
+    row.repetition = trial.repetition;
+    row.factors_json = factors_json_of(trial);
+    row.plan_json = json_of(trial);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string device_text(const DeviceCapability& device) {
+  return device.model.empty() ? device.name : device.name + ' ' + device.model;
+}
+
+std::string capability_json(const DeviceCapability& device) {
+  const auto corner = [](const glm::dvec3& p) {
+    return nlohmann::ordered_json::array({p.x, p.y, p.z});
+  };
+  nlohmann::ordered_json json{{"name", device.name},
+                              {"model", device.model},
+                              {"serial", device.serial},
+                              {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
+                              {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
+                              {"workspace_minimum_m", corner(device.workspace_minimum_m)},
+                              {"workspace_maximum_m", corner(device.workspace_maximum_m)},
+                              {"peak_force_N", device.peak_force_N},
+                              {"continuous_force_N", device.continuous_force_N},
+                              {"position_resolution_m", device.position_resolution_m},
+                              {"maximum_rate_Hz", device.maximum_rate_Hz},
+                              {"buttons", device.buttons}};
+  if (!device.remarks.empty()) json["remarks"] = device.remarks;
+  return json.dump();
+}
+
+bool guides_participants(const Protocol& protocol) {
+  return std::any_of(
+      protocol.explorations.begin(), protocol.explorations.end(),
+      [](const auto& each) { return each.second.guidance != Exploration::Guidance::experimenter; });
+}
+
+std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
+                                        const std::filesystem::path& study_folder) {
+  std::set<std::string> paths{};
+  for (const NamedFile& file : files_of(protocol, protocol.name)) {
+    paths.insert(file.path);
+    if (file.kind == NamedFile::Kind::height_field) paths.insert(file.path + ".json");
+  }
+  std::vector<StimulusFileRow> rows{};
+  Phrase missing{};
+  for (const std::string& path : paths) {
+    const std::filesystem::path full = study_folder / path;
+    std::error_code error{};
+    const auto bytes = std::filesystem::file_size(full, error);
+    if (error) {
+      const Phrase one = phrase("SessionSetup",
+                                "the protocol \"%1\" names the file %2, which is not in the study "
+                                "%3; copy the file into the study")
+                             .with(protocol.name, path, study_folder.string());
+      missing = missing.empty() ? one : Phrase("%1\n%2").with(missing, one);
+      continue;
+    }
+    rows.push_back({path, sha256_of_file(full), static_cast<std::int64_t>(bytes)});
+  }
+  if (!missing.empty()) throw PhrasedError(missing);
+  return rows;
+}
+
+OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
+                          const SessionConditions& conditions, const ProgramIdentity& program) {
+  OpenSession session{};
+  SessionRow& row = session.row;
+  row.participant = participant;
+  row.protocol_id = study.add_protocol(protocol_row(protocol));
+  row.mode = conditions.mode;
+  row.seed = std::to_string(conditions.seed);
+  row.generator = Random::kName;
+  row.program_version = program.version;
+  row.program_commit = program.commit;
+  row.program_build = program.build;
+  row.program_sha256 = program.sha256;
+  row.instruction_set = program.instruction_set;
+  row.os = program.os;
+  row.device = device_text(conditions.device);
+  row.device_json = capability_json(conditions.device);
+  row.pacing = conditions.pacing;
+  row.scheduling = conditions.scheduling;
+  row.rate_Hz = protocol.rate_Hz;
+  row.started_utc = conditions.started_utc;
+  row.clock_zero_ns = conditions.clock_zero_ns;
+  if (conditions.consent_utc) {
+    row.consent_version = protocol.consent_version;
+    row.consent_utc = conditions.consent_utc;
+  }
+  row.observer_json = conditions.observer_json;
+  row.mirrored = conditions.mirrored;
+  row.files = hash_files(protocol, study.folder());
+  if (conditions.counterbalance_row) {
+    row.counterbalance_row = *conditions.counterbalance_row;
+    session.plan = make_plan(protocol, {conditions.seed, row.counterbalance_row});
+    row.id = study.add_session(row, planned_rows(session.plan));
+  } else {
+    row.id = study.add_session(row, counterbalance_rows(protocol), [&](int counterbalance_row) {
+      session.plan = make_plan(protocol, {conditions.seed, counterbalance_row});
+      return planned_rows(session.plan);
+    });
+  }
+  row = study.session(row.id);
+  return session;
+}
+
+OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  OpenSession session{};
+  session.row = row;
+  session.resumed = true;
+  session.plan = make_plan(protocol, {std::stoull(row.seed), row.counterbalance_row});
+  const std::vector<PlannedTrialRow> stored = study.plan(row.id);
+  const std::vector<PlannedTrialRow> made = planned_rows(session.plan);
+  bool same = stored.size() == made.size();
+  for (std::size_t i = 0; same && i < stored.size(); ++i) {
+    same = stored[i].plan_json == made[i].plan_json && stored[i].block == made[i].block;
+  }
+  const std::string number = std::to_string(row.session);
+  if (!same) {
+    throw PhrasedError(phrase("SessionSetup",
+                              "session %1 of participant %2 cannot be resumed: the plan that this "
+                              "program makes from its protocol differs from the stored one. Resume "
+                              "it with the version with which it began: asperity %3, commit %4")
+                           .with(number, row.participant, row.program_version, row.program_commit));
+  }
+  const std::vector<StimulusFileRow> files = hash_files(protocol, study.folder());
+  for (const StimulusFileRow& before : row.files) {
+    const auto now = std::find_if(files.begin(), files.end(),
+                                  [&before](const auto& file) { return file.path == before.path; });
+    if (now == files.end() || now->sha256 != before.sha256) {
+      throw PhrasedError(phrase("SessionSetup",
+                                "session %1 of participant %2 cannot be resumed: the file %3 has "
+                                "changed since it began; restore the earlier file")
+                             .with(number, row.participant, before.path));
+    }
+  }
+  session.attempts = study.attempts(row.id);
+  return session;
+}
+
+std::vector<EventRow> events_in_order(std::vector<EventRow> events,
+                                      const std::vector<AttemptRow>& attempts) {
+  for (const AttemptRow& attempt : attempts) {
+    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
+  return events;
+}
+
+bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  if (row.state != SessionState::stopped) return false;
+  const std::vector<EventRow> events = study.events(row.id);
+  return std::any_of(events.begin(), events.end(), [&protocol](const EventRow& event) {
+    if (event.kind != "criterion_not_met") return false;
+    const auto block = protocol.blocks.find(event.text);
+    return block != protocol.blocks.end() && block->second.until &&
+           block->second.until->on_failure == Protocol::Criterion::OnFailure::end_session;
+  });
+}
+
+bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  return row.state == SessionState::completed || has_ended_by_rule(study, protocol, row);
+}
+
+std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& protocol,
+                                         const std::string& participant,
+                                         std::optional<std::int64_t> id) {
+  std::optional<SessionRow> found{};
+  for (const SessionRow& row : study.sessions()) {
+    if (row.participant != participant || row.state == SessionState::completed) continue;
+    if (row.withdrawn) continue;
+    if (id && row.id != *id) continue;
+    if (study.protocol(row.protocol_id).source != protocol.source) continue;
+    if (!has_ended_by_rule(study, protocol, row)) found = row;
+  }
+  return found;
+}
+
+SessionRow find_unfinished(const Study& study, const Protocol& protocol,
+                           const std::string& participant, std::optional<std::int64_t> id) {
+  const std::optional<SessionRow> found = unfinished_row(study, protocol, participant, id);
+  if (!found) {
+    throw PhrasedError(
+        phrase("SessionSetup",
+               "participant %1 has no unfinished session of the protocol \"%2\" as it is in this "
+               "file; leave out --resume to begin one")
+            .with(participant, protocol.name));
+  }
+  return *found;
+}
+
+}  // namespace asperity

@@ -1,0 +1,247 @@
+#include "app/session/stimulus_builder.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/study_files/parameter_json.h"
+#include "app/words/phrase.h"
+#include "renderers/offline/force_matching.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "results_schema/table.h"
+#include "stimuli/texture_from_photograph.h"
+
+namespace asperity {
+
+namespace {
+
+TextureForcePath path_of(const EqualForce& request) {
+  TextureForcePath path{};
+  path.low_Hz = request.band_low_Hz;
+  path.high_Hz = request.band_high_Hz;
+  return path;
+}
+
+/// Everything that the solution of a matching problem depends on, as a name.
+std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
+                   const ForceModel* reference, const ParameterValues& reference_parameters) {
+  const RendererInputs& inputs = stimulus.inputs;
+  const TextureForcePath path = path_of(request);
+  const nlohmann::ordered_json problem{
+      {"model", stimulus.model->declaration.id},
+      {"version", stimulus.model->declaration.version},
+      {"parameters", json_text_of(inputs.parameters)},
+      {"reference", reference == nullptr ? "" : reference->declaration.id},
+      {"reference_version", reference == nullptr ? "" : reference->declaration.version},
+      {"reference_parameters", json_text_of(reference_parameters)},
+      {"rms_N", request.rms_N.value_or(0.0)},
+      {"stiffness_N_per_m", inputs.material.stiffness_N_per_m},
+      {"friction", inputs.material.friction},
+      {"motion_scale", inputs.patch.motion_scale},
+      {"centre_m", {inputs.patch.centre_m.x, inputs.patch.centre_m.y, inputs.patch.centre_m.z}},
+      {"height_field", stimulus.height_field_sha256.value_or("")},
+      {"path",
+       {path.speed_m_per_s, path.duration_s, path.dropped_s, path.rate_Hz, path.mean_normal_force_N,
+        path.low_Hz, path.high_Hz}}};
+  return sha256_of(problem.dump());
+}
+
+/// What a shape's mesh is made from, in words that stay the same.
+std::string recipe_of(const BodyDescription& body, BodyRole role, const std::string& field_sha256) {
+  nlohmann::ordered_json recipe{{"format", "asperity.shaped_body/1"}, {"role", text_of(role)}};
+  struct Sizes {
+    nlohmann::ordered_json& recipe;
+    void operator()(const PlateShape& plate) const { box("plate", plate.size_m); }
+    void operator()(const BoxShape& shape) const { box("box", shape.size_m); }
+    void operator()(const CylinderShape& cylinder) const {
+      recipe["shape"] = "cylinder";
+      recipe["diameter_m"] = cylinder.diameter_m;
+      recipe["length_m"] = cylinder.length_m;
+    }
+    void operator()(const SphereShape& sphere) const {
+      recipe["shape"] = "sphere";
+      recipe["diameter_m"] = sphere.diameter_m;
+    }
+    void box(const char* shape, const glm::dvec3& size_m) const {
+      recipe["shape"] = shape;
+      recipe["size_m"] = {size_m.x, size_m.y, size_m.z};
+    }
+  };
+  std::visit(Sizes{recipe}, body.shape.value());
+  recipe["axis"] = text_of(body.axis);
+  recipe["height_field_sha256"] =
+      field_sha256.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(field_sha256);
+  return recipe.dump();
+}
+
+}  // namespace
+
+StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
+    : models_(models), study_folder_(std::move(study_folder)) {}
+
+LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
+  const std::lock_guard lock(fields_mutex_);
+  const auto found = fields_.find(study_path);
+  if (found != fields_.end()) return found->second;
+  return fields_.emplace(study_path, load_height_field(study_folder_ / study_path)).first->second;
+}
+
+std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wavelengths(
+    const std::string& study_path, double gaussian_wavelength_m) {
+  const LoadedHeightField whole = height_field(study_path);
+  const std::lock_guard lock(fields_mutex_);
+  std::shared_ptr<const HeightField>& filtered = filtered_[{study_path, gaussian_wavelength_m}];
+  if (filtered == nullptr) {
+    filtered = std::make_shared<const HeightField>(
+        without_long_wavelengths(*whole.field, gaussian_wavelength_m));
+  }
+  return filtered;
+}
+
+LoadedTexturedMesh StimulusBuilder::mesh(const std::string& study_path) {
+  const std::lock_guard lock(bodies_mutex_);
+  const auto found = meshes_.find(study_path);
+  if (found != meshes_.end()) return found->second;
+  return meshes_.emplace(study_path, load_textured_mesh(study_folder_ / study_path)).first->second;
+}
+
+LoadedBody StimulusBuilder::body(const BodyDescription& description, BodyRole role) {
+  if (description.mesh) {
+    const LoadedTexturedMesh loaded = mesh(*description.mesh);
+    return {std::shared_ptr<const TexturedMesh>(loaded.stored, &loaded.stored->mesh),
+            loaded.sha256};
+  }
+  LoadedHeightField field{};
+  if (description.height_field) field = height_field(*description.height_field);
+  LoadedBody made{};
+  made.sha256 = sha256_of(recipe_of(description, role, field.sha256));
+  const std::lock_guard lock(bodies_mutex_);
+  std::shared_ptr<const TexturedMesh>& known = bodies_[made.sha256];
+  if (known == nullptr) {
+    known = std::make_shared<const TexturedMesh>(placed(
+        turned(body_mesh(description.shape.value(), field.field.get()), description.axis), role));
+  }
+  made.mesh = known;
+  return made;
+}
+
+void StimulusBuilder::require_body(const BodyDescription& description) {
+  if (description.mesh) {
+    mesh(*description.mesh);
+    return;
+  }
+  LoadedHeightField field{};
+  if (description.height_field) field = height_field(*description.height_field);
+  require_body_mesh(description.shape.value(), field.field.get());
+}
+
+ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
+                                                const PreparedStimulus& stimulus,
+                                                const ParameterValues& given) {
+  const RendererInputs& inputs = stimulus.inputs;
+  ParameterValues values{};
+  if (inputs.height_field && model.suggested_by) {
+    // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
+    const std::string key = model.declaration.id + ' ' + stimulus.height_field_sha256.value_or("") +
+                            ' ' + text_of_number(inputs.material.stiffness_N_per_m) + ' ' +
+                            text_of_number(inputs.material.friction);
+    const std::lock_guard lock(suggestions_mutex_);
+    auto found = suggestions_.find(key);
+    if (found == suggestions_.end()) {
+      found = suggestions_.emplace(key, model.suggested_by(*inputs.height_field, inputs.material))
+                  .first;
+    }
+    values = found->second;
+  }
+  for (const auto& [name, value] : given) values[name] = value;
+  return complete_values(model.declaration, values);
+}
+
+PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
+  PreparedStimulus prepared = unmatched(presentation.stimulus);
+  if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
+  return prepared;
+}
+
+PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
+  PreparedStimulus prepared{};
+  prepared.model = models_.find(description.model);
+  if (prepared.model == nullptr) {
+    throw PhrasedError(phrase("SessionSetup",
+                              "the stimulus \"%1\" needs the force model \"%2\", which this "
+                              "program does not have; see asperity models")
+                           .with(description.name, description.model));
+  }
+  RendererInputs& inputs = prepared.inputs;
+  inputs.material = description.material;
+  inputs.patch = description.patch;
+  if (description.height_field) {
+    LoadedHeightField loaded = height_field(*description.height_field);
+    inputs.height_field = std::move(loaded.field);
+    prepared.height_field_sha256 = std::move(loaded.sha256);
+  }
+  if (prepared.model->declaration.needs_bodies) {
+    const auto prepare_body = [this](const std::optional<BodyDescription>& body, BodyRole role,
+                                     std::shared_ptr<const TexturedMesh>& mesh,
+                                     std::optional<std::string>& sha256) {
+      if (!body) return;
+      LoadedBody loaded = this->body(*body, role);
+      mesh = std::move(loaded.mesh);
+      sha256 = std::move(loaded.sha256);
+    };
+    prepare_body(description.surface, BodyRole::surface, inputs.surface, prepared.surface_sha256);
+    prepare_body(description.tool, BodyRole::tool, inputs.tool, prepared.tool_sha256);
+  }
+  inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
+  return prepared;
+}
+
+void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& request, Study& study) {
+  RendererInputs& inputs = prepared.inputs;
+  const ForceModel* reference = nullptr;
+  RendererInputs reference_inputs = inputs;
+  reference_inputs.parameters.clear();
+  if (!request.rms_N) {
+    reference = models_.find(request.to_model);
+    if (reference == nullptr) {
+      throw PhrasedError(phrase("SessionSetup",
+                                "equal force is requested with the model \"%1\", which this "
+                                "program does not have; see asperity models")
+                             .with(request.to_model));
+    }
+    reference_inputs.parameters = parameters_for(*reference, prepared, {});
+  }
+  const std::string key = key_of(prepared, request, reference, reference_inputs.parameters);
+  // One problem at a time: sessions that run in parallel wait for the first to solve it.
+  const std::lock_guard lock(matching_mutex_);
+  std::string& known = solutions_[key];
+  if (known.empty()) known = study.solution(key).value_or(std::string());
+  if (known.empty()) {
+    const double target_N =
+        request.rms_N ? *request.rms_N
+                      : texture_force_rms_N(*reference, reference_inputs, path_of(request));
+    nlohmann::ordered_json solution{{"model", prepared.model->declaration.id},
+                                    {"target_rms_N", target_N}};
+    // The reference itself is as strong as it is; everything else is solved for.
+    const bool is_reference =
+        prepared.model == reference && inputs.parameters == reference_inputs.parameters;
+    if (!is_reference) {
+      const SolvedAmplitude solved =
+          solve_amplitude(*prepared.model, inputs, target_N, path_of(request));
+      solution["parameter"] = solved.parameter;
+      solution["value"] = solved.value;
+      solution["texture_force_rms_N"] = solved.texture_force_rms_N;
+    }
+    known = solution.dump();
+    study.remember_solution(key, known);
+  }
+  const nlohmann::json solution = nlohmann::json::parse(known);
+  if (solution.contains("parameter")) {
+    inputs.parameters[solution["parameter"].get<std::string>()] = solution["value"].get<double>();
+  }
+  prepared.matched_texture_force_N = solution["target_rms_N"].get<double>();
+}
+
+}  // namespace asperity

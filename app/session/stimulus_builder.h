@@ -1,0 +1,93 @@
+// A planned presentation → everything a renderer is built from.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/textured_mesh_files.h"
+#include "protocols/plan.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+class Study;
+
+/// A stimulus made ready: files read, parameters complete, forces matched.
+struct PreparedStimulus {
+  const ForceModel* model = nullptr;
+  RendererInputs inputs{};  ///< parameters complete; seed still 0
+  std::optional<std::string> height_field_sha256{};
+  std::optional<std::string> surface_sha256{};  ///< of LoadedBody
+  std::optional<std::string> tool_sha256{};
+  std::optional<double> matched_texture_force_N{};
+};
+
+/// The mesh of a body, and the name of its content.
+struct LoadedBody {
+  std::shared_ptr<const TexturedMesh> mesh{};
+  /// Of the file of a mesh; of a shape, of what it is made from (docs/formats/study.md).
+  std::string sha256{};
+};
+
+/// Reads the study's height fields and textured meshes (once each), makes bodies of shapes (once for
+/// everything that they are made from), takes parameters from samples where a model does
+/// so, and solves requests for equal texture force.
+///
+/// Equal force is that of the reference model as it would be rendered with this texture where nothing
+/// else is declared: parameters from the sample, defaults for the rest. A solution depends on both models
+/// and their versions, the parameters, the material, the patch, the content of the height field,
+/// the target and the prescribed path; it is kept under all of these in the study, so that every
+/// session renders the same stimulus. A model that draws random numbers is solved with one seed and
+/// felt with another: its texture force scatters about the solution by some 2 %.
+///
+/// Errors: std::runtime_error naming the stimulus and the file or parameter.
+///
+/// Threads: any; sessions that are simulated in parallel share one.
+class StimulusBuilder final {
+ public:
+  StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
+
+  /// `study` is where solutions are kept; it belongs to the calling thread.
+  PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
+  /// The same with its force as it is.
+  PreparedStimulus unmatched(const StimulusDescription& description);
+
+  LoadedHeightField height_field(const std::string& study_path);
+  /// The same as a photograph's heights would have it (without_long_wavelengths), filtered once.
+  std::shared_ptr<const HeightField> height_field_without_long_wavelengths(
+      const std::string& study_path, double gaussian_wavelength_m);
+  LoadedBody body(const BodyDescription& description, BodyRole role);
+  /// Whether `body` can give it, without making the texels of a shape. Errors: as `body`.
+  void require_body(const BodyDescription& description);
+  const ModelRegistry& models() const noexcept { return models_; }
+
+ private:
+  /// What the sample suggests, what was given, and the model's defaults for the rest.
+  ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
+                                 const ParameterValues& given);
+  LoadedTexturedMesh mesh(const std::string& study_path);
+  void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
+
+  const ModelRegistry& models_;
+  std::filesystem::path study_folder_{};
+  std::mutex fields_mutex_{};
+  std::mutex suggestions_mutex_{};
+  std::map<std::string, ParameterValues> suggestions_{};
+  std::mutex matching_mutex_{};
+  std::map<std::string, LoadedHeightField> fields_{};
+  std::map<std::pair<std::string, double>, std::shared_ptr<const HeightField>> filtered_{};
+  std::mutex bodies_mutex_{};
+  std::map<std::string, LoadedTexturedMesh> meshes_{};                   ///< by path in the study
+  std::map<std::string, std::shared_ptr<const TexturedMesh>> bodies_{};  ///< of shapes, by SHA-256
+  std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
+};
+
+}  // namespace asperity

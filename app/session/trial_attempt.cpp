@@ -1,0 +1,455 @@
+#include "app/session/trial_attempt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+#include "app/session/attempt_measures.h"
+#include "app/session/layout.h"
+#include "app/session/rig/clock.h"
+#include "app/session/rig/recording_columns.h"
+#include "app/session/sound/masking_sound.h"
+#include "app/study_files/parameter_json.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
+#include "protocols/shown_options.h"
+#include "renderers/offline/recorded_force.h"
+
+namespace asperity {
+
+namespace {
+
+// A virtual hand explores a little longer than the protocol asks for at least, as people do.
+constexpr double kBeyondMinimum = 1.25;
+constexpr double kSlice_s = SessionCourse::kSlice_s;
+// From the wish to lift to the end of the contact.
+constexpr double kLifting_s = 0.3;
+// A surface that is not touched at all is given up after this much more than the longest contact.
+constexpr double kPatience_s = 5.0;
+// Between two numbers for one stimulus: more is a slip of the key, or has to be meant.
+constexpr double kDoubtfulRatio = 10.0;
+
+}  // namespace
+
+TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
+                           const AttemptOrder& order)
+    : course_(course),
+      builder_(builder),
+      order_(order),
+      trial_(order.trial),
+      block_(course.protocol().blocks.at(order.trial.block)),
+      waiting_([&course](double duration_s) { course.wait(duration_s); }) {
+  const Layout layout{course.row().mirrored};
+  exploration_ = layout.of(exploration_of(course.protocol(), trial_));
+  patch_ = layout.of(course.protocol().patch);
+  row_.trial = trial_.ordinal;
+  row_.attempt = order.attempt;
+  row_.segment = order.segment;
+}
+
+TrialAttempt::~TrialAttempt() = default;
+
+AttemptRow TrialAttempt::make() {
+  prepare();
+  row_.onset_ns = course_.now_ns();
+  course_.begin_attempt();
+  try {
+    carry_out();
+  } catch (const Interruption& caught) {
+    interruption_ = caught;
+  } catch (const RespondentGone& gone) {
+    interruption_ = Interruption{AttemptOutcome::aborted, gone.said()};
+  }
+  row_.offset_ns = course_.now_ns();
+  course_.set_guiding_tones(false);  // a surface that is taken away asks nothing of the hand
+  if (interruption_) take_surface_away();
+  course_.set_masking(false);
+  course_.update([](SessionSnapshot& snapshot) {
+    snapshot.surface = 0;
+    snapshot.contact_s = 0.0;
+    snapshot.wanted_contact_s = 0.0;
+  });
+
+  Rig& rig = course_.rig();
+  const Recorder::Attempt recorded = course_.recorder().finish(rig.records());
+  row_.recording = recorded.recording;
+  row_.servo =
+      servo_quality_of(recorded.records, course_.protocol().rate_Hz, recorded.lost_records);
+  row_.servo->fault = name_of(rig.loop().status().fault);
+  measure(recorded.records);
+  if (interruption_) {
+    row_.outcome = interruption_->outcome;
+    row_.valid = false;
+    row_.invalid_reason = stored(interruption_->reason);
+  } else {
+    answer();
+    judge();
+  }
+  row_.events = course_.take_attempt_events();
+  return row_;
+}
+
+void TrialAttempt::prepare() {
+  const SessionRow& session = course_.row();
+  const Protocol& protocol = course_.protocol();
+  const Random random = Random(std::stoull(session.seed))
+                            .split("attempt")
+                            .split(static_cast<std::uint64_t>(trial_.ordinal))
+                            .split(static_cast<std::uint64_t>(order_.attempt));
+  const Layout layout{session.mirrored};
+  nlohmann::ordered_json models = nlohmann::ordered_json::array();
+  for (const PlannedPresentation& planned : trial_.presentations) {
+    const auto position = static_cast<std::uint64_t>(planned.position);
+    Surface surface{};
+    surface.stimulus = builder_.prepare(planned, course_.study());
+    surface.seed = random.split("renderer").split(position).bits();
+    RendererInputs& inputs = surface.stimulus.inputs;
+    inputs.seed = surface.seed;
+    inputs.patch = layout.of(inputs.patch);
+    const ForceModel& model = *surface.stimulus.model;
+    models.push_back({{"position", planned.position},
+                      {"model", model.declaration.id},
+                      {"version", model.declaration.version}});
+    surface.presentation = {position, model.make(inputs)};
+    surfaces_.push_back(std::move(surface));
+  }
+
+  course_.rig().prepare_attempt(habits_for(exploration_, patch_), random.split("hand"));
+  course_.respondent().begin_attempt(trial_.ordinal, order_.attempt);
+  std::unique_ptr<RecordingWriter> writer{};
+  if (order_.record && protocol.record) {
+    const nlohmann::ordered_json about{{"participant", session.participant},
+                                       {"session", session.session},
+                                       {"trial", trial_.ordinal},
+                                       {"attempt", order_.attempt},
+                                       {"presentations", models}};
+    writer = std::make_unique<RecordingWriter>(
+        course_.study().folder(), recording_path(),
+        RecordingHeader{protocol.rate_Hz, recording_columns(), about.dump()});
+  }
+  course_.recorder().begin(std::move(writer), protocol.rate_Hz, course_.rig().records());
+  const auto asked = [](const Band& band) { return AskedBand{band.minimum, band.maximum}; };
+  course_.watch_hand({.normal_force_N = asked(exploration_.normal_force_N),
+                      .speed_m_per_s = asked(exploration_.speed_m_per_s),
+                      .direction_rad = exploration_.direction_rad,
+                      .usual_stroke_m = habits_for(exploration_, patch_).stroke_length_m,
+                      .force = judged_force_of(course_.rig().capability())});
+}
+
+void TrialAttempt::carry_out() {
+  course_.enter(SessionPhase::fore);
+  if (!trial_.question.experimenter_prompt.empty()) {
+    course_.ask_experimenter(trial_.question.experimenter_prompt, waiting_);
+  }
+  course_.put_mask(true, waiting_);
+  course_.show({});
+  course_.set_masking(true);
+  // Noise is whole before anything of the device can be heard.
+  const double fade_s = course_.is_masking() ? MaskingSound::kFade_s : 0.0;
+  course_.wait(std::max(block_.pause_before_trial_s, fade_s));
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (i > 0) {
+      course_.enter(SessionPhase::fore);
+      course_.show(scene_between_surfaces(trial_, felt_));
+      course_.wait_refusing_answers(block_.pause_between_surfaces_s);
+    }
+    feel(i);
+  }
+  if (!trial_.question.allow_revisit) course_.set_masking(false);
+  for (;;) {
+    reply_ = ask();
+    if (!reply_.feel_again) {
+      if (!is_doubtful()) break;
+      doubt();
+      continue;
+    }
+    course_.enter(SessionPhase::fore);
+    course_.put_mask(true, waiting_);
+    feel(static_cast<std::size_t>(*reply_.feel_again - 1));
+  }
+  if (!reply_.is_answer() && doubted_) {
+    reply_ = *doubted_;
+    answer_ns_ = reply_.answered_ns.value_or(answer_ns_);
+  }
+  if (reply_.is_answer()) course_.play(Cue::accepted);
+}
+
+bool TrialAttempt::is_doubtful() const {
+  if (!reply_.estimate || !order_.earlier_estimate || doubted_) return false;
+  const double ratio = *reply_.estimate / *order_.earlier_estimate;
+  return ratio >= kDoubtfulRatio || ratio <= 1.0 / kDoubtfulRatio;
+}
+
+void TrialAttempt::doubt() {
+  doubted_ = reply_;
+  doubted_->answered_ns = answer_ns_;
+  course_.event("estimate_doubted", number_text(*reply_.estimate),
+                nlohmann::ordered_json{{"estimate", *reply_.estimate},
+                                       {"earlier_estimate", *order_.earlier_estimate},
+                                       {"from_cue_s", seconds_between(cue_ns_.value(), answer_ns_)}}
+                    .dump());
+}
+
+Reply TrialAttempt::ask() {
+  std::vector<ForceFeatures> features{};
+  for (const PlannedPresentation& planned : trial_.presentations) {
+    features.push_back(recorded_force_features({course_.recorder().records(),
+                                                static_cast<std::uint64_t>(planned.position),
+                                                course_.protocol().rate_Hz}));
+  }
+  course_.respondent().refuse_answers();  // what was pressed meanwhile
+  if (has_to_be_seen()) course_.put_mask(false, waiting_);
+  course_.enter(SessionPhase::response);
+  Trial asked = trial_;
+  if (doubted_) {
+    ParticipantScene scene = scene_of_doubt(trial_, felt_, doubted_->estimate.value());
+    asked.question.prompt = scene.text;
+    course_.show(std::move(scene));
+  } else {
+    course_.show(scene_of_question(trial_, felt_));
+  }
+  course_.play(Cue::question);
+  const std::int64_t asked_ns = course_.now_ns();
+  if (!cue_ns_) cue_ns_ = asked_ns;
+  std::optional<double> left_s = block_.response_deadline_s;
+  if (left_s) left_s = std::max(0.0, *left_s - answerable_s_);
+  Reply reply = course_.respondent().ask(asked, features, left_s, waiting_);
+  answer_ns_ = reply.answered_ns.value_or(course_.now_ns());
+  answerable_s_ += seconds_between(asked_ns, answer_ns_);
+  return reply;
+}
+
+void TrialAttempt::feel(std::size_t index) {
+  const PlannedPresentation& planned = trial_.presentations.at(index);
+  Surface& surface = surfaces_.at(index);
+  const auto show = [this](ParticipantScene scene) {
+    scene.show_workspace = course_.protocol().scene.has_value();
+    if (is_guided_by_sight(exploration_)) {
+      scene.guide = exploration_;
+      scene.guide_scale = guide_scale_of(course_.protocol());
+    }
+    course_.show(std::move(scene));
+  };
+  show(scene_of_surface(trial_, felt_, planned.position));
+  course_.play(Cue::surface, planned.position);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.surface = planned.position;
+    snapshot.contact_s = 0.0;
+    snapshot.wanted_contact_s = wanted_contact_s();
+  });
+  course_.respondent().announce(trial_, planned);
+
+  Rig& rig = course_.rig();
+  Recorder& recorder = course_.recorder();
+  recorder.watch(surface.presentation.id);
+  rig.loop().present(std::move(surface.presentation));
+  rig.hand().stroke();
+  course_.set_guiding_tones(exploration_.guidance == Exploration::Guidance::tones);
+  explore(surface);
+  course_.set_guiding_tones(false);
+  show(scene_of_lifting(trial_, felt_, planned.position));
+  course_.play(Cue::next);
+  rig.hand().lift();
+  for (double passed_s = 0.0; recorder.live().touching && passed_s < kPatience_s;
+       passed_s += kSlice_s) {
+    course_.wait_refusing_answers(kSlice_s);
+  }
+  rig.loop().withdraw();
+  while (surface.presentation.renderer == nullptr) {
+    course_.wait_refusing_answers(kSlice_s);
+    surface.presentation = rig.loop().collect();
+  }
+  if (recorder.live().contact_s <= 0.0) {
+    throw Interruption{AttemptOutcome::not_compliant,
+                       phrase_of(Reason::not_touched).with(std::to_string(planned.position))};
+  }
+  surface.felt_s += recorder.live().contact_s;
+  if (std::find(felt_.begin(), felt_.end(), planned.position) == felt_.end()) {
+    felt_.push_back(planned.position);
+  }
+}
+
+/// Until it was felt long enough, or the person has had enough of it.
+void TrialAttempt::explore(Surface& surface) {
+  const double wanted_s = wanted_contact_s();
+  double passed_s = 0.0;
+  for (;;) {
+    const double contact_s = course_.recorder().live().contact_s;
+    if (contact_s > 0.0) course_.enter(SessionPhase::contact);
+    if (contact_s >= wanted_s || passed_s >= exploration_.maximum_contact_s + kPatience_s) return;
+    // All visits to a surface together have to be long enough.
+    const bool may_go =
+        contact_s > 0.0 && surface.felt_s + contact_s >= exploration_.minimum_contact_s;
+    if (course_.respondent().wants_next(may_go) && may_go) return;
+    course_.wait(kSlice_s);
+    passed_s += kSlice_s;
+  }
+}
+
+double TrialAttempt::wanted_contact_s() const {
+  const HandHabits habits = habits_for(exploration_, patch_);
+  const double strokes_s = exploration_.strokes.target.value_or(0.0) * kBeyondMinimum *
+                           habits.stroke_length_m /
+                           (habits.speed_m_per_s * (1.0 - habits.gathering));
+  const double longest_s =
+      std::max(exploration_.minimum_contact_s, exploration_.maximum_contact_s - kLifting_s);
+  return std::min(std::max(kBeyondMinimum * exploration_.minimum_contact_s, strokes_s), longest_s);
+}
+
+void TrialAttempt::measure(const std::vector<TickRecord>& records) {
+  const double rate_Hz = course_.protocol().rate_Hz;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const PlannedPresentation& planned = trial_.presentations[i];
+    const PreparedStimulus& prepared = surfaces_[i].stimulus;
+    const auto id = static_cast<std::uint64_t>(planned.position);
+    PresentationRow presentation{};
+    presentation.position = planned.position;
+    presentation.role = planned.role;
+    presentation.item = planned.item;
+    presentation.stimulus = planned.stimulus.name;
+    presentation.model = prepared.model->declaration.id;
+    presentation.model_version = prepared.model->declaration.version;
+    presentation.texture = planned.stimulus.texture;
+    presentation.parameters_json = json_text_of(prepared.inputs.parameters);
+    presentation.height_field_sha256 = prepared.height_field_sha256;
+    presentation.surface_sha256 = prepared.surface_sha256;
+    presentation.tool_sha256 = prepared.tool_sha256;
+    presentation.seed = std::to_string(surfaces_[i].seed);
+    presentation.matched_texture_force_N = prepared.matched_texture_force_N;
+    fill_times(records, id, rate_Hz, presentation);
+    const EqualForce request = planned.equal_force.value_or(EqualForce{});
+    presentation.achieved_texture_force_N =
+        recorded_texture_force_rms_N(*prepared.model, prepared.inputs, {records, id, rate_Hz},
+                                     {request.band_low_Hz, request.band_high_Hz});
+    if (const auto& renderer = surfaces_[i].presentation.renderer) {
+      for (const NamedCount& limit : renderer->limits()) {
+        presentation.limits.push_back(
+            {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
+      }
+    }
+    if (presentation.onset_ns) {
+      for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_,
+                                                     judged_force_of(course_.rig().capability()))) {
+        compliance.position = planned.position;
+        row_.compliance.push_back(std::move(compliance));
+      }
+    }
+    row_.presentations.push_back(std::move(presentation));
+  }
+}
+
+void TrialAttempt::answer() {
+  // No answer before the deadline is an outcome of the trial, and stays without a response.
+  if (!reply_.is_answer()) row_.outcome = AttemptOutcome::timed_out;
+  const auto add = [this](ResponseRow response) {
+    response.question = trial_.question.name;
+    response.options_json = options_json_of(trial_);
+    response.time_ns = answer_ns_;
+    response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
+    if (const auto contact_ns = row_.presentations.front().contact_ns) {
+      response.from_contact_s = seconds_between(*contact_ns, answer_ns_);
+    }
+    response.source = course_.respondent().source();
+    row_.responses.push_back(std::move(response));
+  };
+  if (reply_.estimate) {
+    add({.answer = number_text(*reply_.estimate), .answer_number = reply_.estimate});
+  }
+  for (std::size_t item = 0; item < reply_.options.size(); ++item) {
+    ResponseRow response{};
+    response.item = static_cast<int>(item) + 1;
+    response.answer = trial_.question.options.at(reply_.options[item]).value;
+    if (item < trial_.question.correct.size()) {
+      response.correct = response.answer == trial_.question.correct[item];
+    }
+    add(std::move(response));
+  }
+}
+
+void TrialAttempt::judge() {
+  const Protocol& protocol = course_.protocol();
+  const ServoQualityRow& servo = *row_.servo;
+  // Also of a slow answer, during which nothing is felt, many a tick may be late.
+  if (servo.missed_in_contact > protocol.maximum_missed_deadlines) {
+    row_.valid = false;
+    row_.invalid_reason = stored(phrase_of(Reason::missed_in_contact)
+                                     .with(std::to_string(*servo.missed_in_contact),
+                                           std::to_string(protocol.maximum_missed_deadlines)));
+    return;
+  }
+  if (servo.lost_records > protocol.maximum_lost_records) {
+    row_.valid = false;
+    row_.invalid_reason = stored(phrase_of(Reason::lost_records)
+                                     .with(std::to_string(servo.lost_records),
+                                           std::to_string(protocol.maximum_lost_records)));
+    return;
+  }
+  Phrase flags{};
+  if (servo.saturated_ticks > 0) {
+    flags = phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks));
+  }
+  Phrase failures{};
+  for (const ComplianceRow& compliance : row_.compliance) {
+    if (compliance.passed.value_or(true)) continue;
+    failures = with_comma(failures, failed_measure(compliance.quantity, compliance.position));
+  }
+  if (!failures.empty()) {
+    const Phrase not_explored = phrase_of(Reason::not_explored_as_asked).with(failures);
+    const bool ask_again = exploration_.on_failure != Exploration::OnFailure::flag &&
+                           order_.explored_wrongly < exploration_.maximum_repeats;
+    if (ask_again) {
+      row_.outcome = AttemptOutcome::not_compliant;
+      row_.valid = false;
+      row_.invalid_reason = stored(not_explored);
+      return;
+    }
+    flags = with_semicolon(flags, not_explored);
+  }
+  if (!flags.empty()) {
+    row_.flagged = true;
+    row_.flag_reason = stored(flags);
+  }
+}
+
+void TrialAttempt::take_surface_away() {
+  Rig& rig = course_.rig();
+  rig.hand().lift();
+  rig.loop().withdraw();
+  const std::vector<TickRecord>& records = course_.recorder().records();
+  for (double passed_s = 0.0; passed_s < 1.0; passed_s += kSlice_s) {
+    const bool is_fault = rig.loop().status().fault != Fault::none;
+    // A stop is known before its tick: the record is to show that the force was gone.
+    if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) return;
+    course_.pass_slice();
+    if (is_fault) continue;
+    // It says what it was asked beyond its limits.
+    Presentation collected = rig.loop().collect();
+    if (collected.renderer == nullptr) continue;
+    surfaces_.at(static_cast<std::size_t>(collected.id - 1)).presentation = std::move(collected);
+    return;
+  }
+}
+
+bool TrialAttempt::has_to_be_seen() const {
+  return trial_.question.standard_picture.has_value() ||
+         std::any_of(trial_.question.options.begin(), trial_.question.options.end(),
+                     [](const Option& option) { return option.picture.has_value(); });
+}
+
+std::string TrialAttempt::recording_path() const {
+  const auto padded = [](int number, std::size_t width) {
+    std::string digits = std::to_string(number);
+    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
+    return digits;
+  };
+  const SessionRow& session = course_.row();
+  return "recordings/" + session.participant + "/session-" + padded(session.session, 2) +
+         "/trial-" + padded(trial_.ordinal, 4) + "_attempt-" + std::to_string(order_.attempt) +
+         ".rec";
+}
+
+}  // namespace asperity

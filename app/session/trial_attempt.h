@@ -1,0 +1,105 @@
+// One go at a trial: surfaces are felt, the question is asked, the record is looked at.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/session_course.h"
+#include "app/session/stimulus_builder.h"
+#include "protocols/plan.h"
+
+namespace asperity {
+
+/// Which attempt is to be made.
+struct AttemptOrder {
+  const Trial& trial;
+  int attempt = 1;
+  int segment = 1;
+  int explored_wrongly = 0;  ///< earlier attempts at this trial that were not explored as asked
+  /// Of the same stimulus by the same person, where a number is asked for.
+  std::optional<double> earlier_estimate{};
+  bool record = true;  ///< keep the tick records
+};
+
+/// Builds the renderers off the servo thread → lets every surface be felt → asks → looks at the
+/// record (servo quality, compliance, features) → syncs and renames the recording. The row is ready
+/// to be stored; nothing is in the store before.
+///
+/// An attempt that was interrupted has a row as well, invalid, with the reason.
+///
+/// Where surfaces are felt again the question is put more than once. The reaction time from the cue
+/// counts from the first time, feeling again included: it is how long a person took to decide. The
+/// deadline counts the time in which they could answer: it stands still from the wish to feel again
+/// until the question is there again.
+///
+/// A number that is ten times an earlier one of the same stimulus, or a tenth of it, is asked for once
+/// more: the second one is the answer, and the first stays as the event "estimate_doubted". Where the
+/// deadline comes before a second one, the first is the answer.
+///
+/// Feeling ends when the surface was felt as long as asked, or the participant has had enough of it:
+/// either way the cue `next` sounds and the scene shows it until the hand has lifted.
+///
+/// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
+/// fore and contact again where a surface is felt again.
+///
+/// Errors: what a renderer, a file or the recording throws; the recorder is then to be abandoned.
+class TrialAttempt final {
+ public:
+  /// All must outlive the attempt.
+  TrialAttempt(SessionCourse& course, StimulusBuilder& builder, const AttemptOrder& order);
+  ~TrialAttempt();
+  TrialAttempt(const TrialAttempt&) = delete;
+  TrialAttempt& operator=(const TrialAttempt&) = delete;
+
+  AttemptRow make();
+  /// What interrupted it, if anything did.
+  const std::optional<Interruption>& interruption() const noexcept { return interruption_; }
+
+ private:
+  /// What was built for one surface.
+  struct Surface {
+    PreparedStimulus stimulus{};
+    Presentation presentation{};  ///< renderer null while the loop has it
+    std::uint64_t seed = 0;
+    double felt_s = 0.0;  ///< contact in the visits so far
+  };
+
+  void prepare();
+  void carry_out();
+  Reply ask();
+  /// Whether the reply is a number that has to be confirmed.
+  bool is_doubtful() const;
+  void doubt();
+  void feel(std::size_t index);
+  void explore(Surface& surface);
+  void measure(const std::vector<TickRecord>& records);
+  void answer();
+  void judge();
+  void take_surface_away();
+  /// The question needs eyes: it has pictures to choose from or to compare with.
+  bool has_to_be_seen() const;
+  double wanted_contact_s() const;
+  std::string recording_path() const;
+
+  SessionCourse& course_;
+  StimulusBuilder& builder_;
+  AttemptOrder order_;
+  const Trial& trial_;
+  const Protocol::Block& block_;
+  Exploration exploration_{};  ///< as the session's layout has it
+  SurfacePatch patch_{};
+  Wait waiting_{};
+  std::vector<Surface> surfaces_{};
+  std::vector<int> felt_{};  ///< positions, as they were felt
+  Reply reply_{};
+  std::optional<Reply> doubted_{};        ///< what was answered before it was asked for once more
+  std::optional<std::int64_t> cue_ns_{};  ///< when the question was put first
+  std::int64_t answer_ns_ = 0;
+  double answerable_s_ = 0.0;  ///< how long the question was there, felt again since or not
+  std::optional<Interruption> interruption_{};
+  AttemptRow row_{};
+};
+
+}  // namespace asperity

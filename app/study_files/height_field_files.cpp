@@ -1,0 +1,115 @@
+#include "app/study_files/height_field_files.h"
+
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "app/study_files/program.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+std::span<const std::byte> bytes_of(const std::string& content) {
+  return std::as_bytes(std::span(content.data(), content.size()));
+}
+
+std::string_view text_in(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+struct FilesRead {
+  StoredHeightField stored;
+  std::string sidecar{};
+};
+
+FilesRead read_files(const std::filesystem::path& png) {
+  const std::string content = read_file(png, kPictureFile);
+  const std::filesystem::path beside = sidecar_of(png);
+  if (!std::filesystem::exists(beside)) {
+    throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
+                           beside.string() +
+                           ", which would state its heights; asperity texture makes a height field "
+                           "from a photograph",
+                       png);
+  }
+  const std::string sidecar = read_file(beside, kSidecarFile);
+  StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
+  if (sha256_of(content) != stored.sha256) {
+    throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
+                             beside.string() + " describes: the SHA-256 differs; make both again");
+  }
+  return {std::move(stored), sidecar};
+}
+
+}  // namespace
+
+std::filesystem::path sidecar_of(const std::filesystem::path& png) {
+  std::filesystem::path sidecar = png;
+  sidecar += ".json";
+  return sidecar;
+}
+
+void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite) {
+  if (overwrite == Overwrite::allow) return;
+  for (const std::filesystem::path& file : files) {
+    if (std::filesystem::exists(file)) {
+      throw ResultsError(file.string() + " exists already; use --force to replace it", file);
+    }
+  }
+}
+
+LoadedHeightField load_height_field(const std::filesystem::path& png) {
+  FilesRead read = read_files(png);
+  return {.field = std::make_shared<const HeightField>(std::move(read.stored.field)),
+          .sha256 = sha256_of(read.sidecar)};
+}
+
+HeightFieldProvenance provenance_of(const std::filesystem::path& png) {
+  return read_files(png).stored.provenance;
+}
+
+void save_height_field(const std::filesystem::path& png, const HeightField& field,
+                       HeightFieldProvenance provenance, Overwrite overwrite,
+                       const std::vector<PictureFile>& pictures) {
+  std::vector<std::filesystem::path> made{png};
+  for (const PictureFile& one : pictures) made.push_back(one.png);
+  refuse_existing(made, overwrite);
+  provenance.program_version = version_line();
+  const std::vector<std::byte> content = encode_height_field_png(field);
+  const std::string text =
+      encode_height_field_sidecar(field, provenance, sha256_of(text_in(content)));
+  std::vector<NewFile> files{{sidecar_of(png), text}};
+  for (const PictureFile& one : pictures) {
+    files.push_back({one.png, one.content});
+  }
+  files.push_back({png, std::string(text_in(content))});
+  write_files_together(files, overwrite);
+}
+
+PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture) {
+  const std::vector<std::byte> content = encode_png(picture);
+  return {png, std::string(text_in(content))};
+}
+
+void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite) {
+  write_file(png, encode_png(picture), overwrite);
+}
+
+void save_color_picture(const std::filesystem::path& png, const ColorPlanes& picture,
+                        Overwrite overwrite) {
+  write_file(png, encode_color_png(picture), overwrite);
+}
+
+LoadedPhotograph load_photograph(const std::filesystem::path& file) {
+  const std::string content = read_file(file, kPictureFile);
+  return {decode_photograph(bytes_of(content), file.string()), sha256_of(content)};
+}
+
+ColorPlanes load_color_picture(const std::filesystem::path& file) {
+  return decode_color_picture(bytes_of(read_file(file, kPictureFile)), file.string());
+}
+
+}  // namespace asperity

@@ -1,0 +1,34 @@
+// Parameters of a stimulus as JSON text, and back.
+
+#include "app/study_files/parameter_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+std::string json_text_of(const ParameterValues& values) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : values) {
+    if (const double* number = std::get_if<double>(&value)) {
+      json[name] = *number;
+    } else {
+      json[name] = std::get<std::string>(value);
+    }
+  }
+  return json.dump();
+}
+
+ParameterValues parameter_values_in(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text);
+  ParameterValues values{};
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_number()) {
+      values[name] = value.get<double>();
+    } else {
+      values[name] = value.get<std::string>();
+    }
+  }
+  return values;
+}
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+#include "app/study_files/program.h"
+
+#include <sys/utsname.h>
+
+#include <gnu/libc-version.h>
+
+#include "app/study_files/program_identity.h"  // written by CMake
+#include "results_schema/sha256.h"
+
+namespace asperity {
+
+namespace {
+
+const char* compiled_instruction_set() {
+#if defined(__AVX512F__)
+  return "avx512";
+#elif defined(__AVX2__)
+  return "avx2";
+#elif defined(__SSE2__)
+  return "sse2";
+#else
+  return "generic";
+#endif
+}
+
+}  // namespace
+
+ProgramIdentity this_program() {
+  ProgramIdentity identity{};
+  identity.version = kProgramVersion;
+  identity.commit = kProgramCommit;
+  identity.build = kProgramBuild;
+  identity.sha256 = sha256_of_file("/proc/self/exe");
+  identity.instruction_set = compiled_instruction_set();
+  utsname system{};
+  if (uname(&system) == 0) {
+    identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine +
+                  ", glibc " + gnu_get_libc_version();
+  }
+  return identity;
+}
+
+std::string program_version() { return kProgramVersion; }
+
+std::string version_line() {
+  return std::string("asperity ") + kProgramVersion + " (commit " + kProgramCommit + ", " +
+         kProgramBuild + ")";
+}
+
+}  // namespace asperity

@@ -1,0 +1,100 @@
+#include "app/study_files/study_outputs.h"
+
+#include <algorithm>
+
+#include "app/study_files/program.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+/// Whether what is in its place now has no row of the participant. An export lists its participants; a report does not
+/// list all of them, and what was moved cannot be looked into.
+bool is_without(const OutputRow& output, const std::string& label) {
+  const std::filesystem::path path = output.path;
+  try {
+    switch (output.kind) {
+      case OutputKind::export_:
+      case OutputKind::public_export: {
+        const std::filesystem::path file = path / "participants.tsv";
+        if (!std::filesystem::exists(file)) return false;
+        const Table table = read_tsv(read_file(file), file.string());
+        return std::none_of(table.rows.begin(), table.rows.end(),
+                            [&](const auto& row) { return row.front() == Cell{label}; });
+      }
+      case OutputKind::copy:
+        return Study::exists(path) && !Study::open(path, Access::read_only).participant(label);
+      case OutputKind::report:
+        return false;
+    }
+  } catch (const std::exception&) {
+    return false;  // not what it was: it may hold anything
+  }
+  return false;
+}
+
+}  // namespace
+
+Phrase kind_words(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::export_:
+      return phrase("StudyOutputs", "export");
+    case OutputKind::public_export:
+      return phrase("StudyOutputs", "public export");
+    case OutputKind::report:
+      return phrase("StudyOutputs", "report");
+    case OutputKind::copy:
+      return phrase("StudyOutputs", "copy of the study");
+  }
+  return {};
+}
+
+std::optional<Phrase> record_output(const Study& study, OutputKind kind,
+                                    const std::filesystem::path& path) {
+  if (study.schema_version() < Study::kSchemaVersion) {
+    return phrase(
+               "StudyOutputs",
+               "The study was made by an older version of Asperity and was not changed: it does "
+               "not list %1 among its outputs. Keep a note of it in case a participant withdraws.")
+        .with(path.string());
+  }
+  if (!Study::can_be_written(study.folder())) {
+    return phrase("StudyOutputs",
+                  "The study is read-only: it does not list %1 among its outputs. Keep a note of "
+                  "it in case a participant withdraws.")
+        .with(path.string());
+  }
+  try {
+    Study::open(study.folder(), Access::read_write)
+        .add_output({.kind = kind,
+                     .path = std::filesystem::absolute(path).lexically_normal().string(),
+                     .program_version = program_version()});
+  } catch (const std::exception& error) {
+    return phrase("StudyOutputs", "%1 is complete, but the study does not list it: %2")
+        .with(path.string(), phrase_of(error));
+  }
+  return {};
+}
+
+OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label) {
+  const std::optional<ParticipantRow> participant = study.participant(label);
+  if (!participant) {
+    throw ResultsError("the study " + study.folder().string() + " has no participant " + label,
+                       study.folder());
+  }
+  // A virtual participant is of a simulated calendar.
+  const std::string& since = participant->created_utc;
+  const bool is_dated = !participant->is_virtual;
+  OutputsOfParticipant outputs{};
+  for (OutputRow& output : study.outputs()) {
+    const bool may_hold_them = is_dated ? output.made_utc >= since : !is_without(output, label);
+    if (may_hold_them) outputs.recorded.push_back(std::move(output));
+  }
+  const std::string recorded_since = study.outputs_since_utc();
+  if (is_dated && since < recorded_since) outputs.unknown_before_utc = recorded_since;
+  return outputs;
+}
+
+}  // namespace asperity

@@ -1,0 +1,151 @@
+#include "app/study_files/study_protocols.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <system_error>
+
+#include "app/words/phrase.h"
+#include "protocols/diagnostic.h"
+#include "protocols/json_document.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kNameKey = "/name";
+constexpr std::size_t kLongestName = 64;  // as the schema's
+
+std::filesystem::path file_called(const std::filesystem::path& beside, const std::string& name) {
+  return beside.parent_path() / (name + ".json");
+}
+
+std::string text_of_file(const std::filesystem::path& file) {
+  return read_file(file, kProtocolFile);
+}
+
+/// What the schema asks of a protocol's name.
+bool is_name(const std::string& name) {
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !name.empty() && name.size() <= kLongestName && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&is_letter](char c) {
+           return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
+/// By name or by text; empty texts and names are nobody's.
+int sessions_of(const Study& study, const std::string& name, const std::string& sha256) {
+  std::set<std::int64_t> protocols{};
+  for (const ProtocolRow& row : study.protocols()) {
+    if (row.name == name || row.source_sha256 == sha256) protocols.insert(row.id);
+  }
+  const std::vector<SessionRow> sessions = study.sessions();
+  return static_cast<int>(std::count_if(
+      sessions.begin(), sessions.end(),
+      [&protocols](const SessionRow& row) { return protocols.contains(row.protocol_id); }));
+}
+
+void require_never_run(const Study& study, const std::filesystem::path& file) {
+  const int sessions = sessions_of_protocol(study, file);
+  if (sessions == 0) return;
+  throw PhrasedError(phrase("StudyProtocols",
+                            "Stored sessions of %1 (%2) refer to its name and its text. Duplicate "
+                            "the protocol, and change the copy.")
+                         .with(file.filename().string(), std::to_string(sessions)));
+}
+
+/// "height_3" → "height": what a further copy is numbered after.
+std::string without_number(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  if (last == std::string::npos || last == 0 || last + 1 == name.size() || name[last] != '_') {
+    return name;
+  }
+  return name.substr(0, last);
+}
+
+}  // namespace
+
+std::optional<std::string> protocol_name(const std::string& text) {
+  try {
+    const JsonDocument document(text, {});
+    const auto name = document.root().find("name");
+    if (name == document.root().end() || !name->is_string()) return {};
+    return name->get<std::string>();
+  } catch (const ProtocolError&) {
+    return {};
+  }
+}
+
+std::string with_protocol_name(std::string text, const std::string& name) {
+  if (!protocol_name(text)) return text;
+  const std::size_t start = JsonDocument(text, {}).place_of(kNameKey).value();
+  std::size_t end = start + 1;
+  while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+  return text.replace(start, end + 1 - start, '"' + name + '"');
+}
+
+int sessions_of_protocol(const Study& study, const std::filesystem::path& file) {
+  const std::string text = text_of_file(file);
+  return sessions_of(study, protocol_name(text).value_or(""), sha256_of(text));
+}
+
+std::filesystem::path duplicate_protocol(const Study& study, const std::filesystem::path& file) {
+  const std::string text = text_of_file(file);
+  const std::string base = without_number(protocol_name(text).value_or(file.stem().string()));
+  std::string name{};
+  for (int number = 2; name.empty(); ++number) {
+    const std::string next = base + '_' + std::to_string(number);
+    if (std::filesystem::exists(file_called(file, next))) continue;
+    if (sessions_of(study, next, {}) == 0) name = next;
+  }
+  const std::filesystem::path copy = file_called(file, name);
+  write_file(copy, with_protocol_name(text, name), Overwrite::refuse);
+  return copy;
+}
+
+std::filesystem::path rename_protocol(const Study& study, const std::filesystem::path& file,
+                                      const std::string& name) {
+  if (!is_name(name)) {
+    throw PhrasedError(phrase("StudyProtocols",
+                              "“%1” cannot be the name of a protocol. Use lower-case letters, "
+                              "digits and underscores, beginning with a letter.")
+                           .with(name));
+  }
+  const std::string text = text_of_file(file);
+  const std::filesystem::path wanted = file_called(file, name);
+  if (wanted == file && protocol_name(text).value_or(name) == name) return file;
+  require_never_run(study, file);
+  if (wanted != file && std::filesystem::exists(wanted)) {
+    throw PhrasedError(
+        phrase("StudyProtocols", "The study already has a file %1. Choose another name.")
+            .with(wanted.filename().string()));
+  }
+  if (sessions_of(study, name, {}) > 0) {
+    throw PhrasedError(phrase("StudyProtocols",
+                              "Sessions of a protocol called %1 are stored in this study. Choose "
+                              "another name.")
+                           .with(name));
+  }
+  write_file(wanted, with_protocol_name(text, name),
+             wanted == file ? Overwrite::allow : Overwrite::refuse);
+  if (wanted != file) std::filesystem::remove(file);
+  return wanted;
+}
+
+void delete_protocol(const Study& study, const std::filesystem::path& file) {
+  require_never_run(study, file);
+  std::filesystem::remove(file);
+}
+
+std::filesystem::path file_for_text(const std::filesystem::path& file, const std::string& before,
+                                    const std::string& after) {
+  const std::optional<std::string> name = protocol_name(after);
+  if (!name || !is_name(*name) || protocol_name(before) != file.stem().string()) return file;
+  const std::filesystem::path wanted = file_called(file, *name);
+  return std::filesystem::exists(wanted) ? file : wanted;
+}
+
+}  // namespace asperity

@@ -1,0 +1,191 @@
+// The one place where codes become phrases, and phrases what is stored.
+
+#include "app/words/coded_phrases.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/words/device_remarks.h"
+#include "app/words/earlier_wordings.h"
+#include "app/words/event_kinds.h"
+#include "app/words/offered_reasons.h"
+#include "app/words/reason.h"
+
+namespace asperity {
+
+namespace {
+
+using Item = nlohmann::ordered_json;
+
+constexpr const char* kCommaList = "comma_list";
+
+const Phrase& semicolon_list() {
+  static const Phrase kList = Phrase("%1; %2").coded(kListCode.data());
+  return kList;
+}
+
+const Phrase& comma_list() {
+  static const Phrase kList = Phrase("%1, %2").coded(kCommaList);
+  return kList;
+}
+
+/// Lists are nested pairs: the first of a pair is the list so far.
+bool is_list(const Phrase& phrase) {
+  return phrase.code() != nullptr &&
+         (phrase.code() == kListCode || std::string_view(phrase.code()) == kCommaList);
+}
+
+void add_parts(const Phrase& phrase, std::string_view list, Item& parts) {
+  if (phrase.code() == nullptr || phrase.code() != list) {
+    parts.push_back(json_of(phrase));
+    return;
+  }
+  for (const Phrase& part : phrase.arguments()) add_parts(part, list, parts);
+}
+
+Phrase pair_of(const Phrase& list, const Phrase& first, const Phrase& second) {
+  return first.empty() ? second : list.with(first, second);
+}
+
+Phrase unknown_code(const std::string& code, const std::vector<Phrase>& arguments) {
+  Phrase told{};
+  for (const Phrase& argument : arguments) told = with_comma(told, argument);
+  return told.empty() ? Phrase(code) : Phrase("%1 (%2)").with(code, told);
+}
+
+/// The member of an object, where it is a string.
+std::string string_member(const Item& item, std::string_view key) {
+  const auto found = item.find(key);
+  return found != item.end() && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
+constexpr const char* kTyped = "typed";
+
+void add_codes(const Item& item, std::vector<std::string>& codes) {
+  if (is_stored_list(item)) {
+    for (const Item& part : item.at(kArgumentsKey)) add_codes(part, codes);
+    return;
+  }
+  if (item.contains(kEarlierKey)) {
+    return add_codes(json_of(phrase_of_earlier(string_member(item, kEarlierKey))), codes);
+  }
+  std::string code = string_member(item, kCodeKey);
+  if (code.empty()) code = item.contains(kEnglishKey) ? kEnglishKey : kTyped;
+  codes.push_back(std::move(code));
+}
+
+std::string in_one_cell(const std::vector<std::string>& codes) {
+  std::string all{};
+  for (const std::string& code : codes) all += (all.empty() ? "" : "; ") + code;
+  return all;
+}
+
+}  // namespace
+
+const std::map<std::string, Phrase, std::less<>>& coded_phrases() {
+  static const auto kAll = [] {
+    std::map<std::string, Phrase, std::less<>> all{};
+    for (const std::vector<Phrase>& some : {coded_reasons(), coded_remarks(), coded_offers(),
+                                            std::vector<Phrase>{semicolon_list(), comma_list()}}) {
+      for (const Phrase& one : some) all.emplace(one.code(), one);
+    }
+    return all;
+  }();
+  return kAll;
+}
+
+Phrase with_semicolon(const Phrase& first, const Phrase& second) {
+  return pair_of(semicolon_list(), first, second);
+}
+
+Phrase with_comma(const Phrase& first, const Phrase& second) {
+  return pair_of(comma_list(), first, second);
+}
+
+nlohmann::ordered_json json_of(const Phrase& phrase) {
+  if (phrase.is_verbatim()) return phrase.english();
+  if (phrase.code() == nullptr) return {{kEnglishKey, phrase.english()}};
+  Item arguments = Item::array();
+  if (is_list(phrase)) {
+    add_parts(phrase, phrase.code(), arguments);
+  } else {
+    for (const Phrase& argument : phrase.arguments()) arguments.push_back(json_of(argument));
+  }
+  Item item{{kCodeKey, phrase.code()}};
+  if (!arguments.empty()) item[kArgumentsKey] = std::move(arguments);
+  return item;
+}
+
+Phrase phrase_from(const Item& item) {
+  if (item.is_string()) return item.get<std::string>();
+  if (!item.is_object()) return item.dump();
+  if (item.contains(kEarlierKey)) return phrase_of_earlier(string_member(item, kEarlierKey));
+  if (item.contains(kEnglishKey)) return string_member(item, kEnglishKey);
+  std::vector<Phrase> arguments{};
+  const auto stored_arguments = item.find(kArgumentsKey);
+  if (stored_arguments != item.end()) {
+    for (const Item& argument : *stored_arguments) {
+      arguments.push_back(phrase_from(argument));
+    }
+  }
+  const std::string code = string_member(item, kCodeKey);
+  const auto known = coded_phrases().find(code);
+  if (known == coded_phrases().end()) return unknown_code(code, arguments);
+  if (!is_list(known->second)) return known->second.filled(std::move(arguments));
+  Phrase all{};
+  for (const Phrase& part : arguments) all = pair_of(known->second, all, part);
+  return all;
+}
+
+StoredWords stored(const Phrase& phrase) {
+  return {phrase.english(), json_of(phrase).dump(-1, ' ', false, Item::error_handler_t::replace)};
+}
+
+Phrase phrase_of(const StoredWords& words) {
+  const Item item = words.item();
+  const bool is_readable = item.is_string() || !string_member(item, kCodeKey).empty() ||
+                           item.contains(kEnglishKey) || item.contains(kEarlierKey);
+  return is_readable ? phrase_from(item) : Phrase(words.text);
+}
+
+Phrase phrase_of(const std::optional<StoredWords>& words) {
+  return words ? phrase_of(*words) : Phrase{};
+}
+
+Phrase phrase_of(const EventRow& event) {
+  if (!event.text_json.empty()) return phrase_of(event.words());
+  const EventKind* const kind = event_kind(event.kind);
+  return kind != nullptr && kind->text_is_words ? phrase_of_earlier(event.text)
+                                                : Phrase(event.text);
+}
+
+EventRow event_row(std::int64_t time_ns, const std::string& kind, const Phrase& text,
+                   const std::string& data_json) {
+  const EventKind* const known = event_kind(kind);
+  EventRow row{.time_ns = time_ns, .kind = kind, .text = text.english(), .data_json = data_json};
+  if (known != nullptr && known->text_is_words) row.text_json = stored(text).json;
+  return row;
+}
+
+std::string codes_of(const StoredWords& words) {
+  std::vector<std::string> codes{};
+  add_codes(words.item(), codes);
+  return in_one_cell(codes);
+}
+
+std::string published_codes_of(const StoredWords& words) {
+  static const std::vector<Phrase> kOffers = coded_offers();
+  std::vector<std::string> codes{};
+  add_codes(words.item(), codes);
+  for (std::string& code : codes) {
+    const bool is_offered =
+        std::any_of(kOffers.begin(), kOffers.end(),
+                    [&code](const Phrase& offer) { return offer.code() == code; });
+    if (is_offered) code = kTyped;
+  }
+  return in_one_cell(codes);
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+// Remarks on a device's profile: how the number of an item was measured, or why there is none, and the known traits.
+
+#pragma once
+
+#include <vector>
+
+#include "app/words/phrase.h"
+#include "device/device_trait.h"
+
+namespace asperity {
+
+/// Sentences, and the parts of one: "Not measured: along x the handle did not move; along y …".
+enum class DeviceRemark {
+  took_force_away,
+  ran_away,
+  along,
+  not_measured,
+  of_this_computer,
+  nothing_felt,
+  did_not_run,
+  force_of_nothing,
+  noise,
+  too_few_readings,
+  no_motors,
+  limited,
+  stopped,
+  no_number,
+  silent,
+  did_not_follow,
+  did_not_move,
+  sweeps_say_nothing,
+  push_did_not_move,
+  latency,
+  mass,
+  friction,
+  damping,
+  position_step,
+  resonance,
+  no_resonance,
+  stiffest,
+  swings_at_once,
+  weakest,
+  nothing_moves_it,
+  nobody_moved_it,
+  no_readings,
+  share_reached,
+  not_known,
+};
+/// The measurement fills its places.
+Phrase phrase_of(DeviceRemark remark);
+
+/// All of them, each with its code.
+std::vector<Phrase> coded_remarks();
+
+/// "moving mass"
+Phrase phrase_of(DeviceTrait trait);
+/// "friction, damping"
+Phrase listed_traits(const std::vector<DeviceTrait>& traits);
+
+}  // namespace asperity

@@ -1,0 +1,244 @@
+#include "app/words/event_kinds.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asperity {
+
+const std::vector<EventKind>& event_kinds() {
+  static const std::vector<EventKind> kKinds{
+      {.name = "session_began",
+       .meaning = "the session began. Data: the program that runs this segment of the session; "
+                  "`utc`, when it began (from version 0.2.0 on); `device` as in `session`, and "
+                  "`judged_force`, the normal force by which the exploration is assessed: `sent`, "
+                  "or `rendered` of a device without motors (Asperity 0.1.0 stored neither)",
+       .hed = "Experiment-structure",
+       .text_is_public = true,
+       .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
+                       "pacing", "scheduling", "device", "judged_force", "segment"}},
+      {.name = "session_resumed",
+       .meaning = "the session was resumed after an interruption. Data: as in `session_began`",
+       .hed = "Experiment-structure",
+       .text_is_public = true,
+       .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
+                       "pacing", "scheduling", "device", "judged_force", "segment"}},
+      {.name = "resumed_late",
+       .meaning =
+           "the session is resumed later than the protocol allows (`resume.maximum_age_hours`), "
+           "before `session_resumed`. Text: the experimenter's reason. Data: `age_hours` since it "
+           "last ran, and `maximum_age_hours`",
+       .hed = "Experiment-structure",
+       .public_data = {"age_hours", "maximum_age_hours"},
+       .text_is_words = true},
+      {.name = "device_changed",
+       .meaning =
+           "the session is resumed on a device other than the one on which it last ran: text as "
+           "`session.device`, data as `session.device_json`; before `session_resumed`",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true},
+      {.name = "device_profile",
+       .meaning = "the measured profile with which the device of this segment was compared. Text: "
+                  "which profile. Data: the profile",
+       .hed = "Experiment-control, Device"},
+      {.name = "rehearsal",
+       .meaning = "a warning of the comparison of the plan with the measured device. Data: the "
+                  "check, the stimulus, what is required of the device and what it provides",
+       .hed = "Experiment-control, Warning, Device",
+       .text_is_public = true,
+       .public_data = {"check", "stimulus", "asked", "device"}},
+      {.name = "guidance",
+       .meaning = "whether the participant saw and heard the guidance of the protocol: `given` or "
+                  "`not_given`",
+       .hed = "Experiment-control, Instructional",
+       .text_is_public = true},
+      {.name = "session_completed",
+       .meaning = "the session ended as planned. Text: the reason",
+       .hed = "Experiment-structure",
+       .text_is_words = true},
+      {.name = "session_stopped",
+       .meaning = "the session was stopped and can be resumed. Text: the reason",
+       .hed = "Experiment-structure, Halt",
+       .text_is_words = true},
+      {.name = "session_failed",
+       .meaning = "an error ended the session. Text: the error",
+       .hed = "Experiment-structure, Mishap",
+       .text_is_words = true},
+      {.name = "phase",
+       .meaning = "a phase of the session began: `ready`, `iti`, `fore`, `contact`, `response`, "
+                  "`feedback`, `rest`, `questions`, `paused`, `fault` or `ended`. Only of sessions "
+                  "that a window shows; `fore`, `contact` and `response` belong to their attempt",
+       .hed = "Experiment-structure",
+       .ended_by = {"phase"},
+       .text_is_public = true},
+      {.name = "check_passed",
+       .meaning = "a check that the protocol requires was passed. Text: `device` or `force_zero`",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true},
+      {.name = "break_began",
+       .meaning = "a break began",
+       .hed = "Experiment-structure, (Experiment-participant, Rest)",
+       .ended_by = {"break_ended"},
+       .text_is_public = true},
+      {.name = "break_ended",
+       .meaning = "the break ended",
+       .hed = "Experiment-structure",
+       .text_is_public = true},
+      {.name = "force_zeroed",
+       .meaning = "the force was checked to be zero in a break",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true},
+      {.name = "criterion_not_met",
+       .meaning = "a block ended without its criterion. Text: the block",
+       .hed = "Experiment-control",
+       .text_is_public = true},
+      {.name = "paused",
+       .meaning = "the session was paused",
+       .hed = "Experiment-control, Pause",
+       .ended_by = {"resumed"},
+       .text_is_public = true},
+      {.name = "resumed",
+       .meaning = "the pause ended",
+       .hed = "Experiment-control",
+       .text_is_public = true},
+      {.name = "fault",
+       .meaning = "a fault or the emergency stop set the force to zero; the trial that it "
+                  "interrupted is presented again. Text: the fault",
+       .hed = "Experiment-control, Mishap, Device",
+       .ended_by = {"fault_cleared"},
+       .text_is_public = true},
+      {.name = "fault_cleared",
+       .meaning = "the fault was cleared",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true},
+      {.name = "device_trouble",
+       .meaning = "a problem that the device reported. Text: the message to the experimenter; "
+                  "stored when the problem begins, when the message changes (at most every ten "
+                  "seconds) and, as `device_well`, when the problem ends",
+       .hed = "Experiment-control, Warning, Device",
+       .ended_by = {"device_well", "device_trouble"}},
+      {.name = "device_well",
+       .meaning = "the device no longer reports a problem",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true},
+      {.name = "trial_repeated",
+       .meaning = "the experimenter had the last trial repeated. Text: the reason. Data: the trial "
+                  "and the attempt that was invalidated",
+       .hed = "Experiment-control, (Experimenter, Repeat)",
+       .public_data = {"trial", "attempt"},
+       .text_is_words = true},
+      {.name = "repeat_refused",
+       .meaning = "there was no trial to repeat. Text: the reason",
+       .hed = "Experiment-control",
+       .text_is_public = true,
+       .text_is_words = true},
+      {.name = "masking_noise",
+       .meaning = "the masking noise of the segment that begins. Data: `kind`, `gain`, declared "
+                  "and measured level, `verified_by`, who measured it, and the sound output. Kind "
+                  "`none`, not `heard`: no sound could be played, as at a terminal (Asperity 0.1.0 "
+                  "stored no such event)",
+       .hed = "Sensory-event, Auditory-presentation, Signal-noise",
+       .text_is_public = true,
+       .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",
+                       "rate_Hz", "buffer_s"}},
+      {.name = "masking_noise_lost",
+       .meaning = "the noise stopped during a trial, or could not be played when the next one was "
+                  "to begin; the session was paused",
+       .hed = "Experiment-control, Mishap, Signal-noise",
+       .text_is_public = true},
+      {.name = "masking_noise_missing",
+       .meaning = "the noise could not start, because the sound card did not play; the session was "
+                  "paused before its first trial, or before the first trial after it was resumed",
+       .hed = "Experiment-control, Mishap, Signal-noise",
+       .text_is_public = true},
+      {.name = "mask_on",
+       .meaning = "the participant confirmed that the eye mask is on",
+       .hed = "Experiment-control",
+       .ended_by = {"mask_off"},
+       .text_is_public = true},
+      {.name = "mask_off",
+       .meaning = "the participant confirmed that the eye mask is off",
+       .hed = "Experiment-control",
+       .text_is_public = true},
+      {.name = "experimenter_ready",
+       .meaning = "the experimenter confirmed the action that the protocol requires before the "
+                  "trial. Text: the action",
+       .hed = "Experiment-control, Experimenter",
+       .text_is_public = true},
+      {.name = "input",
+       .meaning =
+           "what the participant entered, such as `option 2`. Data: `source`, and why it had "
+           "no effect if so: `meant_for_an_earlier_scene`, `too_soon` (within 0.2 s of the "
+           "question), `after_the_deadline`. What is typed into a form is stored with the "
+           "answers only",
+       .hed = "Agent-action, Experiment-participant, Participant-response",
+       .text_is_public = true,
+       .public_data = {"source", "held_s", "meant_for_an_earlier_scene", "too_soon",
+                       "after_the_deadline"}},
+      {.name = "input_released",
+       .meaning = "a key or button was released. Text: which one. Data: `held_s`, for how long it "
+                  "was held",
+       .hed = "Agent-action, Experiment-participant, Release",
+       .text_is_public = true,
+       .public_data = {"source", "held_s"}},
+      {.name = "refused",
+       .meaning =
+           "an input was refused. Text: the message that was shown, in English. Data: the input",
+       .hed = "Sensory-event, Visual-presentation, Feedback, Experiment-participant",
+       .text_is_public = true,
+       .public_data = {"input"}},
+      {.name = "estimate_doubted",
+       .meaning = "an estimate was re-elicited. Text: the number. Data: `estimate`, "
+                  "`earlier_estimate` of the same stimulus in this session, `from_cue_s`",
+       .hed = "Experiment-control, Repeat",
+       .text_is_public = true,
+       .public_data = {"estimate", "earlier_estimate", "from_cue_s"}},
+      {.name = "note",
+       .meaning = "a note of the experimenter, with the time at which it was written",
+       .hed = "Experiment-control, Experimenter, Note",
+       .text_is_words = true},
+      {.name = "unblinded",
+       .meaning = "the experimenter had the stimuli shown by name. Text: the reason",
+       .hed = "Experiment-control, Experimenter",
+       .ended_by = {"blinded_again"},
+       .text_is_words = true},
+      {.name = "blinded_again",
+       .meaning = "the stimuli were hidden from the experimenter again",
+       .hed = "Experiment-control, Experimenter",
+       .text_is_public = true},
+      {.name = "consent_seen",
+       .meaning = "who witnessed the participant's consent",
+       .hed = "Experiment-control, Experimenter",
+       .text_is_words = true},
+      {.name = "focus_changed",
+       .meaning = "destination of key presses from now on: `participant`, `experimenter`, "
+                  "`experimenter, text field` or `another program`",
+       .hed = "Experiment-control, Input-device",
+       .text_is_public = true},
+      {.name = "picture_unreadable",
+       .meaning = "a picture could not be shown to the participant. Text: its name",
+       .hed = "Experiment-control, Mishap, Image",
+       .text_is_public = true},
+      {.name = "screen_lost",
+       .meaning = "the participant's screen was disconnected; the force was set to zero. Text: the "
+                  "screen",
+       .hed = "Experiment-control, Mishap, Display-device"}};
+  return kKinds;
+}
+
+const EventKind* event_kind(std::string_view name) {
+  const std::vector<EventKind>& kinds = event_kinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [name](const EventKind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+bool ends_session(std::string_view kind) noexcept {
+  constexpr std::array kEnds{"session_completed", "session_stopped", "session_failed"};
+  return std::find(kEnds.begin(), kEnds.end(), kind) != kEnds.end();
+}
+
+std::string hed_tags(const EventKind& kind) {
+  return "(" + std::string(kind.hed) + ", Label/" + std::string(kind.name) + ", {event})";
+}
+
+}  // namespace asperity

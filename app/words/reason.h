@@ -1,0 +1,65 @@
+// Why an attempt does not count or is flagged, and why a session ended.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/words/phrase.h"
+#include "renderers/servo_loop.h"
+
+namespace asperity {
+
+/// The program's own reasons; a study stores their codes (app/words/coded_phrases.h).
+enum class Reason {
+  // of the end of a session
+  as_asked,
+  as_asked_after_trial,
+  as_asked_after_block,
+  stopped_as_asked,
+  terminal_closed,
+  window_closed,
+  session_window_closed,
+  stopped_in_trial,        ///< the emergency stop was pressed; which trial
+  stopped_between_trials,  ///< the emergency stop was pressed
+  failed_in_trial,         ///< the device; which trial, why
+  failed_between_trials,   ///< the device; why
+  every_trial_stored,
+  failed_repeatedly,  ///< a trial; which, how many times, why
+  criterion_not_met,  ///< of which block
+  stood_still,        ///< the servo loop; how many times
+  // of either
+  aborted,
+  emergency_stop,
+  noise_stopped,
+  no_noise,
+  // of an attempt
+  missed_in_contact,      ///< deadlines; how many, how many are allowed
+  missed_deadlines,       ///< of version 0.1, in contact or not; how many, how many are allowed
+  lost_records,           ///< how many, how many are allowed
+  force_limited,          ///< in how many ticks
+  not_explored_as_asked,  ///< what failed: measures of surfaces
+  not_touched,            ///< which surface
+  set_aside,              ///< why
+  // of a device: what is wrong with it
+  not_ready,  ///< what it does or does not
+  does_not_tick,
+  does_not_answer,
+  sends_force,
+  none_given,
+  // of events
+  nothing_to_repeat,
+  agreement_witnessed,  ///< by whom
+};
+Phrase phrase_of(Reason reason);
+/// "the device does not respond"; its code is its name.
+Phrase phrase_of(Fault fault);
+
+/// "normal force of surface 2", for what was not explored as instructed; quantities as ComplianceRow
+/// names them.
+Phrase failed_measure(const std::string& quantity, int surface);
+
+/// All that is declared here, each with its code.
+std::vector<Phrase> coded_reasons();
+
+}  // namespace asperity

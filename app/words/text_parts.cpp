@@ -1,0 +1,49 @@
+#include "app/words/text_parts.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+std::size_t width_of(std::string_view utf8) {
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // no continuation of another
+  }));
+}
+
+std::string wrapped_text(const std::string& text, std::size_t columns, const std::string& prefix) {
+  const std::size_t indent = width_of(prefix);
+  std::string lines{};
+  std::string line = prefix;
+  std::size_t used = 0;  // of the line, without what stands before it
+  std::string word{};
+  const auto end_line = [&] {
+    if (used > 0 || lines.empty()) lines += line;  // no line is blanks alone
+    lines += '\n';
+    line.assign(indent, ' ');
+    used = 0;
+  };
+  const auto end_word = [&] {
+    if (word.empty()) return;
+    const std::size_t width = width_of(word);
+    if (used > 0 && indent + used + 1 + width > columns) end_line();
+    if (used > 0) {
+      line += ' ';
+      ++used;
+    }
+    line += word;
+    used += width;
+    word.clear();
+  };
+  for (const char character : text) {
+    if (character != ' ' && character != '\n') {
+      word += character;
+      continue;
+    }
+    end_word();
+    if (character == '\n') end_line();
+  }
+  end_word();
+  return used > 0 || lines.empty() ? lines + line : lines;
+}
+
+}  // namespace asperity

@@ -1,0 +1,14 @@
+// How long ago something happened, as people put it.
+
+#pragma once
+
+#include "app/words/phrase.h"
+
+namespace asperity {
+
+inline constexpr double kHoursADay = 24.0;
+
+/// "less than an hour ago", "26 hours ago", "325 days ago": in hours up to two days, then in days. h
+Phrase time_ago(double hours);
+
+}  // namespace asperity
