@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "analysis/random.h"
-#include "stimuli/triangle_mesh.h"
+#include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
 

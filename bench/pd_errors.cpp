@@ -11,9 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderers/pd_gradient/pd_gradient.h"
-#include "renderers/pd_gradient/reference_penetration.h"
-#include "stimuli/textured_shape.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
+#include "stimuli/meshes/textured_shape.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {

@@ -30,12 +30,12 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/detailed_bodies.h"
-#include "renderers/pd_gradient/pd_gradient.h"
-#include "renderers/pd_gradient/reference_penetration.h"
-#include "stimuli/mesh_decimation.h"
-#include "stimuli/mesh_file.h"
-#include "stimuli/mesh_repair.h"
-#include "stimuli/texture_baking.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
+#include "stimuli/meshes/mesh_decimation.h"
+#include "stimuli/meshes/mesh_file.h"
+#include "stimuli/meshes/mesh_repair.h"
+#include "stimuli/meshes/texture_baking.h"
 
 namespace asperity {
 namespace {

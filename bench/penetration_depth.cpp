@@ -17,8 +17,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderers/pd_gradient/cached_penetration.h"
-#include "renderers/pd_gradient/reference_penetration.h"
+#include "renderers/pd_gradient/sampling/cached_penetration.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 
 namespace asperity {

@@ -18,9 +18,10 @@
 
 #include "analysis/random.h"
 #include "device/simulated_device.h"
-#include "renderers/force_model.h"
-#include "renderers/servo_loop.h"
-#include "renderers/servo_thread.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
+#include "renderers/servo/servo_loop.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace asperity {
 namespace {

@@ -15,10 +15,10 @@
 
 #include "app/gui/workbench/texture_preview.h"
 #include "bench/machine.h"
-#include "stimuli/preview.h"
-#include "stimuli/synthetic_photograph.h"
-#include "stimuli/synthetic_surface.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/preview.h"
+#include "stimuli/photographs/synthetic_photograph.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 namespace {

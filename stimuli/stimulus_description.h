@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "stimuli/material.h"
-#include "stimuli/parameter.h"
-#include "stimuli/solid_body.h"
-#include "stimuli/surface_patch.h"
+#include "stimuli/meshes/solid_body.h"
+#include "stimuli/properties/material.h"
+#include "stimuli/properties/parameter.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 

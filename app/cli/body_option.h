@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "stimuli/solid_body.h"
+#include "stimuli/meshes/solid_body.h"
 
 namespace asperity {
 

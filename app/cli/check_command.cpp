@@ -23,8 +23,9 @@
 #include "app/tasks/texture_doubts.h"
 #include "app/words/shell_word.h"
 #include "device/drivers.h"
-#include "protocols/json_document.h"
-#include "protocols/protocol_problems.h"
+#include "protocols/file/json_document.h"
+#include "protocols/file/protocol_problems.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {

@@ -30,7 +30,8 @@
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "device/virtual_hand.h"
-#include "protocols/device_limit.h"
+#include "protocols/file/device_limit.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

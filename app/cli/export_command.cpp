@@ -18,6 +18,7 @@
 #include "app/study_files/study_metadata.h"
 #include "app/study_files/study_outputs.h"
 #include "app/words/text_parts.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

@@ -15,7 +15,7 @@
 #include "app/gui/window/program_window.h"
 #endif
 #include "app/study_files/program.h"
-#include "protocols/diagnostic.h"
+#include "protocols/file/diagnostic.h"
 
 namespace {
 

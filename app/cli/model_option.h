@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "protocols/wording.h"
-#include "renderers/force_model.h"
+#include "protocols/design/wording.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

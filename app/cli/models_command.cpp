@@ -9,7 +9,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
-#include "renderers/force_model.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

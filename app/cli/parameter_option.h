@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "stimuli/parameter.h"
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 

@@ -16,7 +16,8 @@
 #include "app/cli/word_option.h"
 #include "app/records/path_table.h"
 #include "app/study_files/height_field_files.h"
-#include "renderers/force_model.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "renderers/offline/along_path.h"
 
 namespace asperity {

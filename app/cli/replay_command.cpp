@@ -16,7 +16,8 @@
 #include "app/records/path_table.h"
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/height_field_files.h"
-#include "protocols/wording.h"
+#include "protocols/design/wording.h"
+#include "renderers/built_in_models.h"
 #include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 

@@ -20,6 +20,7 @@
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

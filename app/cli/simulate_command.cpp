@@ -17,6 +17,7 @@
 #include "app/cli/word_option.h"
 #include "app/study_files/study_condition.h"
 #include "app/tasks/simulation.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

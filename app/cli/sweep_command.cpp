@@ -34,10 +34,11 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/sweep/sweep_beside.h"
 #include "app/tasks/protocol_files.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/protocol_reader.h"
 #include "results_schema/study.h"
 #endif
-#include "stimuli/synthetic_surface.h"
+#include "renderers/built_in_models.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 

@@ -14,8 +14,8 @@
 #include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
 #include "app/study_files/height_field_files.h"
-#include "stimuli/synthetic_photograph.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/synthetic_photograph.h"
 
 namespace asperity {
 

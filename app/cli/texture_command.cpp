@@ -13,9 +13,9 @@
 #include "app/cli/terminal.h"
 #include "app/cli/word_option.h"
 #include "app/study_files/height_field_files.h"
-#include "stimuli/photograph_advice.h"
-#include "stimuli/preview.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/photographs/photograph_advice.h"
+#include "stimuli/photographs/preview.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 

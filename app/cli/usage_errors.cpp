@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "protocols/wording.h"
+#include "protocols/design/wording.h"
 #include "results_schema/table.h"
 
 namespace asperity {

@@ -9,6 +9,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/verify_study.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

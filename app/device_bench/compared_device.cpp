@@ -15,7 +15,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "device/virtual_hand.h"
-#include "protocols/json_document.h"
+#include "protocols/file/json_document.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "device/drivers.h"
-#include "protocols/diagnostic.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 

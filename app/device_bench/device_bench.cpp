@@ -14,8 +14,8 @@
 
 #include "analysis/number_text.h"
 #include "app/words/phrase.h"
-#include "renderers/servo_thread.h"
-#include "renderers/servo_time.h"
+#include "renderers/servo/servo_thread.h"
+#include "renderers/servo/servo_time.h"
 
 namespace asperity {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "device/haptic_device.h"
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 
 namespace asperity {
 

@@ -8,8 +8,8 @@
 #include "app/words/phrase.h"
 #include "device/device_capability.h"
 #include "device/drivers.h"
-#include "protocols/protocol.h"
-#include "renderers/servo_loop.h"
+#include "protocols/design/protocol.h"
+#include "renderers/servo/servo_loop.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include "app/records/attempt_detail.h"
 #include "app/study_files/program.h"
 #include "app/words/event_kinds.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/recording.h"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/analysis_declaration.h"
+#include "protocols/design/analysis_declaration.h"
 #include "results_schema/rows.h"
 #include "results_schema/table.h"
 

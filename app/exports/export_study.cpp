@@ -27,7 +27,7 @@
 #include "app/records/session_timeline.h"
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 

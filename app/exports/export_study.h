@@ -13,7 +13,7 @@
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
 #include "app/words/phrase.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
 namespace asperity {

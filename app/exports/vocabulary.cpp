@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
 
 namespace asperity {
 

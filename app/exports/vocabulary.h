@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/exports/columns.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/words/phrase.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

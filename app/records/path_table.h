@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "device/probe_state.h"
-#include "renderers/rendered_tick.h"
+#include "renderers/force/rendered_tick.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include "app/session/layout.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/study_files/parameter_json.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/protocol_reader.h"
 
 namespace asperity {
 

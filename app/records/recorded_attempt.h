@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/plan.h"
-#include "renderers/tick_record.h"
+#include "protocols/plan/plan.h"
+#include "renderers/servo/tick_record.h"
 #include "results_schema/study.h"
 
 namespace asperity {

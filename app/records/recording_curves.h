@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/spectrum.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 
 #include "app/words/phrase.h"
 #include "device/device_capability.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

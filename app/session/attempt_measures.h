@@ -9,8 +9,8 @@
 
 #include "app/session/rig/contact_reader.h"
 #include "device/virtual_hand.h"
-#include "protocols/protocol.h"
-#include "renderers/tick_record.h"
+#include "protocols/design/protocol.h"
+#include "renderers/servo/tick_record.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

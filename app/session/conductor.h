@@ -16,7 +16,7 @@
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
 #include "app/session/trial_tally.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "protocols/protocol.h"
-#include "stimuli/surface_patch.h"
+#include "protocols/design/protocol.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 

@@ -17,7 +17,7 @@
 #include "app/session/session_requests.h"
 #include "app/session/session_setup.h"
 #include "app/session/sound/sound.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

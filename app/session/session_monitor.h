@@ -16,8 +16,8 @@
 
 #include "app/session/respondents/participant_scene.h"
 #include "app/words/phrase.h"
-#include "protocols/plan.h"
-#include "renderers/servo_loop.h"
+#include "protocols/plan/plan.h"
+#include "renderers/servo/servo_loop.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

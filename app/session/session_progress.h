@@ -9,7 +9,7 @@
 
 #include "app/session/session_course.h"
 #include "app/session/trial_tally.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

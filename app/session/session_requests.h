@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/words/phrase.h"
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 
 namespace asperity {
 

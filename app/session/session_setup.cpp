@@ -7,7 +7,7 @@
 
 #include "analysis/random.h"
 #include "app/words/phrase.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/protocol_reader.h"
 #include "results_schema/sha256.h"
 
 namespace asperity {

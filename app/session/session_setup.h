@@ -10,8 +10,8 @@
 
 #include "app/study_files/program.h"
 #include "device/device_capability.h"
-#include "protocols/plan.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/plan/plan.h"
 #include "results_schema/study.h"
 
 namespace asperity {

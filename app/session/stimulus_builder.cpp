@@ -11,7 +11,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 

@@ -13,8 +13,8 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
-#include "protocols/plan.h"
-#include "renderers/force_model.h"
+#include "protocols/plan/plan.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

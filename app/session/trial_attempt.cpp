@@ -16,7 +16,7 @@
 #include "app/study_files/parameter_json.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
-#include "protocols/shown_options.h"
+#include "protocols/plan/shown_options.h"
 #include "renderers/offline/recorded_force.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 
 #include "app/session/session_course.h"
 #include "app/session/stimulus_builder.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

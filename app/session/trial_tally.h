@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "protocols/plan.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/plan/plan.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "results_schema/atomic_file.h"
-#include "stimuli/grey_image.h"
-#include "stimuli/height_field.h"
-#include "stimuli/height_field_file.h"
-#include "stimuli/photograph.h"
+#include "stimuli/heights/height_field.h"
+#include "stimuli/heights/height_field_file.h"
+#include "stimuli/pictures/grey_image.h"
+#include "stimuli/pictures/photograph.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "stimuli/parameter.h"
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "app/words/phrase.h"
-#include "protocols/diagnostic.h"
-#include "protocols/json_document.h"
+#include "protocols/file/diagnostic.h"
+#include "protocols/file/json_document.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "results_schema/atomic_file.h"
-#include "stimuli/textured_mesh_file.h"
+#include "stimuli/meshes/textured_mesh_file.h"
 
 namespace asperity {
 

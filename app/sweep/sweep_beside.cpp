@@ -13,7 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

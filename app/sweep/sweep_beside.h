@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/sweep/sweep.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 

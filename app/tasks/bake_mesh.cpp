@@ -11,8 +11,8 @@
 #include "app/study_files/textured_mesh_files.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
-#include "stimuli/mesh_decimation.h"
-#include "stimuli/mesh_repair.h"
+#include "stimuli/meshes/mesh_decimation.h"
+#include "stimuli/meshes/mesh_repair.h"
 
 namespace asperity {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "results_schema/atomic_file.h"
-#include "stimuli/mesh_file.h"
-#include "stimuli/solid_body.h"
-#include "stimuli/texture_baking.h"
+#include "stimuli/meshes/mesh_file.h"
+#include "stimuli/meshes/solid_body.h"
+#include "stimuli/meshes/texture_baking.h"
 
 namespace asperity {
 

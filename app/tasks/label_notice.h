@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/words/phrase.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "app/study_files/height_field_files.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
-#include "stimuli/synthetic_photograph.h"
-#include "stimuli/synthetic_surface.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/synthetic_photograph.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 

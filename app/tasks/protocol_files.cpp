@@ -26,13 +26,13 @@
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
-#include "protocols/doubts.h"
-#include "protocols/protocol_problems.h"
-#include "renderers/pd_gradient/finest_wave.h"
+#include "protocols/file/doubts.h"
+#include "protocols/file/protocol_problems.h"
+#include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
-#include "stimuli/photograph.h"
+#include "stimuli/pictures/photograph.h"
 
 namespace asperity {
 

@@ -11,9 +11,9 @@
 #include "app/session/stimulus_builder.h"
 #include "app/words/phrase.h"
 #include "device/device_capability.h"
-#include "protocols/plan.h"
-#include "protocols/protocol_reader.h"
-#include "renderers/force_model.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/plan/plan.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

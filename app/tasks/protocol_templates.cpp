@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/study_files/study_protocols.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {

@@ -17,7 +17,7 @@
 #include "app/tasks/label_notice.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

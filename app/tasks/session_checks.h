@@ -15,8 +15,8 @@
 #include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
 #include "app/words/phrase.h"
-#include "protocols/protocol.h"
-#include "renderers/force_model.h"
+#include "protocols/design/protocol.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/session/conductor.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

@@ -22,10 +22,11 @@
 #include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
 
 namespace asperity {
 

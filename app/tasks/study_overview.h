@@ -16,11 +16,11 @@
 
 #include "app/tasks/protocol_files.h"
 #include "device/device_capability.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
-#include "stimuli/grey_image.h"
-#include "stimuli/textured_mesh.h"
-#include "stimuli/textured_shape.h"
+#include "stimuli/meshes/textured_mesh.h"
+#include "stimuli/meshes/textured_shape.h"
+#include "stimuli/pictures/grey_image.h"
 
 namespace asperity {
 

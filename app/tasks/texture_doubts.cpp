@@ -12,9 +12,9 @@
 
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
-#include "protocols/json_document.h"
-#include "protocols/plan.h"
-#include "stimuli/synthetic_surface.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 

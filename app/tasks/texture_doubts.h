@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "protocols/diagnostic.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 

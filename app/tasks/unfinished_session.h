@@ -9,7 +9,7 @@
 
 #include "app/records/session_conditions.h"
 #include "app/words/phrase.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -18,7 +18,7 @@
 
 #include "app/records/recorded_attempt.h"
 #include "app/study_files/program.h"
-#include "protocols/shown_options.h"
+#include "protocols/plan/shown_options.h"
 #include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
 namespace asperity {

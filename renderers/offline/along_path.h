@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderers/force_renderer.h"
+#include "renderers/force/force_renderer.h"
 
 namespace asperity {
 

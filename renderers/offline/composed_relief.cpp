@@ -19,8 +19,8 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/number_text.h"
-#include "renderers/pd_gradient/contact_geometry.h"
-#include "renderers/pd_gradient/reference_penetration.h"
+#include "renderers/pd_gradient/geometry/contact_geometry.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
 
 namespace asperity {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "stimuli/height_field.h"
-#include "stimuli/textured_mesh.h"
+#include "stimuli/heights/height_field.h"
+#include "stimuli/meshes/textured_mesh.h"
 
 namespace asperity {
 

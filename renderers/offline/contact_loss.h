@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

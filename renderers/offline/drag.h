@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "analysis/roughness.h"
-#include "renderers/force_renderer.h"
+#include "renderers/force/force_renderer.h"
 #include "renderers/offline/held_tool.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "analysis/force_features.h"
-#include "renderers/force_model.h"
-#include "renderers/tick_record.h"
+#include "renderers/force/force_model.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "renderers/servo_time.h"
+#include "renderers/servo/servo_time.h"
 
 namespace asperity {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "renderers/force_renderer.h"
-#include "renderers/tick_record.h"
+#include "renderers/force/force_renderer.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

@@ -10,8 +10,8 @@
 
 #include "analysis/number_text.h"
 #include "analysis/spectrum.h"
-#include "stimuli/synthetic_surface.h"
-#include "stimuli/textured_shape.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/meshes/textured_shape.h"
 
 namespace asperity {
 namespace {

@@ -9,10 +9,10 @@
 #include <stop_token>
 #include <string>
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "renderers/offline/drag.h"
-#include "renderers/pd_gradient/offset_surface.h"
-#include "stimuli/parameter.h"
+#include "renderers/offline/offset_surface.h"
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 

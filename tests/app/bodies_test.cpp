@@ -18,10 +18,11 @@
 #include "app/tasks/study_overview.h"
 #include "app/tasks/texture_doubts.h"
 #include "app/tasks/verify_study.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
-#include "stimuli/solid_body.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,7 +12,8 @@
 
 #include "app/profiles/device_profile.h"
 #include "app/tasks/protocol_files.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"

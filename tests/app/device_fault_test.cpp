@@ -24,6 +24,7 @@
 #include "app/tasks/run_session.h"
 #include "app/words/coded_phrases.h"
 #include "device/pause.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/patience.h"

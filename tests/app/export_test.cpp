@@ -20,6 +20,7 @@
 #include "app/words/coded_phrases.h"
 #include "app/words/offered_reasons.h"
 #include "app/words/reason.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/exports/export_study.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 

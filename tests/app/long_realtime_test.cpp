@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/tasks/run_session.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"

@@ -14,8 +14,8 @@
 #include "app/findings/study/test_methods.h"
 #include "app/findings/study/test_sentences.h"
 #include "app/report/text/study_report.h"
-#include "protocols/analysis_declaration.h"
-#include "protocols/library_protocols.h"
+#include "protocols/design/analysis_declaration.h"
+#include "protocols/file/library_protocols.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -16,9 +16,10 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/new_study.h"
-#include "protocols/library_protocols.h"
-#include "renderers/force_model.h"
-#include "renderers/surface_contact.h"
+#include "protocols/file/library_protocols.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
+#include "renderers/force/surface_contact.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 

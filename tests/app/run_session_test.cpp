@@ -14,6 +14,7 @@
 #include "app/tasks/session_checks.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/verify_study.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/refusal.h"

@@ -13,6 +13,7 @@
 
 #include "app/session/conductor.h"
 #include "app/study_files/program.h"
+#include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 #include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"

@@ -12,6 +12,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/utc_time.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"

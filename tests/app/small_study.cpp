@@ -3,7 +3,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/study.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 

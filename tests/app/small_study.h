@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "protocols/protocol.h"
-#include "renderers/force_model.h"
+#include "protocols/design/protocol.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

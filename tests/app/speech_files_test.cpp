@@ -7,6 +7,7 @@
 
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
+#include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/tasks/protocol_templates.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"

@@ -7,6 +7,7 @@
 #include "app/study_files/program.h"
 #include "app/tasks/protocol_files.h"
 #include "app/words/phrase.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"

@@ -20,6 +20,7 @@
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_tests.h"
 #include "app/tasks/simulation.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"

@@ -16,10 +16,11 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
-#include "renderers/force_model.h"
-#include "stimuli/synthetic_surface.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
+#include "stimuli/heights/synthetic_surface.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/study/gathered_answers.h"
+#include "renderers/built_in_models.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/no_more_threads.h"
 #include "tests/app/small_study.h"

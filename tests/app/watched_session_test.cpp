@@ -12,6 +12,7 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
+#include "renderers/built_in_models.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/patient_servo.h"
 #include "tests/support/scripted_sound.h"

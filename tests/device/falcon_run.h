@@ -17,7 +17,7 @@
 #include "device/falcon/falcon_device.h"
 #include "device/haptic_device.h"
 #include "device/monotonic_clock.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/support/eventually.h"
 #include "tests/support/patient_servo.h"

@@ -7,7 +7,7 @@
 
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/vendor_library.h"
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 #include "tests/device/vendors/test_dhd.h"
 
 namespace asperity {

@@ -15,8 +15,8 @@
 
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/vendor_library.h"
-#include "renderers/servo_loop.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_loop.h"
+#include "renderers/servo/servo_thread.h"
 #include "tests/device/long_tick.h"
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_hd.h"

@@ -21,7 +21,7 @@
 #include <gtest/gtest.h>
 
 #include "device/monotonic_clock.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 #include "tests/device/emulated_spacemouse.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/eventually.h"

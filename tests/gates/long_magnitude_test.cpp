@@ -18,7 +18,8 @@
 #include "app/sweep/sweep.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/simulation.h"
-#include "renderers/force_model.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "tests/gates/simulated_study.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/study/families.h"
-#include "protocols/virtual_observer.h"
+#include "protocols/observer/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "analysis/random.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 #include "tests/gates/gate_checks.h"
 
 namespace asperity {

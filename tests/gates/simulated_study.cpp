@@ -9,9 +9,10 @@
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
-#include "renderers/force_model.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
 namespace asperity {

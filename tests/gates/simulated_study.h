@@ -14,7 +14,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/table.h"
 #include "tests/app/made_up_study.h"
 #include "tests/journeys/program.h"

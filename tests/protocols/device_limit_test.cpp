@@ -1,6 +1,6 @@
 // A limit from a command line is one that a protocol could have.
 
-#include "protocols/device_limit.h"
+#include "protocols/file/device_limit.h"
 
 #include <limits>
 

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/library_protocols.h"
-#include "protocols/plan.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/plan/plan.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {

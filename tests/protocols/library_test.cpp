@@ -7,12 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/doubts.h"
-#include "protocols/library_protocols.h"
-#include "protocols/plan.h"
-#include "protocols/protocol_reader.h"
-#include "protocols/stored_protocol.h"
-#include "protocols/virtual_observer.h"
+#include "protocols/file/doubts.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/file/stored_protocol.h"
+#include "protocols/observer/virtual_observer.h"
+#include "protocols/plan/plan.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // A plan: what it holds, what it balances, and that it never changes.
 
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 #include <algorithm>
 #include <map>
@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {

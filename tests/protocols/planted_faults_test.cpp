@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/doubts.h"
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
-#include "protocols/schema_check.h"
+#include "protocols/file/doubts.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/file/schema_check.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {

@@ -1,11 +1,11 @@
 // What a protocol file may say, and what the reader answers when it says something else.
 
-#include "protocols/protocol_reader.h"
+#include "protocols/file/protocol_reader.h"
 
 #include <algorithm>
 #include <set>
 
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 #include "tests/protocols/example.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // Squares for every size that a study may use.
 
-#include "protocols/squares.h"
+#include "protocols/plan/squares.h"
 
 #include <map>
 #include <set>

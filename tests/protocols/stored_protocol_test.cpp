@@ -1,4 +1,4 @@
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // Orders keep to their limits, are found wherever there is one, and favour none.
 
-#include "protocols/trial_order.h"
+#include "protocols/plan/trial_order.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // A virtual participant judges by what it feels, and by nothing else.
 
-#include "protocols/virtual_observer.h"
+#include "protocols/observer/virtual_observer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/servo_loop.h"
+#include "renderers/built_in_models.h"
+#include "renderers/servo/servo_loop.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/renderers/textured_bodies.h"

@@ -11,7 +11,8 @@
 #include "device/replay_device.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
-#include "renderers/servo_loop.h"
+#include "renderers/built_in_models.h"
+#include "renderers/servo/servo_loop.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/sinusoid.h"
+#include "renderers/built_in_models.h"
+#include "renderers/models/sinusoid.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/renderers/textured_bodies.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stimuli/solid_body.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {

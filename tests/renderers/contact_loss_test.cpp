@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "device/simulated_device.h"
-#include "renderers/sinusoid.h"
+#include "renderers/models/sinusoid.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/refusal.h"
 

@@ -1,6 +1,6 @@
 // Pairs of triangles become contacts, and their directions are steady.
 
-#include "renderers/pd_gradient/contact_regions.h"
+#include "renderers/pd_gradient/geometry/contact_regions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The simulated tool between hand and surfaces.
 
-#include "renderers/pd_gradient/coupled_tool.h"
+#include "renderers/pd_gradient/contact/coupled_tool.h"
 
 #include <cmath>
 #include <numbers>

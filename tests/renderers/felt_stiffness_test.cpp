@@ -14,11 +14,11 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/height_map.h"
-#include "renderers/lateral_gradient.h"
-#include "renderers/sinusoid.h"
-#include "renderers/stochastic.h"
-#include "renderers/surface_contact.h"
+#include "renderers/force/surface_contact.h"
+#include "renderers/models/height_map.h"
+#include "renderers/models/lateral_gradient.h"
+#include "renderers/models/sinusoid.h"
+#include "renderers/models/stochastic.h"
 
 namespace asperity {
 namespace {

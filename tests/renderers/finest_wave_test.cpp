@@ -1,6 +1,6 @@
 // How fine a texture is, against waves whose length is known, on faces of any proportion.
 
-#include "renderers/pd_gradient/finest_wave.h"
+#include "renderers/pd_gradient/geometry/finest_wave.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "stimuli/texture_atlas.h"
-#include "stimuli/texture_baking.h"
+#include "stimuli/meshes/texture_atlas.h"
+#include "stimuli/meshes/texture_baking.h"
 #include "tests/renderers/textured_bodies.h"
 
 namespace asperity {

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderers/built_in_models.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/refusal.h"
 

@@ -1,6 +1,6 @@
 // The registry, and what holds for every model in it.
 
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 #include <memory>
 #include <stdexcept>
@@ -10,7 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/solid_body.h"
+#include "renderers/built_in_models.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/refusal.h"
 

@@ -1,6 +1,6 @@
 // The height map's two laws against values worked out by hand.
 
-#include "renderers/height_map.h"
+#include "renderers/models/height_map.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // Minsky's law.
 
-#include "renderers/lateral_gradient.h"
+#include "renderers/models/lateral_gradient.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Every pair of intersecting triangles, and no other.
 
-#include "renderers/pd_gradient/mesh_query.h"
+#include "renderers/pd_gradient/geometry/mesh_query.h"
 
 #include <algorithm>
 #include <cmath>

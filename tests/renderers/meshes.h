@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "stimuli/triangle_mesh.h"
+#include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity {
 

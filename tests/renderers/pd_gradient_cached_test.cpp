@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/pd_gradient/cached_penetration.h"
-#include "renderers/pd_gradient/reference_penetration.h"
+#include "renderers/pd_gradient/sampling/cached_penetration.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 #include "tests/support/allocation_guard.h"
 

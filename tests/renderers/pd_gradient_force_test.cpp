@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "renderers/pd_gradient/penetration_sampler.h"
-#include "renderers/pd_gradient/reference_penetration.h"
+#include "renderers/pd_gradient/sampling/penetration_sampler.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 
 namespace asperity {

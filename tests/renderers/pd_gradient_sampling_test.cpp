@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/pd_gradient/reference_penetration.h"
+#include "renderers/pd_gradient/sampling/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 
 namespace asperity {

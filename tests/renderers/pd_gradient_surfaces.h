@@ -18,8 +18,8 @@
 #include <glm/vec3.hpp>
 
 #include "analysis/random.h"
-#include "renderers/pd_gradient/contact_geometry.h"
-#include "stimuli/textured_mesh.h"
+#include "renderers/pd_gradient/geometry/contact_geometry.h"
+#include "stimuli/meshes/textured_mesh.h"
 
 namespace asperity {
 

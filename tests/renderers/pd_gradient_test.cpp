@@ -1,6 +1,6 @@
 // The force model of two textured bodies: couplings, friction, patch, what it counts.
 
-#include "renderers/pd_gradient/pd_gradient.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The ring alone, full, and between two threads.
 
-#include "renderers/record_ring.h"
+#include "renderers/servo/record_ring.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // The force of a recorded hand: what is texture in it and what is not.
 
+#include "renderers/built_in_models.h"
 #include "renderers/offline/recorded_force.h"
 
 #include <cmath>

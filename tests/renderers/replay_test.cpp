@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "renderers/servo_loop.h"
-#include "stimuli/solid_body.h"
+#include "renderers/built_in_models.h"
+#include "renderers/servo/servo_loop.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/surfaces.h"
 #include "tests/support/scripted_device.h"
 

@@ -17,8 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include "renderers/built_in_models.h"
 #include "renderers/offline/felt_roughness.h"
-#include "stimuli/solid_body.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {

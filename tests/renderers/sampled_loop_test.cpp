@@ -21,8 +21,8 @@
 #include "analysis/filters.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
-#include "renderers/pd_gradient/coupled_tool.h"
-#include "renderers/sinusoid.h"
+#include "renderers/models/sinusoid.h"
+#include "renderers/pd_gradient/contact/coupled_tool.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // What the servo loop promises: a gentle start, a gentle end, and zero force in every fault.
 
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 
 #include <cmath>
 #include <limits>

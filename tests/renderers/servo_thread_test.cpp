@@ -1,7 +1,7 @@
 // The thread: it ticks, it counts a stall once, it never catches up, and it stops at zero force.
 // Nothing here depends on how punctual the machine is.
 
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 // The deadlines of the servo, without a clock.
 
-#include "renderers/servo_time.h"
+#include "renderers/servo/servo_time.h"
 
 #include <gtest/gtest.h>
 
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // The grating against values worked out by hand.
 
-#include "renderers/sinusoid.h"
+#include "renderers/models/sinusoid.h"
 
 #include <cmath>
 #include <numbers>

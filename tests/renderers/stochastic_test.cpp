@@ -1,6 +1,6 @@
 // The noise: its size, its clock, and where it is silent.
 
-#include "renderers/stochastic.h"
+#include "renderers/models/stochastic.h"
 
 #include <cmath>
 #include <cstddef>

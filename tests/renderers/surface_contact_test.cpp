@@ -1,6 +1,6 @@
 // Placement, borders and friction of a patch.
 
-#include "renderers/surface_contact.h"
+#include "renderers/force/surface_contact.h"
 
 #include <limits>
 #include <stdexcept>

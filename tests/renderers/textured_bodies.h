@@ -12,10 +12,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "stimuli/height_field.h"
-#include "stimuli/textured_mesh.h"
-#include "stimuli/textured_shape.h"
-#include "stimuli/triangle_mesh.h"
+#include "stimuli/heights/height_field.h"
+#include "stimuli/meshes/textured_mesh.h"
+#include "stimuli/meshes/textured_shape.h"
+#include "stimuli/meshes/triangle_mesh.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 #include "tests/renderers/surfaces.h"
 

@@ -1,6 +1,6 @@
 // A mesh prepared for contact: its hull, its triangles in a window, its thickness.
 
-#include "renderers/pd_gradient/textured_body.h"
+#include "renderers/pd_gradient/contact/textured_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "stimuli/textured_point.h"
+#include "stimuli/meshes/textured_point.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/textured_bodies.h"
 

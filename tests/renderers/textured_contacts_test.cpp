@@ -1,6 +1,6 @@
 // From two meshes in their poses to the force between them, against what is known in closed form.
 
-#include "renderers/pd_gradient/textured_contacts.h"
+#include "renderers/pd_gradient/contact/textured_contacts.h"
 
 #include <algorithm>
 #include <array>

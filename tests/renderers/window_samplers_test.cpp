@@ -1,6 +1,6 @@
 // Windows of every width with the declared cell and step.
 
-#include "renderers/pd_gradient/window_samplers.h"
+#include "renderers/pd_gradient/sampling/window_samplers.h"
 
 #include <stdexcept>
 

@@ -36,11 +36,11 @@ expect("allowed includes", {
     "app/tasks/run.cpp": '#include "app/words/phrase.h"\n#include "device/drivers.h"\n',
 }, [])
 expect("forbidden includes", {
-    "device/wrong.cpp": '#include "device/ok.h"\n#include "renderers/force_renderer.h"\n',
+    "device/wrong.cpp": '#include "device/ok.h"\n#include "renderers/force/force_renderer.h"\n',
     "analysis/wrong.cpp": "#include <QString>\n",
     "app/words/wrong.cpp": '#include "app/tasks/run.h"\n',
     "app/gui/look/wrong.cpp": '#include "app/gui/data/page.h"\n',
-    "app/gui/data/wrong.cpp": '#include "renderers/force_renderer.h"\n',
+    "app/gui/data/wrong.cpp": '#include "renderers/force/force_renderer.h"\n',
 }, ["device/wrong.cpp:2:", "analysis/wrong.cpp:1:", "app/words/wrong.cpp:1:", "app/gui/look/wrong.cpp:1:",
     "app/gui/data/wrong.cpp:1:"])
 expect("a folder without a row", {"app/new/file.cpp": "\n"}, ["app/new/file.cpp: its folder has no row"])

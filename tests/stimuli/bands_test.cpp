@@ -1,4 +1,4 @@
-#include "stimuli/bands.h"
+#include "stimuli/pictures/bands.h"
 
 #include <atomic>
 #include <stdexcept>

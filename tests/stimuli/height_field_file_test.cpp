@@ -1,6 +1,6 @@
 // Two files there and back, and what is said about two that do not fit.
 
-#include "stimuli/height_field_file.h"
+#include "stimuli/heights/height_field_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 
-#include "stimuli/grey_image.h"
-#include "stimuli/photograph.h"
+#include "stimuli/pictures/grey_image.h"
+#include "stimuli/pictures/photograph.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

@@ -1,7 +1,7 @@
 // Heights between samples: the interpolant's promises, its gradient, and what lies beyond the
 // border.
 
-#include "stimuli/height_field.h"
+#include "stimuli/heights/height_field.h"
 
 #include <cmath>
 #include <limits>

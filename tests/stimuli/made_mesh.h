@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "stimuli/triangle_mesh.h"
+#include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity::test {
 

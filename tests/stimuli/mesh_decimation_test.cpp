@@ -1,6 +1,6 @@
 // Fewer triangles, and still the same thing.
 
-#include "stimuli/mesh_decimation.h"
+#include "stimuli/meshes/mesh_decimation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/mesh_error.h"
-#include "stimuli/mesh_handles.h"
+#include "stimuli/meshes/mesh_error.h"
+#include "stimuli/meshes/mesh_handles.h"
 #include "tests/stimuli/made_mesh.h"
 #include "tests/support/refusal.h"
 

@@ -1,6 +1,6 @@
 // Mesh files: what is in them is what is read, and what is wrong is said.
 
-#include "stimuli/mesh_file.h"
+#include "stimuli/meshes/mesh_file.h"
 
 #include <limits>
 #include <sstream>

@@ -1,6 +1,6 @@
 // What is wrong with meshes, and what becomes of it.
 
-#include "stimuli/mesh_repair.h"
+#include "stimuli/meshes/mesh_repair.h"
 
 #include <limits>
 
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
-#include "stimuli/mesh_decimation.h"
+#include "stimuli/meshes/mesh_decimation.h"
 #include "tests/stimuli/made_mesh.h"
 #include "tests/support/refusal.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "analysis/number_text.h"
-#include "stimuli/triangle_mesh.h"
+#include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity::test {
 

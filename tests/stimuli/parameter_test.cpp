@@ -1,6 +1,6 @@
 // Values against their declarations: what is accepted, completed and refused, and in which words.
 
-#include "stimuli/parameter.h"
+#include "stimuli/properties/parameter.h"
 
 #include <limits>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Pictures as files: five formats, one brightness, and a refusal in words for everything else.
 
-#include "stimuli/photograph.h"
+#include "stimuli/pictures/photograph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A texture under recipes that change: the same as from the beginning, and no more work than needed.
 
-#include "stimuli/photograph_textures.h"
+#include "stimuli/photographs/photograph_textures.h"
 
 #include <functional>
 #include <limits>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "stimuli/synthetic_photograph.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/synthetic_photograph.h"
 
 namespace asperity {
 namespace {

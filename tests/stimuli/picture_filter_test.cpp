@@ -1,6 +1,6 @@
 // The filter against the plain way: continue the picture, transform it whole, multiply, go back.
 
-#include "stimuli/picture_filter.h"
+#include "stimuli/pictures/picture_filter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Pictures for people: light from the upper left, one scale, nothing lost in the strip.
 
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // Bodies of shapes: which way they lie, where their frame begins.
 
-#include "stimuli/solid_body.h"
+#include "stimuli/meshes/solid_body.h"
 
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "stimuli/textured_point.h"
+#include "stimuli/meshes/textured_point.h"
 #include "tests/stimuli/made_mesh.h"
 
 namespace asperity::test {

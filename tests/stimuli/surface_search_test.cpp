@@ -1,6 +1,6 @@
 // Rays against a mesh, and its nearest points.
 
-#include "stimuli/surface_search.h"
+#include "stimuli/meshes/surface_search.h"
 
 #include <gtest/gtest.h>
 

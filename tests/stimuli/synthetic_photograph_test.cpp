@@ -1,6 +1,6 @@
 // The pipeline's ground truth: photographs of known relief, and what comes back of it.
 
-#include "stimuli/synthetic_photograph.h"
+#include "stimuli/photographs/synthetic_photograph.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,10 +8,10 @@
 
 #include <gmock/gmock.h>
 
-#include "stimuli/photograph.h"
-#include "stimuli/photograph_advice.h"
-#include "stimuli/synthetic_surface.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/photograph_advice.h"
+#include "stimuli/photographs/texture_from_photograph.h"
+#include "stimuli/pictures/photograph.h"
 #include "tests/stimuli/correlation.h"
 
 namespace asperity {

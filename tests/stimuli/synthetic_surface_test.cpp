@@ -1,6 +1,6 @@
 // Surfaces from formulas: their numbers, their seams, and that the materials differ under a stroke.
 
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The detail of a fine mesh, as displacements on a simple one.
 
-#include "stimuli/texture_baking.h"
+#include "stimuli/meshes/texture_baking.h"
 
 #include <atomic>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "stimuli/mesh_decimation.h"
-#include "stimuli/mesh_edges.h"
-#include "stimuli/texture_atlas.h"
-#include "stimuli/textured_point.h"
+#include "stimuli/meshes/mesh_decimation.h"
+#include "stimuli/meshes/mesh_edges.h"
+#include "stimuli/meshes/texture_atlas.h"
+#include "stimuli/meshes/textured_point.h"
 #include "tests/stimuli/made_mesh.h"
 
 namespace asperity::test {

@@ -1,6 +1,6 @@
 // The pipeline's arithmetic: what it keeps of a wave, at which size, and what it refuses.
 
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A textured mesh comes back from its file as it was, or not at all.
 
-#include "stimuli/textured_mesh_file.h"
+#include "stimuli/meshes/textured_mesh_file.h"
 
 #include <functional>
 
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <openssl/sha.h>
 
-#include "stimuli/mesh_decimation.h"
-#include "stimuli/texture_baking.h"
+#include "stimuli/meshes/mesh_decimation.h"
+#include "stimuli/meshes/texture_baking.h"
 #include "tests/stimuli/made_mesh.h"
 #include "tests/support/refusal.h"
 

@@ -1,12 +1,12 @@
 // Height fields on shapes: the displaced surface is the shape plus the height.
 
-#include "stimuli/textured_shape.h"
+#include "stimuli/meshes/textured_shape.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "stimuli/textured_point.h"
+#include "stimuli/meshes/textured_point.h"
 #include "tests/stimuli/made_mesh.h"
 
 namespace asperity::test {

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 
 namespace asperity {
 

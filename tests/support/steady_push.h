@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "renderers/force_renderer.h"
+#include "renderers/force/force_renderer.h"
 
 namespace asperity {
 

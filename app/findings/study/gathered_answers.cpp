@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/records/session_conditions.h"
-#include "protocols/protocol.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/table.h"
 
 namespace asperity {

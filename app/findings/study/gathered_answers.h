@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "protocols/analysis_declaration.h"
+#include "protocols/design/analysis_declaration.h"
 #include "results_schema/study.h"
 
 namespace asperity {

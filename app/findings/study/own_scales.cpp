@@ -6,7 +6,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/families.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 

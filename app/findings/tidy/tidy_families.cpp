@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/findings/found_numbers.h"
-#include "protocols/wording.h"
+#include "protocols/design/wording.h"
 
 namespace asperity {
 namespace {

@@ -12,7 +12,8 @@
 
 #include "app/device_bench/tried_device.h"
 #include "device/drivers.h"
-#include "renderers/force_model.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 
 namespace asperity {

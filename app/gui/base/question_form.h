@@ -8,7 +8,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/records/participant_answers.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 class QGridLayout;
 

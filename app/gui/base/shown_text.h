@@ -8,7 +8,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
 
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

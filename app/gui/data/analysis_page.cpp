@@ -273,3 +273,4 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
 }  // namespace asperity
 
 #include "moc_analysis_page.cpp"
+#include "renderers/built_in_models.h"

@@ -559,3 +559,4 @@ void DeviceTestPage::arrange() {
 }  // namespace asperity
 
 #include "moc_device_test_page.cpp"
+#include "renderers/built_in_models.h"

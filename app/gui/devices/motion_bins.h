@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/device_bench/device_test.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <QtWidgets/QPlainTextEdit>
 
 #include "app/gui/editor/json_text.h"
-#include "protocols/diagnostic.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/look/words.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/table.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <QtCore/QStringList>
 #include <nlohmann/json_fwd.hpp>
 
-#include "stimuli/parameter.h"
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 

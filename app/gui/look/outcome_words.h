@@ -8,7 +8,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
 
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/gui/participant/workspace_picture.h"
-#include "stimuli/textured_mesh.h"
+#include "stimuli/meshes/textured_mesh.h"
 
 namespace asperity {
 

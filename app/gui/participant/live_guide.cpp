@@ -12,7 +12,7 @@
 #include "app/gui/participant/participant_layout.h"
 #include "app/gui/participant/participant_painter.h"
 #include "app/session/layout.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace asperity {
 

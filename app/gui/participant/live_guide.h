@@ -13,8 +13,8 @@
 
 #include "app/session/respondents/participant_scene.h"
 #include "app/session/session_monitor.h"
-#include "protocols/protocol.h"
-#include "stimuli/surface_patch.h"
+#include "protocols/design/protocol.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 

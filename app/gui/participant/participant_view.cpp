@@ -14,7 +14,7 @@
 #include "app/gui/participant/live_guide.h"
 #include "app/gui/participant/participant_painter.h"
 #include "app/gui/participant/type_size.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include "app/session/session_monitor.h"
 #include "device/latest_value.h"
 #include "device/pointer_sample.h"
-#include "stimuli/surface_patch.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 

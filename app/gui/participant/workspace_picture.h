@@ -11,9 +11,9 @@
 #include <QtGui/QImage>
 #include <glm/vec3.hpp>
 
-#include "stimuli/height_field.h"
-#include "stimuli/surface_patch.h"
-#include "stimuli/textured_mesh.h"
+#include "stimuli/heights/height_field.h"
+#include "stimuli/meshes/textured_mesh.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/newest_work.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 class QHBoxLayout;
 class QLabel;

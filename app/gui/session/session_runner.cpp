@@ -10,7 +10,7 @@
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
 #include "app/words/reason.h"
-#include "protocols/diagnostic.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 

@@ -20,7 +20,8 @@
 #include "app/session/session_requests.h"
 #include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
-#include "renderers/force_model.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

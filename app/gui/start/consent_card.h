@@ -8,7 +8,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 class QCheckBox;
 class QLabel;

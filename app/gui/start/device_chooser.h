@@ -14,7 +14,7 @@
 #include "app/device_bench/device_choice.h"
 #include "app/device_bench/tried_device.h"
 #include "app/gui/look/background_task.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 class QComboBox;
 class QLabel;

@@ -11,7 +11,7 @@
 
 #include "app/gui/start/start_draft.h"
 #include "app/tasks/unfinished_session.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/rows.h"
 
 class QComboBox;

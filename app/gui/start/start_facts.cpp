@@ -6,7 +6,7 @@
 
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/protocol_files.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"

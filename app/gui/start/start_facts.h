@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "app/tasks/unfinished_session.h"
-#include "protocols/diagnostic.h"
-#include "protocols/plan.h"
-#include "protocols/protocol.h"
-#include "renderers/force_model.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
+#include "protocols/plan/plan.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -21,6 +21,7 @@
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

@@ -20,7 +20,7 @@
 #include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/tasks/protocol_templates.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 
 namespace asperity {
 

@@ -19,7 +19,7 @@
 #include "app/gui/sound/force_speaker.h"
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/signal_plots.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 #include "renderers/offline/felt_roughness.h"
 
 class QCheckBox;

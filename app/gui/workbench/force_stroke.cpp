@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderers/servo_time.h"
-#include "stimuli/solid_body.h"
+#include "renderers/servo/servo_time.h"
+#include "stimuli/meshes/solid_body.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/gui/workbench/mouse_hand.h"
-#include "renderers/force_model.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

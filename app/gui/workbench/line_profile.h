@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/gui/workbench/signal_plots.h"
-#include "stimuli/height_field.h"
+#include "stimuli/heights/height_field.h"
 
 namespace asperity {
 

@@ -12,7 +12,7 @@
 #include "app/gui/look/words.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 
 #include "app/gui/workbench/texture_preview.h"
 #include "app/study_files/height_field_files.h"
-#include "stimuli/photograph_advice.h"
+#include "stimuli/photographs/photograph_advice.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "stimuli/parameter.h"
+#include "stimuli/properties/parameter.h"
 
 class QGridLayout;
 

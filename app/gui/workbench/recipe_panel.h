@@ -6,8 +6,8 @@
 
 #include <QtWidgets/QWidget>
 
-#include "stimuli/photograph_advice.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/photographs/photograph_advice.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 class QComboBox;
 class QLabel;

@@ -13,7 +13,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "stimuli/height_field.h"
+#include "stimuli/heights/height_field.h"
 
 namespace asperity {
 

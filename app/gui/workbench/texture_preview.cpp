@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "stimuli/bands.h"
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
+#include "stimuli/pictures/bands.h"
 
 namespace asperity {
 

@@ -10,9 +10,9 @@
 #include <QtGui/QImage>
 
 #include "app/gui/workbench/relief_picture.h"
-#include "stimuli/grey_image.h"
-#include "stimuli/height_field.h"
-#include "stimuli/photograph_textures.h"
+#include "stimuli/heights/height_field.h"
+#include "stimuli/photographs/photograph_textures.h"
+#include "stimuli/pictures/grey_image.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/report/text/report_sections.h"
-#include "protocols/plan.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

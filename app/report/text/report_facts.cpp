@@ -9,8 +9,9 @@
 #include "app/records/session_timeline.h"
 #include "app/tasks/study_overview.h"
 #include "app/words/coded_phrases.h"
-#include "protocols/protocol.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/stored_protocol.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/report/text/report_paper.h"
 #include "app/words/coded_phrases.h"
-#include "protocols/stored_protocol.h"
+#include "protocols/file/stored_protocol.h"
 
 namespace asperity {
 

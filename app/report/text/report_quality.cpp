@@ -7,7 +7,7 @@
 #include "analysis/summary.h"
 #include "app/findings/reading_number.h"
 #include "app/report/text/report_sections.h"
-#include "renderers/servo_loop.h"
+#include "renderers/servo/servo_loop.h"
 
 namespace asperity {
 

@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "app/session/attempt_measures.h"
-#include "protocols/json_document.h"
-#include "protocols/plan.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
 #include "renderers/offline/sampled_loop.h"
-#include "renderers/pd_gradient/pd_gradient.h"
-#include "stimuli/parameter.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
+#include "stimuli/properties/parameter.h"
 
 namespace asperity {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/session/rehearsal/rehearsal.h"
 #include "device/velocity_estimator.h"
-#include "protocols/protocol.h"
-#include "renderers/force_model.h"
+#include "protocols/design/protocol.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 

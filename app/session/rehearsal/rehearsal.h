@@ -15,8 +15,8 @@
 #include "app/session/stimulus_builder.h"
 #include "app/words/phrase.h"
 #include "device/device_trait.h"
-#include "protocols/diagnostic.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 

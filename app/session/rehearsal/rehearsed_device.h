@@ -12,7 +12,7 @@
 #include "app/profiles/device_profile.h"
 #include "app/session/rehearsal/rehearsal.h"
 #include "app/words/phrase.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/session/respondents/participant_scene.h"
-#include "protocols/plan.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/session/respondents/participant_scene.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/words/phrase.h"
-#include "protocols/plan.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 

@@ -12,8 +12,8 @@
 
 #include "analysis/force_features.h"
 #include "app/words/phrase.h"
-#include "protocols/plan.h"
-#include "protocols/protocol.h"
+#include "protocols/design/protocol.h"
+#include "protocols/plan/plan.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

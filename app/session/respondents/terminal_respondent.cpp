@@ -16,7 +16,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/words/reason.h"
 #include "app/words/text_parts.h"
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include "app/session/respondents/respondent.h"
 #include "app/session/stimulus_builder.h"
 #include "device/simulated_device.h"
-#include "protocols/virtual_observer.h"
+#include "protocols/observer/virtual_observer.h"
 
 namespace asperity {
 

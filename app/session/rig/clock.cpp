@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/words/utc_time.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace asperity {
 

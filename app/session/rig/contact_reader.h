@@ -10,7 +10,7 @@
 #include "app/session/session_monitor.h"
 #include "app/session/sound/sound.h"
 #include "device/device_capability.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

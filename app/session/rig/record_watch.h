@@ -8,7 +8,7 @@
 #include "app/session/respondents/respondent.h"
 #include "app/session/rig/contact_reader.h"
 #include "app/session/session_monitor.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 
 namespace asperity {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderers/record_ring.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/record_ring.h"
+#include "renderers/servo/tick_record.h"
 #include "results_schema/recording.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 #include "results_schema/recording.h"
 
 namespace asperity {

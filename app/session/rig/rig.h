@@ -14,10 +14,10 @@
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/virtual_hand.h"
-#include "protocols/protocol.h"
-#include "renderers/record_ring.h"
-#include "renderers/servo_loop.h"
-#include "renderers/servo_thread.h"
+#include "protocols/design/protocol.h"
+#include "renderers/servo/record_ring.h"
+#include "renderers/servo/servo_loop.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace asperity {
 

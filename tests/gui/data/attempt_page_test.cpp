@@ -25,6 +25,7 @@
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/study_window.h"
 #include "app/tasks/simulation.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"

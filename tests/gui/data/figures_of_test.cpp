@@ -19,6 +19,7 @@
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/tidy/reference_case.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 namespace {

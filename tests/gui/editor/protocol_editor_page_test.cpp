@@ -22,7 +22,7 @@
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/plan/plan_preview.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"

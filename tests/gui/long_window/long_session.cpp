@@ -24,6 +24,7 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/run_session.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/support/patient_servo.h"

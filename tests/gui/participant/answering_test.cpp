@@ -8,9 +8,10 @@
 
 #include "app/gui/participant/participant_window.h"
 #include "app/session/respondents/person_at_window.h"
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
-#include "renderers/force_model.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
 

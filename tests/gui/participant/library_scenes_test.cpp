@@ -7,9 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/participant/participant_view.h"
-#include "protocols/library_protocols.h"
-#include "protocols/protocol_reader.h"
-#include "renderers/force_model.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_reader.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 
 #include "app/gui/participant/participant_window.h"
 #include "app/tasks/new_study.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"

@@ -11,7 +11,7 @@
 #include "app/gui/participant/picture_shelf.h"
 #include "app/gui/participant/response_keys.h"
 #include "app/gui/participant/type_size.h"
-#include "renderers/servo_thread.h"
+#include "renderers/servo/servo_thread.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/theme.h"
-#include "stimuli/solid_body.h"
+#include "stimuli/meshes/solid_body.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
 

@@ -16,9 +16,10 @@
 #include "app/gui/base/study_table.h"
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
-#include "stimuli/preview.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/photographs/preview.h"
 #include "tests/app/punctual_trial.h"
 #include "tests/support/patient_servo.h"
 

@@ -13,7 +13,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/session/fault_panel.h"
 #include "app/gui/start/start_page.h"
-#include "renderers/tick_record.h"
+#include "renderers/servo/tick_record.h"
 #include "results_schema/recording.h"
 #include "tests/gui/sessions/session_room.h"
 

@@ -13,6 +13,7 @@
 
 #include "app/gui/base/settings.h"
 #include "app/gui/look/words.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"

@@ -25,6 +25,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/tasks/new_study.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"

@@ -6,9 +6,9 @@
 #include <QtCore/QSettings>
 
 #include "app/study_files/height_field_files.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/study.h"
-#include "stimuli/preview.h"
+#include "stimuli/photographs/preview.h"
 
 namespace asperity {
 

@@ -30,7 +30,7 @@
 #include "app/gui/study/stimuli_page.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/study_window.h"
-#include "protocols/library_protocols.h"
+#include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"

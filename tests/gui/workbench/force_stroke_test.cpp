@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "renderers/built_in_models.h"
 #include "renderers/offline/along_path.h"
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 namespace {

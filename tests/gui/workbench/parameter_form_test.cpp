@@ -10,8 +10,9 @@
 #include <QtWidgets/QSlider>
 #include <gtest/gtest.h>
 
-#include "renderers/force_model.h"
-#include "stimuli/texture_from_photograph.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 namespace {

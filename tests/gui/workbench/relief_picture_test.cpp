@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stimuli/synthetic_surface.h"
+#include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
 namespace {

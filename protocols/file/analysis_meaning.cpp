@@ -1,0 +1,93 @@
+// Whether what is declared about the analysis can be analysed.
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+std::set<std::string> Meaning::items_of_main_blocks() {
+  std::set<std::string> items{};
+  for (const auto& [name, block] : protocol_.blocks) {
+    if (block.phase != Phase::main) continue;
+    for (const Protocol::Presented& presented : block.presented) {
+      const auto stimulus = protocol_.stimuli.find(presented.stimulus);
+      if (!presented.item.empty()) {
+        items.insert(presented.item);
+      } else if (stimulus != protocol_.stimuli.end()) {
+        const Binding<std::string>& model = stimulus->second.model;
+        const auto fixed = presented.with.find(model.factor);
+        if (!model.value && fixed != presented.with.end()) {
+          items.insert(text_of(fixed->second));
+          continue;
+        }
+        const std::string pointer = pointer_to("/stimuli", presented.stimulus) + "/model";
+        for (const auto& [text, place] : texts_of(model, pointer)) items.insert(text);
+      }
+    }
+  }
+  return items;
+}
+
+void Meaning::check_analysis() {
+  const auto& root = document_.root();
+  const auto found = root.find("analysis");
+  if (found == root.end()) return;
+  // Any other key is a remark; one that is nearly a key of ours is a slip of the pen.
+  const std::vector<std::string> known{"target", "family", "equivalence_margin"};
+  for (const auto& [key, value] : found->items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string guess = did_you_mean(key, known);
+    if (!guess.empty()) {
+      report_key("/analysis/" + key, in_quotes(key) + " is not a key of the analysis" + guess);
+    }
+  }
+  const AnalysisDeclaration& declared = protocol_.analysis;
+  if (declared.target && protocol_.kind != ProtocolKind::selection) {
+    report("/analysis/target",
+           "only a selection has a target that is chosen among others; remove this key");
+  } else if (declared.target) {
+    const std::set<std::string> items = items_of_main_blocks();
+    if (!items.contains(*declared.target)) {
+      const std::vector<std::string> names(items.begin(), items.end());
+      report("/analysis/target", "the target " + in_quotes(*declared.target) +
+                                     " cannot be chosen in a main block" +
+                                     (names.empty() ? "" : "; use " + one_of(names)));
+    }
+  }
+  if (declared.equivalence_margin && protocol_.kind != ProtocolKind::matching &&
+      protocol_.kind != ProtocolKind::recognition) {
+    report(
+        "/analysis/equivalence_margin",
+        "only a matching and a recognition have proportions correct to compare; remove this key");
+  }
+  std::vector<std::string> tests{};
+  for (const TestName& test : test_names()) {
+    if (test.kind == text_of(protocol_.kind)) tests.emplace_back(test.name);
+  }
+  for (std::size_t i = 0; i < declared.family.size(); ++i) {
+    const std::string& name = declared.family[i];
+    const std::string pointer = pointer_to("/analysis/family", i);
+    const auto here = declared.family.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(tests.begin(), tests.end(), name) == tests.end()) {
+      report(pointer, "a " + std::string(text_of(protocol_.kind)) + " has no test " +
+                          in_quotes(name) + "; it has " + one_of(tests));
+    } else if (std::find(declared.family.begin(), here, name) != here) {
+      report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
+    } else if (!declared.target && protocol_.kind == ProtocolKind::selection &&
+               (name == "target_pairs" || name == "textures")) {
+      report(pointer,
+             "the test " + in_quotes(name) + " is about the target: name it with \"target\"");
+    }
+  }
+  const auto has = [&declared](const char* name) {
+    return std::find(declared.family.begin(), declared.family.end(), name) != declared.family.end();
+  };
+  if (has("pairs") && has("target_pairs")) {
+    report("/analysis/family", "\"pairs\" includes the pairs of the target; keep one of the two");
+  }
+}
+
+}  // namespace asperity

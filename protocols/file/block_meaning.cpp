@@ -1,0 +1,235 @@
+// Whether the trials of a block can be made and put in order.
+
+#include <algorithm>
+
+#include "protocols/file/meaning_checks.h"
+#include "protocols/plan/block_rows.h"
+#include "protocols/plan/trial_order.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+using Run = Protocol::Run;
+
+void Meaning::check_block(const Block& block, const std::string& pointer) {
+  if (!block.crossed.empty() && !block.listed.empty()) {
+    report_key(pointer + "/listed", "crossed and listed exclude each other; keep one");
+    return;
+  }
+  std::map<std::string, std::string> setters{};
+  const auto claim = [&](const std::string& factor, const std::string& by, const std::string& at) {
+    if (!protocol_.factors.contains(factor)) {
+      report(at, unknown("factor", factor, protocol_.factors));
+      return;
+    }
+    const auto [earlier, is_new] = setters.emplace(factor, by);
+    if (!is_new) {
+      report(at, "the factor " + in_quotes(factor) + " is already set by " + earlier->second);
+    }
+  };
+  for (std::size_t i = 0; i < block.crossed.size(); ++i) {
+    claim(block.crossed[i], "crossed", pointer_to(pointer + "/crossed", i));
+  }
+  for (std::size_t i = 0; i < block.listed.size(); ++i) {
+    const std::string row = pointer_to(pointer + "/listed", i);
+    for (const auto& [name, level] : block.listed[i]) {
+      if (check_level(name, level, pointer_to(row, name))) setters.emplace(name, "listed");
+    }
+    for (const auto& [name, level] : block.listed.front()) {
+      if (!block.listed[i].contains(name)) {
+        report(row, "this row does not set " + in_quotes(name) +
+                        ", which the first row does; every row sets the same factors");
+      }
+    }
+    for (const auto& [name, level] : block.listed[i]) {
+      if (!block.listed.front().contains(name)) {
+        report_key(pointer_to(row, name), "the first row does not set " + in_quotes(name) +
+                                              "; every row sets the same factors");
+      }
+    }
+  }
+  for (std::size_t i = 0; i < block.drawn.size(); ++i) {
+    claim(block.drawn[i], "another key of the block", pointer_to(pointer + "/drawn", i));
+  }
+  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+    const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+    if (run != nullptr && run->block == block.name && setters.contains(run->for_each)) {
+      report(pointer_to("/flow", i) + "/for_each",
+             "the factor " + in_quotes(run->for_each) +
+                 " is already set inside the block; set it in one place only");
+    }
+  }
+  for (const auto& [name, place] : texts_of(block.exploration, pointer + "/exploration")) {
+    if (!protocol_.explorations.contains(name)) {
+      report(place, unknown("exploration", name, protocol_.explorations));
+    }
+  }
+  for (const Run* const run : runs_of(block)) {
+    const std::string& factor = block.exploration.factor;
+    if (factor.empty() || !protocol_.factors.contains(factor) ||
+        factors_set_by(block, run).contains(factor)) {
+      continue;
+    }
+    report(pointer + "/exploration", "nothing sets the factor " + in_quotes(factor) +
+                                         " in the trials of this block: cross, list or draw it, or "
+                                         "run the block for_each of its levels");
+  }
+  check_anchor(block, pointer);
+  check_presented(block, pointer);
+  check_question(block, pointer);
+  check_order(block, pointer);
+}
+
+void Meaning::check_anchor(const Block& block, const std::string& pointer) {
+  if (block.anchor.empty()) return;
+  const std::string place = pointer + "/anchor";
+  if (protocol_.kind != ProtocolKind::magnitude) {
+    report_key(place,
+               "only a magnitude has an anchor with which others are compared; remove this key");
+    return;
+  }
+  if (!block.drawn.empty()) {
+    report(place,
+           "an anchor is the same for all participants: this block draws factors; cross or list "
+           "them, or leave the anchor out");
+  }
+  std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
+  for (const FactorLevels& row : block.listed) {
+    for (const auto& [name, level] : row) needed.insert(name);
+  }
+  for (const auto& [name, level] : block.anchor) {
+    if (!check_level(name, level, pointer_to(place, name))) continue;
+    if (needed.erase(name) == 0) {
+      report_key(pointer_to(place, name), "the trials of this block do not set the factor " +
+                                              in_quotes(name) +
+                                              "; an anchor sets the same factors and no others");
+    }
+  }
+  for (const std::string& name : needed) {
+    report(place, "the anchor does not set " + in_quotes(name) +
+                      ", which the trials of this block set; add it to the anchor");
+  }
+}
+
+void Meaning::check_presented(const Block& block, const std::string& pointer) {
+  const std::string expected = protocol_.kind == ProtocolKind::selection ? "alternative" : "target";
+  for (std::size_t i = 0; i < block.presented.size(); ++i) {
+    const Protocol::Presented& presented = block.presented[i];
+    const std::string place = pointer_to(pointer + "/presented", i);
+    if (presented.role != expected) {
+      report(place + "/role",
+             "in this kind of protocol the role of every surface is " + in_quotes(expected));
+    }
+    for (const auto& [factor, level] : presented.with) {
+      check_level(factor, level, pointer_to(place + "/with", factor));
+    }
+    const auto stimulus = protocol_.stimuli.find(presented.stimulus);
+    if (stimulus == protocol_.stimuli.end()) {
+      report(place + "/stimulus", unknown("stimulus", presented.stimulus, protocol_.stimuli));
+      continue;
+    }
+    std::set<std::string> needed{stimulus->second.model.factor, stimulus->second.texture.factor,
+                                 stimulus->second.surface.factor, stimulus->second.tool.factor};
+    for (const auto& [name, binding] : stimulus->second.parameters) needed.insert(binding.factor);
+    needed.erase("");
+    for (const Run* const run : runs_of(block)) {
+      const std::set<std::string> given = factors_set_by(block, run);
+      for (const std::string& factor : needed) {
+        if (given.contains(factor) || presented.with.contains(factor)) continue;
+        report(place, "the stimulus " + in_quotes(presented.stimulus) + " needs the factor " +
+                          in_quotes(factor) +
+                          ", which nothing sets: cross, list or draw it, run the block for_each of "
+                          "its levels, or fix it here with \"with\"");
+      }
+    }
+    for (const auto& [factor, level] : presented.with) {
+      if (!needed.contains(factor)) {
+        report_key(pointer_to(place + "/with", factor),
+                   "the stimulus " + in_quotes(presented.stimulus) +
+                       " does not depend on the factor " + in_quotes(factor));
+      }
+    }
+  }
+}
+
+void Meaning::check_criterion(const Block& block, const std::string& pointer) {
+  if (!block.until) return;
+  const Protocol::Criterion& criterion = *block.until;
+  const std::string place = pointer + "/until";
+  if (!has_right_answers(protocol_.kind)) {
+    report(place, "a criterion needs correct responses, and no response of a " +
+                      std::string(text_of(protocol_.kind)) + " is correct or incorrect");
+  }
+  if (criterion.correct > criterion.of_last) {
+    report(place + "/correct", "the criterion cannot be met: it requires " +
+                                   std::to_string(criterion.correct) + " correct of " +
+                                   std::to_string(criterion.of_last));
+  }
+  if (criterion.correct > criterion.maximum_trials) {
+    report(place + "/maximum_trials",
+           "the block ends after " + std::to_string(criterion.maximum_trials) + " trials, before " +
+               std::to_string(criterion.correct) + " can be correct");
+  }
+}
+
+void Meaning::check_order(const Block& block, const std::string& pointer) {
+  for (const auto& [factor, maximum] : block.maximum_in_a_row) {
+    const std::string at = pointer_to(pointer + "/maximum_in_a_row", factor);
+    if (!protocol_.factors.contains(factor)) {
+      report_key(at, unknown("factor", factor, protocol_.factors));
+      return;
+    }
+    const bool is_row_factor =
+        std::find(block.crossed.begin(), block.crossed.end(), factor) != block.crossed.end() ||
+        (!block.listed.empty() &&
+         std::all_of(block.listed.begin(), block.listed.end(),
+                     [&name = factor](const FactorLevels& row) { return row.contains(name); }));
+    if (!is_row_factor) {
+      report_key(at,
+                 "only factors that the block crosses or lists can be kept apart; cross or list "
+                 "this one, or remove this key");
+      return;
+    }
+  }
+  const auto known = [this](const std::string& name) { return protocol_.factors.contains(name); };
+  if (!std::all_of(block.crossed.begin(), block.crossed.end(), known)) return;
+  const std::size_t rows = row_count(protocol_, block);
+  const std::size_t trials = rows * static_cast<std::size_t>(block.repetitions);
+  if (trials > kMaximumTrials) {
+    report(pointer,
+           "this block has more than " + std::to_string(kMaximumTrials) +
+               " trials, too many for a participant; reduce the repetitions or the levels");
+    return;
+  }
+  if (block.until && trials < static_cast<std::size_t>(block.until->maximum_trials)) {
+    report(pointer + "/until/maximum_trials",
+           "up to " + std::to_string(block.until->maximum_trials) +
+               " trials may be needed, but the block has " + std::to_string(trials) + "; with " +
+               std::to_string(rows) + " per repetition it needs repetitions " +
+               std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
+                              rows));
+  }
+  if (block.positions == Block::Positions::balanced && !block.until &&
+      trials % block.presented.size() != 0) {
+    report(pointer + "/positions",
+           "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
+               " trials, the number of surfaces, but the block has " + std::to_string(trials));
+  }
+  if (block.maximum_in_a_row.empty()) return;
+  const OrderProblem problem = order_problem(block, rows_of(protocol_, block));
+  if (block.order == Block::Order::fixed) {
+    std::vector<std::size_t> order(problem.trials);
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    if (!meets(problem, order)) {
+      report(pointer + "/maximum_in_a_row",
+             "the fixed order of this block violates maximum_in_a_row; use \"shuffle\" or write "
+             "the rows in another order");
+    }
+  } else if (!some_order(problem)) {
+    report(pointer + "/maximum_in_a_row",
+           "no order of the block's " + std::to_string(problem.trials) +
+               " trials satisfies maximum_in_a_row; allow more in a row, or add other levels");
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,133 @@
+// Whether bodies can be made, and whether stimuli have those that their models need.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+namespace {
+
+struct ShapeKeys {
+  std::string_view shape{};
+  std::vector<std::string_view> needed{};
+  bool has_axis = false;
+};
+
+const std::array<ShapeKeys, 5>& shape_keys() {
+  static const std::array<ShapeKeys, 5> kKeys{{{"plate", {"size_m"}, false},
+                                               {"box", {"size_m"}, false},
+                                               {"cylinder", {"diameter_m", "length_m"}, true},
+                                               {"disc", {"diameter_m"}, true},
+                                               {"sphere", {"diameter_m"}, true}}};
+  return kKeys;
+}
+
+constexpr std::array<std::string_view, 3> kSizes{"size_m", "diameter_m", "length_m"};
+
+}  // namespace
+
+void Meaning::check_bodies() {
+  for (const auto& [name, body] : protocol_.bodies) {
+    const std::string pointer = pointer_to("/bodies", name);
+    check_path(body.mesh, pointer + "/mesh");
+    check_body_keys(name, pointer);
+    if (!body.texture) continue;
+    const auto texture = protocol_.textures.find(*body.texture);
+    if (texture == protocol_.textures.end()) {
+      report(pointer + "/texture", unknown("texture", *body.texture, protocol_.textures));
+    } else if (!texture->second.height_field) {
+      report(pointer + "/texture", "the texture " + in_quotes(*body.texture) +
+                                       " cannot be put on a body: it has no \"height_field\"");
+    }
+  }
+}
+
+void Meaning::check_body_keys(const std::string& name, const std::string& pointer) {
+  const auto& object = document_.root().at("bodies").at(name);
+  const bool is_mesh = object.contains("mesh");
+  const auto shape = object.find("shape");
+  if (is_mesh == (shape != object.end())) {
+    report(pointer,
+           std::string("a body is either a \"mesh\", a file of the study, or a \"shape\"") +
+               (is_mesh ? ", not both" : ""));
+    return;
+  }
+  const auto refuse_key = [&](std::string_view key, const std::string& why) {
+    if (object.contains(std::string(key))) report_key(pointer + '/' + std::string(key), why);
+  };
+  if (is_mesh) {
+    for (const std::string_view key : kSizes)
+      refuse_key(key, "the size of a mesh is that of its file; leave this out");
+    refuse_key("axis", "the orientation of a mesh is that of its file; leave this out");
+    refuse_key("texture", "the texture of a mesh is that of its file; leave this out");
+    return;
+  }
+  const auto said = shape->get<std::string>();
+  const auto keys = std::find_if(shape_keys().begin(), shape_keys().end(),
+                                 [&said](const ShapeKeys& each) { return each.shape == said; });
+  for (const std::string_view key : kSizes) {
+    const bool is_needed =
+        std::find(keys->needed.begin(), keys->needed.end(), key) != keys->needed.end();
+    if (!is_needed) {
+      refuse_key(key, "a " + said + " does not have this key; it has " +
+                          one_of({keys->needed.begin(), keys->needed.end()}));
+    } else if (!object.contains(std::string(key))) {
+      report(pointer, "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres");
+    }
+  }
+  if (!keys->has_axis) refuse_key("axis", "a " + said + " has no axis; remove this key");
+}
+
+void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
+                              const std::vector<const ModelDeclaration*>& models,
+                              const std::string& pointer) {
+  const auto needs = std::find_if(models.begin(), models.end(),
+                                  [](const ModelDeclaration* each) { return each->needs_bodies; });
+  const auto check = [&](const Binding<std::string>& binding, const char* key, const char* what) {
+    const bool is_given = binding.value || !binding.factor.empty();
+    const std::string place = pointer + '/' + key;
+    if (!is_given && needs != models.end()) {
+      report(pointer, "the model " + in_quotes((*needs)->id) +
+                          " needs two bodies: give the stimulus " + what +
+                          ", one of the bodies, as " + in_quotes(key));
+    }
+    if (is_given && needs == models.end() && !models.empty()) {
+      report_key(place,
+                 "the model " + in_quotes(models.front()->id) + " has no bodies; leave this out");
+    }
+    for (const auto& [name, at] : texts_of(binding, place)) {
+      if (!protocol_.bodies.contains(name)) report(at, unknown("body", name, protocol_.bodies));
+    }
+  };
+  if (needs != models.end() && protocol_.patch.motion_scale != 1.0) {
+    report("/surface/motion_scale",
+           "the model " + in_quotes((*needs)->id) +
+               " moves a tool exactly as the hand moves: set motion_scale to 1");
+  }
+  check(stimulus.surface, "surface", "the object that is touched");
+  check(stimulus.tool, "tool", "the object that the hand holds");
+}
+
+bool Meaning::brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer) {
+  const auto surfaces = texts_of(stimulus.surface, pointer + "/surface");
+  return !surfaces.empty() &&
+         std::all_of(surfaces.begin(), surfaces.end(), [this](const auto& surface) {
+           const auto body = protocol_.bodies.find(surface.first);
+           return body == protocol_.bodies.end() || body->second.mesh || body->second.texture;
+         });
+}
+
+bool Meaning::is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
+                           const std::string& pointer) {
+  auto bodies = texts_of(stimulus.surface, pointer + "/surface");
+  for (auto& tool : texts_of(stimulus.tool, pointer + "/tool")) bodies.push_back(std::move(tool));
+  return std::any_of(bodies.begin(), bodies.end(), [&](const auto& named) {
+    const auto body = protocol_.bodies.find(named.first);
+    return body != protocol_.bodies.end() && body->second.texture == texture;
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+// Limits that a device is held to.
+
+#include "protocols/file/device_limit.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/design/wording.h"
+#include "protocols/file/schema_check.h"
+
+namespace asperity {
+
+std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz) {
+  if (!std::isfinite(limit.limit)) return "a limit has to be a finite number";
+  nlohmann::json number = limit.limit;
+  // As somebody would write it: counts are whole numbers.
+  constexpr double kExact = 9e15;
+  if (limit.limit == std::trunc(limit.limit) && std::abs(limit.limit) < kExact) {
+    number = static_cast<std::int64_t>(limit.limit);
+  }
+  const std::string text = nlohmann::json{{"device", {{"limits", {{limit.item, number}}}}}}.dump();
+  const std::string place = "/device/limits";
+  for (const Diagnostic& found : check_schema(JsonDocument(text, ""))) {
+    if (found.pointer.starts_with(place)) return found.message;
+  }
+  if (limit.item != "rate_Hz") return {};
+  return complaint_about_rate_limit(limit.limit, rate_Hz);
+}
+
+std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz) {
+  if (limit_Hz <= rate_Hz) return {};
+  return "a loop set to " + digits(rate_Hz) + " Hz cannot reach " + digits(limit_Hz) +
+         " Hz: the limit has to be at most /device/rate_Hz, the requested rate";
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+// How a diagnostic reads.
+
+#include "protocols/file/diagnostic.h"
+
+#include <utility>
+
+namespace asperity {
+
+std::string text_of(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) {
+    text += ':' + std::to_string(diagnostic.line) + ':' + std::to_string(diagnostic.column);
+  }
+  text += ": error: " + diagnostic.message;
+  if (!diagnostic.pointer.empty()) text += " (" + diagnostic.pointer + ")";
+  return text;
+}
+
+namespace {
+
+std::string all_of(const std::vector<Diagnostic>& diagnostics) {
+  std::string text{};
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!text.empty()) text += '\n';
+    text += text_of(diagnostic);
+  }
+  return text;
+}
+
+}  // namespace
+
+ProtocolError::ProtocolError(std::vector<Diagnostic> diagnostics)
+    : std::runtime_error(all_of(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+}  // namespace asperity

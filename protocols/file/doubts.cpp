@@ -1,0 +1,190 @@
+#include "protocols/file/doubts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/file/stored_protocol.h"
+
+namespace asperity {
+
+namespace {
+
+// No hand explores a surface faster; m/s and mm/s are easily confused.
+constexpr double kFastestHand_m_per_s = 1.0;
+// Of the force limit: what presses harder on the whole goes beyond it on every crest.
+constexpr double kRoomForTexture = 0.8;
+
+class Doubts final {
+ public:
+  Doubts(const Protocol& protocol, const std::string& file_name)
+      : protocol_(protocol), document_(protocol.source, file_name) {}
+
+  std::vector<Diagnostic> all() {
+    for (const auto& [name, exploration] : protocol_.explorations) {
+      const std::string pointer = pointer_to("/explorations", name);
+      doubt_use(name, pointer);
+      doubt_rule(exploration, pointer);
+      doubt_bands(exploration, pointer);
+      doubt_strokes(exploration, pointer);
+    }
+    doubt_words();
+    doubt_comparison();
+    return std::move(found_);
+  }
+
+ private:
+  void doubt(const std::string& pointer, std::string message) {
+    found_.push_back(document_.at(pointer, std::move(message)));
+  }
+
+  void doubt_use(const std::string& name, const std::string& pointer) {
+    const bool is_used =
+        std::any_of(protocol_.blocks.begin(), protocol_.blocks.end(), [&](const auto& named) {
+          const Binding<std::string>& asked = named.second.exploration;
+          if (asked.value) return *asked.value == name;
+          const auto factor = protocol_.factors.find(asked.factor);
+          return factor != protocol_.factors.end() &&
+                 std::any_of(factor->second.levels.begin(), factor->second.levels.end(),
+                             [&](const Level& level) { return text_of(level) == name; });
+        });
+    if (!is_used) doubt(pointer, "no block uses the exploration " + in_quotes(name));
+  }
+
+  void doubt_rule(const Exploration& asked, const std::string& pointer) {
+    const bool repeats = asked.on_failure != Exploration::OnFailure::flag;
+    if (!repeats || asked.required_fraction_in_band > 0.0) return;
+    const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+    if (!bounded(asked.normal_force_N) && !bounded(asked.speed_m_per_s)) return;
+    doubt(pointer + "/on_failure",
+          "no trial is repeated because of its force or speed while required_fraction_in_band is "
+          "0: state the fraction that has to lie in the bands, such as 0.6");
+  }
+
+  void doubt_bands(const Exploration& asked, const std::string& pointer) {
+    const auto look = [&](const std::optional<double>& value, double most, const char* place,
+                          const std::string& why) {
+      if (value && *value > most) doubt(pointer + place, digits(*value) + why);
+      return value && *value > most;
+    };
+    const std::string no_hand =
+        " m/s is faster than a hand strokes; a speed is in metres per second: 40 mm/s is 0.04";
+    const Band& speed = asked.speed_m_per_s;
+    if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand)) {
+      look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand);
+    }
+    const double most_N = kRoomForTexture * protocol_.force_limit_N;
+    const std::string no_room = " N leaves little room below the device's limit of " +
+                                digits(protocol_.force_limit_N) +
+                                " N: a texture's crests exceed it and are clipped; set " +
+                                digits(most_N) + " N or less, or raise /device/force_limit_N";
+    const Band& force = asked.normal_force_N;
+    if (!look(force.minimum, most_N, "/normal_force_N/minimum", no_room)) {
+      look(force.target, most_N, "/normal_force_N/target", no_room);
+    }
+  }
+
+  /// The fewest strokes as short and as fast as may be, and as many as are aimed at, as aimed at.
+  void doubt_strokes(const Exploration& asked, const std::string& pointer) {
+    const auto first = [](std::initializer_list<std::optional<double>> values) {
+      for (const std::optional<double>& value : values) {
+        if (value) return value;
+      }
+      return std::optional<double>{};
+    };
+    const Band& length = asked.stroke_length_m;
+    const Band& speed = asked.speed_m_per_s;
+    const auto look = [&](const std::optional<double>& strokes, std::optional<double> length_m,
+                          std::optional<double> speed_m_per_s, const char* place) {
+      if (!strokes || !length_m || !speed_m_per_s || *speed_m_per_s <= 0.0) return false;
+      const double takes_s = *strokes * *length_m / *speed_m_per_s;
+      if (takes_s <= asked.maximum_contact_s) return false;
+      doubt(pointer + place, digits(*strokes) + " strokes of " + digits(*length_m) + " m at " +
+                                 digits(*speed_m_per_s) + " m/s do not fit into the " +
+                                 digits(asked.maximum_contact_s) +
+                                 " s after which the surface is removed (maximum_contact_s)");
+      return true;
+    };
+    if (look(asked.strokes.minimum, first({length.minimum, length.target}),
+             first({speed.maximum, speed.target}), "/strokes/minimum")) {
+      return;
+    }
+    look(asked.strokes.target, first({length.target, length.minimum}),
+         first({speed.target, speed.maximum}), "/strokes/target");
+  }
+
+  /// A text that speaks of what nobody is shown or hears.
+  void doubt_words() {
+    using Guidance = Exploration::Guidance;
+    bool by_sight = false;
+    bool by_tones = false;
+    for (const auto& [name, exploration] : protocol_.explorations) {
+      by_tones = by_tones || exploration.guidance == Guidance::tones;
+      by_sight = by_sight || exploration.guidance == Guidance::bars ||
+                 exploration.guidance == Guidance::moving_target;
+    }
+    if (by_sight == by_tones) return;
+    const std::set<std::string_view> absent =
+        by_tones ? std::set<std::string_view>{"bar", "bars"}
+                 : std::set<std::string_view>{"tone", "tones", "beep", "beeps"};
+    const std::string why = by_tones ? "\", but the hand is guided by tones, and no bar is shown"
+                                     : "\", but the hand is guided by sight, and no tone is played";
+    const auto look = [&](const std::string& text, const std::string& pointer) {
+      std::string word{};
+      for (const char c : text + ' ') {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+          word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+          continue;
+        }
+        if (absent.contains(word)) return doubt(pointer, "the text mentions \"" + word + why);
+        word.clear();
+      }
+    };
+    look(protocol_.instructions, "/instructions");
+    for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+      if (const auto* screen = std::get_if<Protocol::Screen>(&protocol_.flow[i])) {
+        look(screen->text, pointer_to("/flow", i) + "/screen");
+      }
+    }
+    const std::vector<std::string> again =
+        protocol_.resume.screens.value_or(std::vector<std::string>{});
+    for (std::size_t i = 0; i < again.size(); ++i) {
+      look(again[i], pointer_to("/resume/screens", i));
+    }
+  }
+
+  /// A selection whose analysis answers another question than levels of one parameter suggest.
+  void doubt_comparison() {
+    const std::optional<std::string> parameter =
+        stored_protocol(protocol_.source).compared_parameter;
+    if (!parameter) return;
+    const auto block =
+        std::find_if(protocol_.blocks.begin(), protocol_.blocks.end(),
+                     [](const auto& named) { return named.second.phase == Phase::main; });
+    if (block == protocol_.blocks.end()) return;
+    doubt(pointer_to("/blocks", block->first) + "/presented",
+          "the alternatives differ in " + in_quotes(*parameter) +
+              " alone: the analysis of a selection tests how often each level is chosen, not "
+              "whether levels can be discriminated; for a threshold, export the answers and fit "
+              "them with analyze --table FILE --as psyfit");
+  }
+
+  const Protocol& protocol_;
+  JsonDocument document_;
+  std::vector<Diagnostic> found_{};
+};
+
+}  // namespace
+
+std::vector<Diagnostic> doubts_about(const Protocol& protocol, const std::string& file_name) {
+  return Doubts(protocol, file_name).all();
+}
+
+}  // namespace asperity

@@ -1,0 +1,133 @@
+// Whether the flow runs every block, and how long a session it makes.
+
+#include <algorithm>
+
+#include "protocols/file/meaning_checks.h"
+#include "protocols/plan/block_rows.h"
+
+namespace asperity {
+
+using Block = Protocol::Block;
+using Run = Protocol::Run;
+
+void Meaning::check_flow() {
+  std::set<std::string> run_blocks{};
+  std::set<std::string> iterated{};
+  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+    const std::string pointer = pointer_to("/flow", i);
+    if (const auto* const ask = std::get_if<Protocol::Ask>(&protocol_.flow[i])) {
+      for (std::size_t j = 0; j < ask->questions.size(); ++j) {
+        if (!protocol_.questions.contains(ask->questions[j])) {
+          report(pointer_to(pointer + "/ask", j),
+                 unknown("question", ask->questions[j], protocol_.questions));
+        }
+      }
+    }
+    const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+    if (run == nullptr) continue;
+    run_blocks.insert(run->block);
+    if (!protocol_.blocks.contains(run->block)) {
+      report(pointer + "/run", unknown("block", run->block, protocol_.blocks));
+    }
+    if (!run->for_each.empty()) {
+      iterated.insert(run->for_each);
+      if (!protocol_.factors.contains(run->for_each)) {
+        report(pointer + "/for_each", unknown("factor", run->for_each, protocol_.factors));
+      }
+    }
+    if (run->break_every_trials > 0 && !run->pause) {
+      report(pointer, "break_every_trials needs a \"pause\" that states the duration of the break");
+    }
+    if (run->pause && run->break_every_trials == 0 && run->for_each.empty()) {
+      report(pointer + "/pause",
+             "the time of this pause is not stated: add break_every_trials or for_each");
+    }
+  }
+  for (const auto& [name, block] : protocol_.blocks) {
+    if (!run_blocks.contains(name)) {
+      report_key(pointer_to("/blocks", name), "the block " + in_quotes(name) +
+                                                  " is never run; add {\"run\": \"" + name +
+                                                  "\"} to the flow, or remove the block");
+    }
+  }
+  if (protocol_.counterbalance != Protocol::Counterbalance::none && iterated.empty()) {
+    report("/counterbalance",
+           "there is nothing to counterbalance: no step of the flow has a \"for_each\"; add one, "
+           "or remove this key");
+  }
+  constexpr std::size_t kMaximumLevels = 32;
+  for (const std::string& name : iterated) {
+    const auto factor = protocol_.factors.find(name);
+    if (factor != protocol_.factors.end() && factor->second.levels.size() > kMaximumLevels) {
+      report(pointer_to("/factors", name) + "/levels",
+             "a factor of for_each has at most 32 levels");
+    }
+  }
+}
+
+bool Meaning::check_level(const std::string& factor, const Level& level,
+                          const std::string& pointer) {
+  const auto found = protocol_.factors.find(factor);
+  if (found == protocol_.factors.end()) {
+    report_key(pointer, unknown("factor", factor, protocol_.factors));
+    return false;
+  }
+  const std::vector<Level>& levels = found->second.levels;
+  if (std::find(levels.begin(), levels.end(), level) != levels.end()) return true;
+  std::vector<std::string> names{};
+  for (const Level& each : levels) names.push_back(text_of(each));
+  report(pointer, in_quotes(text_of(level)) + " is not a level of the factor " + in_quotes(factor) +
+                      "; its levels are " + one_of(names) + did_you_mean(text_of(level), names));
+  return false;
+}
+
+std::vector<const Run*> Meaning::runs_of(const Block& block) const {
+  std::vector<const Run*> runs{};
+  for (const Protocol::Step& step : protocol_.flow) {
+    const auto* const run = std::get_if<Run>(&step);
+    if (run != nullptr && run->block == block.name) runs.push_back(run);
+  }
+  return runs;
+}
+
+std::set<std::string> Meaning::factors_set_by(const Block& block, const Run* run) const {
+  std::set<std::string> names(block.crossed.begin(), block.crossed.end());
+  names.insert(block.drawn.begin(), block.drawn.end());
+  for (const FactorLevels& row : block.listed) {
+    for (const auto& [name, level] : row) names.insert(name);
+  }
+  if (run != nullptr && !run->for_each.empty()) names.insert(run->for_each);
+  return names;
+}
+
+void Meaning::check_size() {
+  std::size_t trials = 0;
+  std::size_t rows = 1;
+  std::set<std::string> iterated{};
+  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+    const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+    if (run == nullptr) continue;
+    const Block& block = protocol_.blocks.at(run->block);
+    std::size_t runs = 1;
+    if (!run->for_each.empty()) {
+      runs = protocol_.factors.at(run->for_each).levels.size();
+      // At most two rows per level; the product is cut off long before it could wrap.
+      if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
+    }
+    trials += runs * row_count(protocol_, block) * static_cast<std::size_t>(block.repetitions);
+    if (trials > kMaximumSessionTrials) {
+      return report(
+          pointer_to("/flow", i),
+          "up to here the session has more than " + std::to_string(kMaximumSessionTrials) +
+              " trials, too many for a participant; reduce the blocks or their repetitions");
+    }
+  }
+  if (protocol_.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {
+    report("/counterbalance",
+           "there would be more orders than participants; iterate fewer factors with for_each");
+  }
+}
+
+/// The protocol with every combination of levels that its blocks can come to, once, without chance.
+
+}  // namespace asperity

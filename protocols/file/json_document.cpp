@@ -1,0 +1,356 @@
+// JSON text → tree and places, on top of nlohmann's event parser.
+
+#include "protocols/file/json_document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMaximumBytes = 4U << 20U;
+constexpr std::size_t kMaximumDepth = 64;
+constexpr std::size_t kMaximumEntries = 4096;
+constexpr std::size_t kMaximumString = 8192;
+constexpr std::size_t kMaximumKey = 256;
+
+/// Tells how far the parser has read.
+struct CountingIterator {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at = nullptr;
+  std::size_t* read = nullptr;
+
+  reference operator*() const { return *at; }
+  CountingIterator& operator++() {
+    ++at;
+    ++*read;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountingIterator& other) const { return at == other.at; }
+  bool operator!=(const CountingIterator& other) const { return at != other.at; }
+};
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  std::string shown(text.substr(0, kShown));
+  for (char& c : shown) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte >= 0x7f) c = '?';
+  }
+  return "'" + shown + (text.size() > kShown ? "…'" : "'");
+}
+
+/// No text begins so: with a byte of no letter, as a PNG or a JPEG does, or with a zero soon.
+bool is_binary(std::string_view text) {
+  constexpr std::size_t kBeginning = 512;
+  if (text.substr(0, kBeginning).find('\0') != std::string_view::npos) return true;
+  const auto first = text.empty() ? ' ' : text.front();
+  return static_cast<unsigned char>(first) >= 0x80 ||
+         (static_cast<unsigned char>(first) < 0x20 && first != '\t' && first != '\n' &&
+          first != '\r');
+}
+
+}  // namespace
+
+std::string pointer_to(const std::string& pointer, std::string_view key) {
+  std::string result = pointer + "/";
+  for (const char c : key) {
+    if (c == '~') {
+      result += "~0";
+    } else if (c == '/') {
+      result += "~1";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string pointer_to(const std::string& pointer, std::size_t index) {
+  return pointer + "/" + std::to_string(index);
+}
+
+/// Receives the parser's events. nlohmann fires each one just after the token was read, so a token
+/// starts at the first character after the last event that is neither space nor punctuation.
+class JsonDocument::Handler {
+ public:
+  Handler(JsonDocument& document, const std::size_t& read) : document_(document), read_(read) {}
+
+  bool null() { return value(nullptr); }
+  bool boolean(bool given) { return value(given); }
+  bool number_integer(nlohmann::json::number_integer_t given) { return value(given); }
+  bool number_unsigned(nlohmann::json::number_unsigned_t given) { return value(given); }
+  bool number_float(nlohmann::json::number_float_t given, const std::string&) {
+    return value(given);
+  }
+  bool string(std::string& given) {
+    if (given.size() > kMaximumString) {
+      return refuse(start(), "this text is longer than " + std::to_string(kMaximumString) +
+                                 " bytes; shorten it");
+    }
+    return value(given);
+  }
+  bool binary(nlohmann::json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(nlohmann::json::object()); }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return open(nlohmann::json::array()); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& given) {
+    key_start_ = start();
+    last_end_ = read_;
+    if (given.size() > kMaximumKey) {
+      return refuse(key_start_,
+                    "this key is longer than " + std::to_string(kMaximumKey) + " bytes");
+    }
+    Open& parent = stack_.back();
+    key_ = given;
+    const std::string pointer = pointer_to(parent.pointer, given);
+    if (parent.node->contains(given)) {
+      problems_.push_back(document_.diagnostic(
+          key_start_, pointer,
+          "the key " + printable(given) + " occurs twice in this object; keep one"));
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) {
+    const std::string_view text = document_.text_;
+    const std::string what = error.what();
+    const std::size_t from = start();
+    if (error.id == 406) {  // out_of_range: a number that no double can hold
+      const std::size_t end = std::min(text.find_first_of(" \t\r\n,]}", from), text.size());
+      return refuse(from, "the number " + printable(text.substr(from, end - from)) +
+                              " is too large to be read");
+    }
+    if (const std::size_t at = what.find("invalid string: "); at != std::string::npos) {
+      const std::size_t end = what.find("; last read", at);
+      const std::string reason =
+          what.substr(at + 16, end == std::string::npos ? end : end - at - 16);
+      const std::size_t where = position == 0 ? 0 : std::min(position - 1, text.size());
+      if (reason.find("UTF-8") != std::string::npos) {
+        return refuse(where, "this text is not UTF-8; save the file in the encoding UTF-8");
+      }
+      return refuse(where, "this text is invalid: " + reason);
+    }
+    if (from >= text.size()) {
+      return refuse(text.size(), stack_.empty() && !began_
+                                     ? "the file is empty; a protocol is a JSON object {…}"
+                                     : "the text ends before the JSON is complete");
+    }
+    std::string expected{};
+    if (const std::size_t at = what.find("; expected "); at != std::string::npos) {
+      expected = "; expected " + what.substr(at + 11);
+      constexpr std::string_view kString = "string literal";
+      if (const std::size_t found = expected.find(kString); found != std::string::npos) {
+        expected.replace(found, kString.size(), "a key in \"quotation marks\"");
+      }
+    }
+    std::size_t end = from;
+    while (end < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_' ||
+            text[end] == '.' || text[end] == '+' || text[end] == '-')) {
+      ++end;
+    }
+    if (end > from) {
+      return refuse(
+          from,
+          printable(text.substr(from, end - from)) +
+              " is not JSON: write a finite number, text in quotation marks, true, false, null, "
+              "[…] or {…}");
+    }
+    return refuse(from, "unexpected " + printable(text.substr(from, 1)) + expected);
+  }
+
+  std::vector<Diagnostic> take_problems() { return std::move(problems_); }
+
+ private:
+  struct Open {
+    nlohmann::json* node = nullptr;
+    std::string pointer{};
+  };
+
+  std::size_t start() const {
+    const std::string_view text = document_.text_;
+    std::size_t at = last_end_;
+    // A comma or colon that was read last is itself what comes next: a mistake.
+    while (at < text.size() &&
+           (text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r' ||
+            ((text[at] == ',' || text[at] == ':') && at < read_ && at + 1 < text.size() &&
+             at + 1 < read_))) {
+      ++at;
+    }
+    return at;
+  }
+
+  bool refuse(std::size_t offset, std::string message) {
+    std::string pointer = stack_.empty() ? "" : stack_.back().pointer;
+    // One error of syntax ends the reading; duplicates found before it are reported with it.
+    problems_.push_back(document_.diagnostic(offset, pointer, std::move(message)));
+    return false;
+  }
+
+  nlohmann::json* place(nlohmann::json given, std::string& pointer) {
+    const std::size_t from = start();
+    std::size_t key_start = from;
+    nlohmann::json* node = nullptr;
+    if (stack_.empty()) {
+      document_.root_ = std::move(given);
+      node = &document_.root_;
+    } else {
+      Open& parent = stack_.back();
+      if (parent.node->size() >= kMaximumEntries) {
+        refuse(from, "more than " + std::to_string(kMaximumEntries) +
+                         " entries in one place; reduce their number");
+        return nullptr;
+      }
+      if (parent.node->is_array()) {
+        pointer = pointer_to(parent.pointer, parent.node->size());
+        parent.node->push_back(std::move(given));
+        node = &parent.node->back();
+      } else {
+        key_start = key_start_;
+        pointer = pointer_to(parent.pointer, key_);
+        node = &(*parent.node)[key_];
+        *node = std::move(given);
+      }
+    }
+    document_.places_[pointer] = {key_start, from};
+    began_ = true;
+    last_end_ = read_;
+    if (node->is_number()) {  // known to be over only when one character more was read
+      last_end_ = std::min(document_.text_.find_first_not_of("+-.0123456789eE", from), read_);
+    }
+    return node;
+  }
+
+  bool value(nlohmann::json given) {
+    std::string pointer{};
+    return place(std::move(given), pointer) != nullptr;
+  }
+
+  bool open(nlohmann::json container) {
+    if (stack_.size() >= kMaximumDepth) {
+      return refuse(start(), "nested deeper than " + std::to_string(kMaximumDepth) +
+                                 " levels; reduce the nesting");
+    }
+    std::string pointer{};
+    nlohmann::json* node = place(std::move(container), pointer);
+    if (node == nullptr) return false;
+    stack_.push_back({node, std::move(pointer)});
+    return true;
+  }
+
+  bool close() {
+    stack_.pop_back();
+    last_end_ = read_;
+    return true;
+  }
+
+  JsonDocument& document_;
+  const std::size_t& read_;
+  std::vector<Open> stack_{};
+  std::string key_{};
+  std::size_t key_start_ = 0;
+  std::size_t last_end_ = 0;
+  bool began_ = false;
+  std::vector<Diagnostic> problems_{};
+};
+
+JsonDocument::JsonDocument(std::string_view text, std::string file,
+                           std::vector<Diagnostic>* duplicates)
+    : text_(text), file_(std::move(file)) {
+  const auto refuse = [this](std::string message) {
+    throw ProtocolError({diagnostic(0, "", std::move(message))});
+  };
+  if (text.size() > kMaximumBytes)
+    refuse("larger than 4 MiB, the maximum size of a protocol; name another file");
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    refuse("begins with a byte order mark; save the file as UTF-8 without one");
+  }
+  const bool has_every_other_zero =
+      text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');  // a letter in two bytes
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || has_every_other_zero) {
+    refuse("this is not UTF-8 text (it looks like UTF-16); save the file in the encoding UTF-8");
+  }
+  if (is_binary(text)) {
+    refuse(
+        "this is not a JSON text file, but a binary one, such as a picture; a protocol is text in "
+        "UTF-8, a JSON object {…}");
+  }
+  std::size_t read = 0;
+  Handler handler(*this, read);
+  const bool complete =
+      nlohmann::json::sax_parse(CountingIterator{text.data(), &read},
+                                CountingIterator{text.data() + text.size(), &read}, &handler);
+  std::vector<Diagnostic> problems = handler.take_problems();
+  if (!complete && problems.empty()) problems.push_back(diagnostic(read, "", "this is not JSON"));
+  if (complete && duplicates != nullptr) {
+    *duplicates = std::move(problems);
+  } else if (!problems.empty()) {
+    throw ProtocolError(std::move(problems));
+  }
+}
+
+JsonDocument JsonDocument::with_root(nlohmann::json root) const {
+  JsonDocument other = *this;
+  other.root_ = std::move(root);
+  return other;
+}
+
+Diagnostic JsonDocument::diagnostic(std::size_t offset, const std::string& pointer,
+                                    std::string message) const {
+  Diagnostic result{};
+  result.file = file_;
+  result.pointer = pointer;
+  result.message = std::move(message);
+  offset = std::min(offset, text_.size());
+  for (const char c : text_.substr(0, offset)) {
+    if (c == '\n') {
+      ++result.line;
+      result.column = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+      ++result.column;  // characters, not bytes
+    }
+  }
+  return result;
+}
+
+Diagnostic JsonDocument::at(const std::string& pointer, std::string message) const {
+  std::string existing = pointer;
+  auto found = places_.find(existing);
+  while (found == places_.end() && !existing.empty()) {
+    existing.resize(existing.rfind('/'));
+    found = places_.find(existing);
+  }
+  const std::size_t offset = found == places_.end() ? 0 : found->second.value;
+  return diagnostic(offset, pointer, std::move(message));
+}
+
+std::optional<std::size_t> JsonDocument::place_of(const std::string& pointer) const {
+  const auto found = places_.find(pointer);
+  if (found == places_.end()) return {};
+  return found->second.value;
+}
+
+Diagnostic JsonDocument::at_key(const std::string& pointer, std::string message) const {
+  const auto found = places_.find(pointer);
+  if (found == places_.end()) return at(pointer, std::move(message));
+  return diagnostic(found->second.key, pointer, std::move(message));
+}
+
+}  // namespace asperity

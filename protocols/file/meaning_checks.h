@@ -1,0 +1,132 @@
+// The checks behind `check_meaning`, gathered in one object; each file *_meaning.cpp has those of
+// one subject.
+
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocols/design/protocol.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/diagnostic.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
+#include "stimuli/properties/parameter.h"
+
+namespace asperity {
+
+// More trials than anybody sits through; a plan stays small enough to be made while one waits.
+inline constexpr std::size_t kMaximumTrials = 2000;
+inline constexpr std::size_t kMaximumSessionTrials = 5000;
+inline constexpr std::size_t kMaximumRows = 100'000;
+
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names{};
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+template <class Map>
+std::string unknown(std::string_view what, const std::string& name, const Map& map) {
+  const std::vector<std::string> names = names_of(map);
+  const std::string guess = did_you_mean(name, names);
+  return "there is no " + std::string(what) + " " + in_quotes(name) +
+         (!guess.empty()  ? guess
+          : names.empty() ? "; none is declared"
+                          : "; declared: " + one_of(names));
+}
+
+/// Of a selection and a magnitude no answer is right or wrong.
+constexpr bool has_right_answers(ProtocolKind kind) {
+  return kind == ProtocolKind::matching || kind == ProtocolKind::recognition;
+}
+
+/// Complaints about the whole protocol, gathered place by place.
+class Meaning final {
+ public:
+  Meaning(const Protocol& protocol, const JsonDocument& document,
+          const std::vector<ModelDeclaration>& models)
+      : protocol_(protocol), document_(document) {
+    for (const ModelDeclaration& model : models) models_.emplace(model.id, &model);
+  }
+
+  std::vector<Diagnostic> check();
+
+ private:
+  void report(const std::string& pointer, std::string message) {
+    if (!said_.emplace(pointer, message).second) return;
+    found_.push_back(document_.at(pointer, std::move(message)));
+  }
+  void report_key(const std::string& pointer, std::string message) {
+    if (!said_.emplace(pointer, message).second) return;
+    found_.push_back(document_.at_key(pointer, std::move(message)));
+  }
+
+  void check_head();
+  void check_device_limits();
+  void check_senses();
+  void check_blindfold();
+  void check_textures();
+  void check_path(const std::optional<std::string>& path, const std::string& pointer);
+  void check_factors();
+  void check_hed(const Factor& factor);
+  void check_explorations();
+  void check_band(const Band& band, const std::string& pointer);
+  void check_guidance(const Exploration& exploration, const std::string& pointer);
+  void check_questions();
+  void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_bodies();
+  void check_body_keys(const std::string& name, const std::string& pointer);
+  void check_bodies_of(const StimulusTemplate& stimulus,
+                       const std::vector<const ModelDeclaration*>& models,
+                       const std::string& pointer);
+  /// Whether no surface that the stimulus can have waits for a texture's relief.
+  bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
+  bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
+                    const std::string& pointer);
+  /// What values contradict together, that were acceptable one by one.
+  void check_together(const ModelDeclaration& model, const ParameterValues& given,
+                      const std::string& pointer);
+  void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_flow();
+  void check_block(const Protocol::Block& block, const std::string& pointer);
+  void check_anchor(const Protocol::Block& block, const std::string& pointer);
+  /// Of a magnitude: what estimates are analysed by is there, and held within blocks where it has to be.
+  void check_estimation();
+  void check_spacings(const std::string& factor);
+  void check_presented(const Protocol::Block& block, const std::string& pointer);
+  void check_question(const Protocol::Block& block, const std::string& pointer);
+  void check_order(const Protocol::Block& block, const std::string& pointer);
+  void check_criterion(const Protocol::Block& block, const std::string& pointer);
+  void check_analysis();
+  /// What the answers of a selection can be.
+  std::set<std::string> items_of_main_blocks();
+  void check_size();
+  void check_trials();
+  void check_draws();
+  void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies,
+                         const std::string& pointer);
+
+  /// The texts that a binding can stand for, each with the place to complain at.
+  std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
+                                                            const std::string& pointer);
+  bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
+  std::set<std::string> factors_set_by(const Protocol::Block& block,
+                                       const Protocol::Run* run) const;
+  std::vector<const Protocol::Run*> runs_of(const Protocol::Block& block) const;
+
+  const Protocol& protocol_;
+  const JsonDocument& document_;
+  std::map<std::string, const ModelDeclaration*, std::less<>> models_{};
+  std::vector<Diagnostic> found_{};
+  std::set<std::pair<std::string, std::string>> said_{};
+};
+
+}  // namespace asperity

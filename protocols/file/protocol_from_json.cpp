@@ -1,0 +1,508 @@
+// Key by key, in the order of protocol.h. Defaults are those of the struct.
+
+#include "protocols/file/protocol_from_json.h"
+
+#include <initializer_list>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+using Block = Protocol::Block;
+
+using nlohmann::json;
+
+template <class Value>
+void read(const json& object, const char* key, Value& value) {
+  if (const auto found = object.find(key); found != object.end()) value = found->get<Value>();
+}
+
+template <class Value>
+void read(const json& object, const char* key, std::optional<Value>& value) {
+  if (const auto found = object.find(key); found != object.end()) value = found->get<Value>();
+}
+
+/// One of the schema's enumerations.
+template <class Value>
+void read_choice(const json& object, const char* key, Value& value,
+                 std::initializer_list<std::pair<const char*, Value>> choices) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const auto& [name, choice] : choices) {
+    if (*found == name) value = choice;
+  }
+}
+
+/// Calls `visit(name, member)` for every named member, not for comments.
+template <class Visit>
+void for_each_named(const json& object, const char* key, const Visit& visit) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const auto& [name, member] : found->items()) {
+    if (!name.starts_with("x-") && name != "$comment") visit(name, member);
+  }
+}
+
+Level level_of(const json& value) {
+  return value.is_string() ? Level(value.get<std::string>()) : Level(value.get<double>());
+}
+
+std::map<std::string, Level, std::less<>> levels_of(const json& object) {
+  std::map<std::string, Level, std::less<>> levels{};
+  for (const auto& [name, member] : object.items()) {
+    if (!name.starts_with("x-") && name != "$comment") levels[name] = level_of(member);
+  }
+  return levels;
+}
+
+void read(const json& object, const char* key, Band& band) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  read(*found, "minimum", band.minimum);
+  read(*found, "target", band.target);
+  read(*found, "maximum", band.maximum);
+}
+
+void read(const json& object, const char* key, Binding<std::string>& binding) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  if (found->is_object()) {
+    binding.factor = found->at("factor").get<std::string>();
+  } else {
+    binding.value = found->get<std::string>();
+  }
+}
+
+Binding<ParameterValue> parameter_binding(const json& value) {
+  Binding<ParameterValue> binding{};
+  if (value.is_object()) {
+    binding.factor = value.at("factor").get<std::string>();
+  } else if (value.is_string()) {
+    binding.value = value.get<std::string>();
+  } else {
+    binding.value = value.get<double>();
+  }
+  return binding;
+}
+
+Protocol::Break break_of(const json& object) {
+  Protocol::Break pause{};
+  read(object, "minimum_s", pause.minimum_s);
+  read(object, "text", pause.text);
+  read(object, "zero_force", pause.zero_force);
+  return pause;
+}
+
+Texture texture_of(const std::string& name, const json& object) {
+  Texture texture{};
+  texture.name = name;
+  read(object, "code", texture.code);
+  read(object, "height_field", texture.height_field);
+  read(object, "picture", texture.picture);
+  read(object, "true_height_field", texture.true_height_field);
+  read(object, "spacing_m", texture.spacing_m);
+  read(object, "note", texture.note);
+  if (const auto found = object.find("prior"); found != object.end()) {
+    ForceFeatures prior{};
+    read(*found, "spectrum", prior.spectrum);
+    read(*found, "size", prior.size);
+    read(*found, "roughness", prior.roughness);
+    texture.prior = prior;
+  }
+  return texture;
+}
+
+glm::dvec3 size_of(const json& object) {
+  const json& size = object.at("size_m");
+  return {size.at(0).get<double>(), size.at(1).get<double>(), size.at(2).get<double>()};
+}
+
+/// Absent where a size is missing, of which the meaning complains.
+std::optional<Shape> shape_of(const json& object) {
+  const auto found = object.find("shape");
+  if (found == object.end()) return {};
+  const auto shape = found->get<std::string>();
+  if (shape == "plate" || shape == "box") {
+    if (!object.contains("size_m")) return {};
+    if (shape == "plate") return PlateShape{size_of(object)};
+    return BoxShape{size_of(object)};
+  }
+  if (!object.contains("diameter_m")) return {};
+  const auto diameter_m = object.at("diameter_m").get<double>();
+  if (shape == "sphere") return SphereShape{diameter_m};
+  if (shape == "disc") return disc_of(diameter_m);
+  if (!object.contains("length_m")) return {};
+  return CylinderShape{diameter_m, object.at("length_m").get<double>()};
+}
+
+BodyDescription body_of(const std::string& name, const json& object) {
+  BodyDescription body{};
+  body.name = name;
+  read(object, "mesh", body.mesh);
+  body.shape = shape_of(object);
+  read_choice(object, "axis", body.axis,
+              {{"x", BodyAxis::x}, {"y", BodyAxis::y}, {"z", BodyAxis::z}});
+  read(object, "texture", body.texture);
+  return body;
+}
+
+StimulusTemplate stimulus_of(const std::string& name, const json& object) {
+  StimulusTemplate stimulus{};
+  stimulus.name = name;
+  read(object, "model", stimulus.model);
+  read(object, "texture", stimulus.texture);
+  read(object, "surface", stimulus.surface);
+  read(object, "tool", stimulus.tool);
+  for_each_named(object, "parameters", [&](const std::string& parameter, const json& value) {
+    stimulus.parameters[parameter] = parameter_binding(value);
+  });
+  if (const auto found = object.find("equal_force"); found != object.end()) {
+    EqualForce equal{};
+    read(*found, "rms_N", equal.rms_N);
+    read(*found, "to_model", equal.to_model);
+    read(*found, "band_low_Hz", equal.band_low_Hz);
+    read(*found, "band_high_Hz", equal.band_high_Hz);
+    stimulus.equal_force = equal;
+  }
+  return stimulus;
+}
+
+Exploration exploration_of(const std::string& name, const json& object) {
+  Exploration exploration{};
+  exploration.name = name;
+  read(object, "direction_rad", exploration.direction_rad);
+  read(object, "stroke_length_m", exploration.stroke_length_m);
+  read(object, "speed_m_per_s", exploration.speed_m_per_s);
+  read(object, "normal_force_N", exploration.normal_force_N);
+  read(object, "strokes", exploration.strokes);
+  read(object, "minimum_contact_s", exploration.minimum_contact_s);
+  read(object, "maximum_contact_s", exploration.maximum_contact_s);
+  read(object, "required_fraction_in_band", exploration.required_fraction_in_band);
+  using OnFailure = Exploration::OnFailure;
+  read_choice(object, "on_failure", exploration.on_failure,
+              {{"flag", OnFailure::flag},
+               {"repeat_now", OnFailure::repeat_now},
+               {"requeue_at_end_of_block", OnFailure::requeue_at_end_of_block}});
+  read(object, "maximum_repeats", exploration.maximum_repeats);
+  using Guidance = Exploration::Guidance;
+  read_choice(object, "guidance", exploration.guidance,
+              {{"experimenter", Guidance::experimenter},
+               {"bars", Guidance::bars},
+               {"moving_target", Guidance::moving_target},
+               {"tones", Guidance::tones}});
+  return exploration;
+}
+
+/// Texts of their own only where an option has one.
+void read_options(const json& object, Question& question) {
+  const auto found = object.find("options");
+  if (found == object.end()) return;
+  for (const json& option : *found) {
+    const bool has_text = option.is_object();
+    question.options.push_back((has_text ? option.at("value") : option).get<std::string>());
+    question.option_texts.push_back((has_text ? option.at("text") : option).get<std::string>());
+  }
+  if (question.option_texts == question.options) question.option_texts.clear();
+}
+
+Question question_of(const std::string& name, const json& object) {
+  Question question{};
+  question.name = name;
+  read(object, "prompt", question.prompt);
+  using Form = Question::Form;
+  read_choice(object, "form", question.form,
+              {{"choice", Form::choice}, {"number", Form::number}, {"text", Form::text}});
+  read_options(object, question);
+  read(object, "minimum", question.minimum);
+  read(object, "maximum", question.maximum);
+  read(object, "optional", question.optional);
+  return question;
+}
+
+Protocol::TrialQuestionTemplate trial_question_of(const json& object) {
+  Protocol::TrialQuestionTemplate question{};
+  read(object, "name", question.name);
+  read(object, "prompt", question.prompt);
+  read(object, "experimenter_prompt", question.experimenter_prompt);
+  read(object, "pictures", question.pictures);
+  read(object, "reshuffle_pictures", question.reshuffle_pictures);
+  read(object, "pictures_after_feeling", question.pictures_after_feeling);
+  read(object, "allow_cannot_tell", question.allow_cannot_tell);
+  read(object, "allow_revisit", question.allow_revisit);
+  read(object, "correct_factor", question.correct_factor);
+  return question;
+}
+
+Protocol::Criterion criterion_of(const json& object) {
+  Protocol::Criterion criterion{};
+  read(object, "correct", criterion.correct);
+  read(object, "of_last", criterion.of_last);
+  read(object, "maximum_trials", criterion.maximum_trials);
+  using OnFailure = Protocol::Criterion::OnFailure;
+  read_choice(
+      object, "on_failure", criterion.on_failure,
+      {{"continue_flagged", OnFailure::continue_flagged}, {"end_session", OnFailure::end_session}});
+  return criterion;
+}
+
+Block block_of(const std::string& name, const json& object, ProtocolKind kind) {
+  Block block{};
+  block.name = name;
+  read_choice(object, "phase", block.phase,
+              {{"familiarisation", Phase::familiarisation},
+               {"practice", Phase::practice},
+               {"main", Phase::main}});
+  read(object, "crossed", block.crossed);
+  if (const auto found = object.find("listed"); found != object.end()) {
+    for (const json& row : *found) block.listed.push_back(levels_of(row));
+  }
+  read(object, "repetitions", block.repetitions);
+  read(object, "drawn", block.drawn);
+  if (const auto found = object.find("anchor"); found != object.end()) {
+    block.anchor = levels_of(*found);
+  }
+  read_choice(object, "order", block.order,
+              {{"fixed", Block::Order::fixed},
+               {"shuffle", Block::Order::shuffle},
+               {"shuffle_within_repetition", Block::Order::shuffle_within_repetition}});
+  for_each_named(object, "maximum_in_a_row", [&](const std::string& factor, const json& value) {
+    block.maximum_in_a_row[factor] = value.get<int>();
+  });
+  for (const json& member : object.at("presented")) {
+    Protocol::Presented presented{};
+    presented.role = kind == ProtocolKind::selection ? "alternative" : "target";
+    read(member, "role", presented.role);
+    read(member, "stimulus", presented.stimulus);
+    if (const auto with = member.find("with"); with != member.end()) {
+      presented.with = levels_of(*with);
+    }
+    read(member, "item", presented.item);
+    block.presented.push_back(std::move(presented));
+  }
+  read_choice(object, "positions", block.positions,
+              {{"as_listed", Block::Positions::as_listed},
+               {"shuffle", Block::Positions::shuffle},
+               {"balanced", Block::Positions::balanced}});
+  block.question = trial_question_of(object.at("question"));
+  read(object, "exploration", block.exploration);
+  read(object, "pause_before_trial_s", block.pause_before_trial_s);
+  read(object, "pause_between_surfaces_s", block.pause_between_surfaces_s);
+  read(object, "response_deadline_s", block.response_deadline_s);
+  read_choice(object, "feedback", block.feedback,
+              {{"none", Block::Feedback::none},
+               {"correctness", Block::Feedback::correctness},
+               {"correct_answer", Block::Feedback::correct_answer}});
+  if (const auto found = object.find("until"); found != object.end()) {
+    block.until = criterion_of(*found);
+  }
+  return block;
+}
+
+Protocol::Step step_of(const json& object) {
+  if (const auto found = object.find("screen"); found != object.end()) {
+    return Protocol::Screen{found->get<std::string>()};
+  }
+  if (object.contains("check")) {
+    Protocol::Check check{};
+    read_choice(object, "check", check.what,
+                {{"device", Protocol::Check::What::device},
+                 {"force_zero", Protocol::Check::What::force_zero}});
+    return check;
+  }
+  if (const auto found = object.find("break"); found != object.end()) return break_of(*found);
+  if (object.contains("ask")) {
+    Protocol::Ask ask{};
+    read(object, "ask", ask.questions);
+    return ask;
+  }
+  Protocol::Run run{};
+  read(object, "run", run.block);
+  read(object, "for_each", run.for_each);
+  read(object, "break_every_trials", run.break_every_trials);
+  if (const auto found = object.find("pause"); found != object.end()) run.pause = break_of(*found);
+  return run;
+}
+
+void read_head(const json& root, Protocol& protocol) {
+  read_choice(root, "kind", protocol.kind,
+              {{"selection", ProtocolKind::selection},
+               {"matching", ProtocolKind::matching},
+               {"recognition", ProtocolKind::recognition},
+               {"magnitude", ProtocolKind::magnitude}});
+  read_choice(root, "design", protocol.design,
+              {{"chapter", ProtocolDesign::chapter}, {"improved", ProtocolDesign::improved}});
+  read(root, "name", protocol.name);
+  read(root, "version", protocol.version);
+  read(root, "title", protocol.title);
+  read(root, "language", protocol.language);
+  read(root, "description", protocol.description);
+  if (const auto found = root.find("authors"); found != root.end()) {
+    for (const json& author : *found) protocol.authors.push_back(author.at("name"));
+  }
+  read(root, "license", protocol.license);
+  read(root, "instructions", protocol.instructions);
+  protocol.consent_version = root.at("consent").at("version");
+  protocol.consent_statement = root.at("consent").at("statement");
+  if (root.contains("realism_standard")) {
+    protocol.realism_standard.emplace();
+    read_choice(root, "realism_standard", *protocol.realism_standard,
+                {{"photograph", RealismStandard::photograph},
+                 {"physical_sample", RealismStandard::physical_sample},
+                 {"memory", RealismStandard::memory}});
+  }
+}
+
+void read_senses(const json& environment, Protocol& protocol) {
+  read_choice(environment, "vision", protocol.vision,
+              {{"free", Vision::free},
+               {"hand_occluded", Vision::hand_occluded},
+               {"blindfold", Vision::blindfold}});
+  if (const auto scene = environment.find("scene"); scene != environment.end()) {
+    protocol.scene.emplace();
+    read_choice(*scene, "visual_texture", *protocol.scene,
+                {{"on", VisualTexture::on},
+                 {"off", VisualTexture::off},
+                 {"neutral", VisualTexture::neutral}});
+  }
+  if (const auto pictures = environment.find("pictures"); pictures != environment.end()) {
+    read_choice(*pictures, "show", protocol.shows_pictures_in_grey,
+                {{"as_they_are", false}, {"grey", true}});
+  }
+  if (const auto noise = environment.find("masking_noise"); noise != environment.end()) {
+    using Kind = Protocol::Noise::Kind;
+    read_choice(*noise, "kind", protocol.masking_noise.kind,
+                {{"none", Kind::none}, {"white", Kind::white}, {"pink", Kind::pink}});
+    read(*noise, "level_dBA", protocol.masking_noise.level_dBA);
+  }
+  for_each_named(environment, "speech", [&](const std::string& cue, const json& path) {
+    protocol.speech[cue] = path.get<std::string>();
+  });
+}
+
+void read_setting(const json& root, Protocol& protocol) {
+  if (const auto found = root.find("environment"); found != root.end()) {
+    read_senses(*found, protocol);
+  }
+  if (const auto found = root.find("device"); found != root.end()) {
+    read(*found, "rate_Hz", protocol.rate_Hz);
+    read(*found, "force_limit_N", protocol.force_limit_N);
+    read(*found, "maximum_missed_deadlines", protocol.maximum_missed_deadlines);
+    read(*found, "maximum_lost_records", protocol.maximum_lost_records);
+    read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
+    read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);
+    read(*found, "input_only", protocol.input_only);
+    for_each_named(*found, "limits", [&](const std::string& item, const json& limit) {
+      protocol.device_limits[item] = limit.get<double>();
+    });
+  }
+  if (const auto found = root.find("surface"); found != root.end()) {
+    SurfacePatch& patch = protocol.patch;
+    if (const auto centre = found->find("centre_m"); centre != found->end()) {
+      patch.centre_m = {centre->at(0), centre->at(1), centre->at(2)};
+    }
+    if (const auto extent = found->find("extent_m"); extent != found->end()) {
+      patch.extent_m = {extent->at(0), extent->at(1)};
+    }
+    read_choice(
+        *found, "tiling", patch.tiling,
+        {{"bounded", Tiling::bounded}, {"repeat", Tiling::repeat}, {"mirror", Tiling::mirror}});
+    read_choice(*found, "edge", patch.edge, {{"wall", PatchEdge::wall}, {"fade", PatchEdge::fade}});
+    read(*found, "edge_width_m", patch.edge_width_m);
+    read(*found, "motion_scale", patch.motion_scale);
+  }
+  if (const auto found = root.find("material"); found != root.end()) {
+    read(*found, "stiffness_N_per_m", protocol.material.stiffness_N_per_m);
+    read(*found, "friction", protocol.material.friction);
+  }
+}
+
+void read_observer(const json& root, Protocol& protocol) {
+  if (const auto found = root.find("observer"); found != root.end()) {
+    ObserverDeclaration& observer = protocol.observer;
+    using Expectation = ObserverDeclaration::Expectation;
+    read_choice(*found, "expectation", observer.expectation,
+                {{"none", Expectation::none},
+                 {"true_surface", Expectation::true_surface},
+                 {"prior", Expectation::prior}});
+    read(*found, "gaussian_wavelength_m", observer.gaussian_wavelength_m);
+    read(*found, "deaf", observer.deaf);
+    read(*found, "feature_noise", observer.feature_noise);
+    read(*found, "position_bias", observer.position_bias);
+    read(*found, "lapse", observer.lapse);
+    using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+    read_choice(*found, "magnitude_of", observer.magnitude_of,
+                {{"lateral_force", MagnitudeOf::lateral_force},
+                 {"normal_force", MagnitudeOf::normal_force},
+                 {"held_tool", MagnitudeOf::held_tool}});
+    read(*found, "exponent", observer.exponent);
+  }
+  if (const auto found = root.find("recording"); found != root.end()) {
+    read(*found, "every_tick", protocol.record);
+  }
+  protocol.analysis = analysis_declared_in(root);
+  protocol.estimation = estimation_declared_in(root);
+}
+
+}  // namespace
+
+Protocol protocol_from_json(const json& root) {
+  Protocol protocol{};
+  read_head(root, protocol);
+  read_setting(root, protocol);
+  for_each_named(root, "textures", [&](const std::string& name, const json& member) {
+    protocol.textures[name] = texture_of(name, member);
+  });
+  for_each_named(root, "bodies", [&](const std::string& name, const json& member) {
+    protocol.bodies[name] = body_of(name, member);
+  });
+  for_each_named(root, "stimuli", [&](const std::string& name, const json& member) {
+    protocol.stimuli[name] = stimulus_of(name, member);
+  });
+  for_each_named(root, "factors", [&](const std::string& name, const json& member) {
+    Factor factor{};
+    factor.name = name;
+    read(member, "meaning", factor.meaning);
+    read(member, "unit", factor.unit);
+    for (const json& level : member.at("levels")) factor.levels.push_back(level_of(level));
+    protocol.factors[name] = std::move(factor);
+  });
+  for_each_named(root, "explorations", [&](const std::string& name, const json& member) {
+    protocol.explorations[name] = exploration_of(name, member);
+  });
+  for_each_named(root, "questions", [&](const std::string& name, const json& member) {
+    protocol.questions[name] = question_of(name, member);
+  });
+  for_each_named(root, "blocks", [&](const std::string& name, const json& member) {
+    protocol.blocks[name] = block_of(name, member, protocol.kind);
+  });
+  for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
+  if (const auto found = root.find("resume"); found != root.end()) {
+    if (const auto screens = found->find("screens"); screens != found->end()) {
+      protocol.resume.screens = screens->get<std::vector<std::string>>();
+    }
+    read(*found, "maximum_age_hours", protocol.resume.maximum_age_hours);
+  }
+  read_choice(root, "counterbalance", protocol.counterbalance,
+              {{"none", Protocol::Counterbalance::none},
+               {"latin", Protocol::Counterbalance::latin},
+               {"williams", Protocol::Counterbalance::williams}});
+  if (const auto found = root.find("participants"); found != root.end()) {
+    read(*found, "planned", protocol.planned_participants);
+    read(*found, "sessions", protocol.sessions);
+    if (const auto asked = found->find("questions"); asked != found->end()) {
+      for (const json& name : *asked) {
+        const auto question = protocol.questions.find(name.get<std::string>());
+        if (question != protocol.questions.end()) {
+          protocol.participant_questions.push_back(question->second);
+        }
+      }
+    }
+  }
+  read_observer(root, protocol);
+  return protocol;
+}
+
+}  // namespace asperity

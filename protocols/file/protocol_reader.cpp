@@ -1,0 +1,57 @@
+// A protocol, or what is wrong with it.
+
+#include "protocols/file/protocol_reader.h"
+
+#include <string>
+#include <utility>
+
+#include "protocols/file/json_document.h"
+#include "protocols/file/protocol_problems.h"
+
+namespace asperity {
+
+Protocol read_protocol(std::string_view text, const std::string& file_name,
+                       const std::vector<ModelDeclaration>& models) {
+  ProtocolReading reading = read_protocol_with_problems(text, file_name, models);
+  if (!reading.problems.empty()) throw ProtocolError(std::move(reading.problems));
+  return std::move(*reading.protocol);
+}
+
+Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
+                         const std::string& body) {
+  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", body), "");
+}
+
+Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_name,
+                             const std::string& stimulus_template) {
+  return JsonDocument(protocol.source, file_name)
+      .at_key(pointer_to("/stimuli", stimulus_template), "");
+}
+
+std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
+  const JsonDocument document(protocol.source, file_name);
+  std::vector<NamedFile> files{};
+  for (const auto& [name, texture] : protocol.textures) {
+    const std::string place = pointer_to("/textures", name);
+    const auto add = [&](const std::optional<std::string>& path, const char* key,
+                         NamedFile::Kind kind) {
+      if (!path) return;
+      files.push_back({*path, document.at(pointer_to(place, key), ""), kind});
+    };
+    add(texture.height_field, "height_field", NamedFile::Kind::height_field);
+    add(texture.picture, "picture", NamedFile::Kind::picture);
+    add(texture.true_height_field, "true_height_field", NamedFile::Kind::height_field);
+  }
+  for (const auto& [name, body] : protocol.bodies) {
+    if (!body.mesh) continue;
+    files.push_back({*body.mesh, document.at(pointer_to("/bodies", name) + "/mesh", ""),
+                     NamedFile::Kind::textured_mesh});
+  }
+  for (const auto& [cue, path] : protocol.speech) {
+    files.push_back(
+        {path, document.at(pointer_to("/environment/speech", cue), ""), NamedFile::Kind::speech});
+  }
+  return files;
+}
+
+}  // namespace asperity

@@ -1,0 +1,52 @@
+// Whether what participants are to see and hear can be seen and heard.
+
+#include <algorithm>
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+void Meaning::check_senses() {
+  const Protocol::Noise& noise = protocol_.masking_noise;
+  const std::string at_noise = "/environment/masking_noise";
+  const bool is_none = noise.kind == Protocol::Noise::Kind::none;
+  if (is_none && noise.level_dBA)
+    report_key(at_noise + "/level_dBA", "the noise \"none\" has no level; remove this key");
+  if (!is_none && !noise.level_dBA) {
+    report(at_noise, "masking noise has to state its \"level_dBA\"");
+  }
+  const std::vector<std::string> cues = speech_cues();
+  for (const auto& [cue, path] : protocol_.speech) {
+    const std::string pointer = pointer_to("/environment/speech", cue);
+    check_path(path, pointer);
+    if (std::find(cues.begin(), cues.end(), cue) == cues.end()) {
+      report_key(pointer, "there is no cue " + in_quotes(cue) + did_you_mean(cue, cues) +
+                              "; cues are \"surface_1\", \"option_1\" and so on up to 26, "
+                              "\"next\", \"question\", \"accepted\", \"refused\", \"right\", "
+                              "\"wrong\", \"rest\", \"paused\", \"mask_on\", \"mask_off\" and "
+                              "\"finished\"");
+    }
+  }
+  if (protocol_.vision == Vision::blindfold) check_blindfold();
+}
+
+/// Nothing that has to be seen while the mask is on.
+void Meaning::check_blindfold() {
+  if (protocol_.scene) {
+    report_key("/environment/scene",
+               "a blindfolded participant sees no scene; remove it, or choose another \"vision\"");
+  }
+  if (protocol_.realism_standard == RealismStandard::photograph) {
+    report("/realism_standard",
+           "a blindfolded participant sees no photograph while feeling; measure against "
+           "\"physical_sample\" or \"memory\", or choose another \"vision\"");
+  }
+  for (const auto& [name, block] : protocol_.blocks) {
+    if (block.question.pictures.empty() || block.question.pictures_after_feeling) continue;
+    report(pointer_to("/blocks", name) + "/question/pictures",
+           "a blindfolded participant sees no pictures while feeling; set pictures_after_feeling "
+           "to true (the mask comes off for the question), or choose another \"vision\"");
+  }
+}
+
+}  // namespace asperity

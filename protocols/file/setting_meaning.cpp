@@ -1,0 +1,333 @@
+// Whether head, textures, factors, explorations and questions make sense.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "protocols/file/device_limit.h"
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+void Meaning::check_head() {
+  const bool is_selection = protocol_.kind == ProtocolKind::selection;
+  if (is_selection && !protocol_.realism_standard) {
+    report("/kind",
+           "a selection has to state what \"realistic\" is measured against: add the key "
+           "\"realism_standard\" with \"photograph\", \"physical_sample\" or \"memory\"");
+  }
+  if (!is_selection && protocol_.realism_standard) {
+    report_key("/realism_standard",
+               "only in a selection is realism measured against a standard; remove this key");
+  }
+  const bool is_magnitude = protocol_.kind == ProtocolKind::magnitude;
+  if (is_magnitude && !protocol_.estimation) {
+    report("/kind",
+           "a magnitude has to state what estimates are analysed by: add the key \"estimation\" "
+           "with the factor that is the \"spacing\"");
+  }
+  if (!is_magnitude && protocol_.estimation) {
+    report_key("/estimation", "only a magnitude has estimates to be analysed; remove this key");
+  }
+  const auto& patch = protocol_.patch;
+  if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
+    report("/surface/edge_width_m",
+           "two edges of " + digits(patch.edge_width_m) + " m leave no surface of a patch of " +
+               digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
+  }
+}
+
+void Meaning::check_device_limits() {
+  const auto rate_Hz = protocol_.device_limits.find("rate_Hz");
+  if (rate_Hz == protocol_.device_limits.end()) return;
+  if (const auto complaint = complaint_about_rate_limit(rate_Hz->second, protocol_.rate_Hz)) {
+    report("/device/limits/rate_Hz", *complaint);
+  }
+}
+
+void Meaning::check_path(const std::optional<std::string>& path, const std::string& pointer) {
+  if (!path) return;
+  const std::string& text = *path;
+  const auto refuse = [&](const std::string& why) {
+    report(pointer, in_quotes(text) + " " + why +
+                        "; name a file inside the study, such as \"stimuli/metal.png\"");
+  };
+  if (text.starts_with('/') || text.starts_with('~') || (text.size() > 1 && text[1] == ':')) {
+    return refuse("is not a path relative to the study");
+  }
+  for (const char c : text) {
+    if (c == '\\' || static_cast<unsigned char>(c) < 0x20) {
+      return refuse("contains a backslash or a control character");
+    }
+  }
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t end = std::min(text.find('/', from), text.size());
+    const std::string_view part = std::string_view(text).substr(from, end - from);
+    if (part == "..") return refuse("leaves the study");
+    if (part.empty() || part == ".") return refuse("has an empty part");
+    from = end + 1;
+  }
+}
+
+void Meaning::check_textures() {
+  std::map<std::string, std::string> codes{};
+  for (const auto& [name, texture] : protocol_.textures) {
+    const std::string pointer = pointer_to("/textures", name);
+    check_path(texture.height_field, pointer + "/height_field");
+    check_path(texture.picture, pointer + "/picture");
+    check_path(texture.true_height_field, pointer + "/true_height_field");
+    if (!texture.height_field && !texture.picture) {
+      report(pointer,
+             "this texture can be neither felt nor seen: give it a \"height_field\", a "
+             "\"picture\" or both");
+    }
+    if (texture.code.empty()) continue;
+    const auto [other, is_new] = codes.emplace(texture.code, name);
+    if (!is_new) {
+      report(pointer + "/code", "the code " + in_quotes(texture.code) + " is also that of " +
+                                    in_quotes(other->second) + "; give each texture its own code");
+    }
+  }
+}
+
+namespace {
+
+/// What is wrong with the form of a HED string; empty where nothing is.
+std::string hed_problem(const std::string& tags) {
+  int depth = 0;
+  bool wants_tag = true;  // before the first one, after a comma and after an opening parenthesis
+  for (const char letter : tags) {
+    if (letter == ' ') continue;
+    if (std::string_view("[]{}~\"\n\t").find(letter) != std::string_view::npos) {
+      return std::string("a HED tag cannot contain ") +
+             (letter < ' ' ? "line breaks" : in_quotes(std::string(1, letter)));
+    }
+    if (letter == ',' || letter == ')') {
+      if (wants_tag) return "a HED tag is missing before " + in_quotes(std::string(1, letter));
+      if (letter == ')' && --depth < 0) return "a parenthesis is closed that was not opened";
+      wants_tag = letter == ',';
+    } else {
+      wants_tag = letter == '(';
+      if (wants_tag) ++depth;
+    }
+  }
+  if (depth > 0) return "a parenthesis is not closed";
+  return wants_tag ? "a HED tag is missing at the end" : "";
+}
+
+/// A number may be written in any digits.
+bool is_name_of(const Level& level, const std::string& name) {
+  const double* const number = std::get_if<double>(&level);
+  if (number == nullptr) return std::get<std::string>(level) == name;
+  double named = 0.0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data(), end, named);
+  return error == std::errc() && rest == end && named == *number;
+}
+
+}  // namespace
+
+void Meaning::check_factors() {
+  for (const auto& [name, factor] : protocol_.factors) {
+    const std::string pointer = pointer_to("/factors", name) + "/levels";
+    for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+      const Level& level = factor.levels[i];
+      if (level.index() != factor.levels.front().index()) {
+        report(pointer_to(pointer, i), "the levels of a factor must be all numbers or all names");
+      } else if (std::find(factor.levels.begin(),
+                           factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
+                           level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
+        report(pointer_to(pointer, i),
+               in_quotes(text_of(level)) + " is listed twice; list it once");
+      } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
+        report(pointer_to(pointer, i), "a level cannot be empty");
+      }
+    }
+    check_hed(factor);
+  }
+}
+
+/// Whether tags exist is for a validator of HED, whose vocabulary has thousands of them.
+void Meaning::check_hed(const Factor& factor) {
+  const auto& declared = document_.root().at("factors").at(factor.name);
+  const auto hed = declared.find("hed");
+  if (hed == declared.end()) return;
+  std::vector<std::string> names{};
+  for (const Level& level : factor.levels) names.push_back(text_of(level));
+  for (const auto& [name, tags] : hed->items()) {
+    const std::string pointer = pointer_to(pointer_to("/factors", factor.name) + "/hed", name);
+    const bool is_level =
+        std::any_of(factor.levels.begin(), factor.levels.end(),
+                    [&name = name](const Level& level) { return is_name_of(level, name); });
+    if (!is_level) {
+      report_key(pointer, in_quotes(name) + " is not a level of the factor " +
+                              in_quotes(factor.name) + "; its levels are " + one_of(names) +
+                              did_you_mean(name, names));
+    }
+    const std::string problem = hed_problem(tags.get<std::string>());
+    if (problem.empty()) continue;
+    report(pointer, problem +
+                        "; HED tags are separated by commas and grouped by parentheses, as "
+                        "\"Sensory-event, (Rough, Large)\"");
+  }
+}
+
+void Meaning::check_band(const Band& band, const std::string& pointer) {
+  const auto ordered = [](const std::optional<double>& a, const std::optional<double>& b) {
+    return !a || !b || *a <= *b;
+  };
+  if (!ordered(band.minimum, band.target) || !ordered(band.target, band.maximum) ||
+      !ordered(band.minimum, band.maximum)) {
+    report(pointer, "a band has to be ascending: minimum ≤ target ≤ maximum");
+  }
+}
+
+/// Whether there is something to show, and somebody to see it.
+void Meaning::check_guidance(const Exploration& exploration, const std::string& pointer) {
+  using Guidance = Exploration::Guidance;
+  if (exploration.guidance == Guidance::experimenter) return;
+  const std::string place = pointer + "/guidance";
+  if (protocol_.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
+    report(place,
+           "a blindfolded participant sees neither bars nor a target; choose \"tones\" or "
+           "\"experimenter\", or another \"vision\"");
+  }
+  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+  if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
+      !bounded(exploration.speed_m_per_s)) {
+    report(place,
+           "there is no band to indicate: give normal_force_N or speed_m_per_s a minimum or a "
+           "maximum");
+  }
+  if (exploration.guidance == Guidance::moving_target) {
+    const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
+    if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
+      report(place,
+             "a moving target needs a speed and a length: give speed_m_per_s and stroke_length_m a "
+             "target above 0");
+    }
+  }
+}
+
+void Meaning::check_explorations() {
+  for (const auto& [name, exploration] : protocol_.explorations) {
+    const std::string pointer = pointer_to("/explorations", name);
+    check_band(exploration.stroke_length_m, pointer + "/stroke_length_m");
+    check_band(exploration.speed_m_per_s, pointer + "/speed_m_per_s");
+    check_band(exploration.normal_force_N, pointer + "/normal_force_N");
+    check_band(exploration.strokes, pointer + "/strokes");
+    check_guidance(exploration, pointer);
+    const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
+      if (!force_N || *force_N <= protocol_.force_limit_N) return;
+      report(pointer + "/normal_force_N/" + key,
+             "the band reaches " + digits(*force_N) + " N, but the device stops at its limit of " +
+                 digits(protocol_.force_limit_N) +
+                 " N (/device/force_limit_N); lower the force or raise the limit");
+    };
+    too_strong(exploration.normal_force_N.minimum, "minimum");
+    too_strong(exploration.normal_force_N.target, "target");
+    too_strong(exploration.normal_force_N.maximum, "maximum");
+    const auto& patch = protocol_.patch;
+    const double along_x = std::abs(std::cos(exploration.direction_rad));
+    const double along_y = std::abs(std::sin(exploration.direction_rad));
+    const auto too_long = [&](const std::optional<double>& length_m, const char* key) {
+      constexpr double kRounding_m = 1e-9;
+      if (!length_m || (*length_m * along_x <= patch.extent_m.x + kRounding_m &&
+                        *length_m * along_y <= patch.extent_m.y + kRounding_m)) {
+        return;
+      }
+      report(pointer + "/stroke_length_m/" + key,
+             "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
+                 digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
+    };
+    too_long(exploration.stroke_length_m.minimum, "minimum");
+    too_long(exploration.stroke_length_m.target, "target");
+    if (exploration.minimum_contact_s > exploration.maximum_contact_s) {
+      report(pointer + "/minimum_contact_s",
+             "at least " + digits(exploration.minimum_contact_s) +
+                 " s of contact are requested, but the surface is removed after " +
+                 digits(exploration.maximum_contact_s) + " s");
+    }
+    const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+    if (exploration.required_fraction_in_band > 0.0 && !bounded(exploration.normal_force_N) &&
+        !bounded(exploration.speed_m_per_s)) {
+      report(pointer + "/required_fraction_in_band",
+             "there is no band to which the fraction could refer: give normal_force_N or "
+             "speed_m_per_s a minimum or a maximum");
+    }
+    const bool repeats = exploration.on_failure != Exploration::OnFailure::flag;
+    if (repeats && exploration.maximum_repeats < 1) {
+      report(pointer + "/on_failure",
+             "trials are to be repeated, but at most 0 times: set maximum_repeats to 1 or more");
+    }
+    if (!repeats && exploration.maximum_repeats > 0) {
+      report(pointer + "/maximum_repeats",
+             "nothing is repeated while on_failure is \"flag\"; choose \"repeat_now\" or "
+             "\"requeue_at_end_of_block\"");
+    }
+  }
+}
+
+void Meaning::check_questions() {
+  const auto& root = document_.root();
+  for (const auto& [name, question] : protocol_.questions) {
+    const std::string pointer = pointer_to("/questions", name);
+    const auto& object = root.at("questions").at(name);
+    switch (question.form) {
+      case Question::Form::choice:
+        if (question.options.empty()) report(pointer, "a choice has to list its \"options\"");
+        break;
+      case Question::Form::number:
+      case Question::Form::text:
+        if (object.contains("options")) {
+          report_key(pointer + "/options",
+                     "only a question of the form \"choice\" has options; remove this key");
+        }
+        break;
+    }
+    if (question.form != Question::Form::number) {
+      for (const char* const key : {"minimum", "maximum"}) {
+        if (object.contains(key)) {
+          report_key(pointer + "/" + key,
+                     "only a question of the form \"number\" has limits; remove this key");
+        }
+      }
+    } else if (question.minimum && question.maximum && *question.minimum > *question.maximum) {
+      report(pointer + "/minimum", "no number is at least " + digits(*question.minimum) +
+                                       " and at most " + digits(*question.maximum));
+    }
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+      const auto here = question.options.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::find(question.options.begin(), here, *here) != here) {
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*here) + " is listed twice; list it once");
+      }
+      const auto& texts = question.option_texts;
+      if (texts.empty()) continue;
+      const auto text = texts.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::find(texts.begin(), text, *text) != text) {
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*text) + " is shown for two options; give each its own text");
+      }
+      const auto value = std::find(question.options.begin(), question.options.end(), *text);
+      if (value != question.options.end() && *value != *here) {
+        report(pointer_to(pointer + "/options", i),
+               in_quotes(*text) + " is shown for " + in_quotes(*here) +
+                   " and stored for another option: give them different words");
+      }
+    }
+  }
+  if (!root.contains("participants") || !root.at("participants").contains("questions")) return;
+  const auto& asked = root.at("participants").at("questions");
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto name = asked[i].get<std::string>();
+    if (!protocol_.questions.contains(name)) {
+      report(pointer_to("/participants/questions", i),
+             unknown("question", name, protocol_.questions));
+    }
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,179 @@
+// Whether stimuli can be made: models, parameters, textures, equal force.
+
+#include <algorithm>
+
+#include "protocols/file/meaning_checks.h"
+
+namespace asperity {
+
+std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
+    const Binding<std::string>& binding, const std::string& pointer) {
+  if (binding.value) return {{*binding.value, pointer}};
+  const auto factor = protocol_.factors.find(binding.factor);
+  if (factor == protocol_.factors.end()) {
+    if (!binding.factor.empty()) {
+      report(pointer + "/factor", unknown("factor", binding.factor, protocol_.factors));
+    }
+    return {};
+  }
+  std::vector<std::pair<std::string, std::string>> texts{};
+  for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
+    const std::string place = pointer_to(pointer_to("/factors", binding.factor) + "/levels", i);
+    if (const auto* const text = std::get_if<std::string>(&factor->second.levels[i])) {
+      texts.emplace_back(*text, place);
+    } else {
+      report(place, text_of(factor->second.levels[i]) +
+                        " is a number, but the factor stands for a name at " + pointer);
+    }
+  }
+  return texts;
+}
+
+void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer) {
+  std::vector<const ModelDeclaration*> models{};
+  bool needs_height_field = false;
+  for (const auto& [id, place] : texts_of(stimulus.model, pointer + "/model")) {
+    const auto model = models_.find(id);
+    if (model == models_.end()) {
+      report(place, unknown("force model", id, models_));
+      continue;
+    }
+    models.push_back(model->second);
+    needs_height_field = needs_height_field || model->second->needs_height_field;
+  }
+  check_bodies_of(stimulus, models, pointer);
+  const bool all_need_bodies = !models.empty() && std::all_of(models.begin(), models.end(),
+                                                              [](const ModelDeclaration* each) {
+                                                                return each->needs_bodies;
+                                                              });
+  const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
+  if (needs_height_field && !has_texture) {
+    report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
+  }
+  for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
+    const auto texture = protocol_.textures.find(name);
+    if (texture == protocol_.textures.end()) {
+      report(place, unknown("texture", name, protocol_.textures));
+    } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
+      // The texture is the name and the picture of what a body brings along.
+      if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
+        report(place, "the height field of the texture " + in_quotes(name) +
+                          " is on neither body: the surface has its own relief");
+      }
+    } else if (!texture->second.height_field) {
+      report(place,
+             "the texture " + in_quotes(name) + " cannot be felt: it has no \"height_field\"");
+    }
+  }
+  for (const auto& [name, binding] : stimulus.parameters) {
+    const std::string place = pointer_to(pointer + "/parameters", name);
+    std::vector<std::pair<ParameterValue, std::string>> values{};
+    if (binding.value) {
+      values.emplace_back(*binding.value, place);
+    } else if (const auto factor = protocol_.factors.find(binding.factor);
+               factor != protocol_.factors.end()) {
+      for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
+        values.emplace_back(factor->second.levels[i],
+                            pointer_to(pointer_to("/factors", binding.factor) + "/levels", i));
+      }
+    } else {
+      report(place + "/factor", unknown("factor", binding.factor, protocol_.factors));
+    }
+    for (const ModelDeclaration* const model : models) {
+      const auto declared =
+          std::find_if(model->parameters.begin(), model->parameters.end(),
+                       [&name = name](const Parameter& each) { return each.name == name; });
+      if (declared == model->parameters.end()) {
+        std::map<std::string, int> names{};
+        for (const Parameter& each : model->parameters) names[each.name] = 0;
+        report_key(place, "the model " + in_quotes(model->id) +
+                              " has no such parameter: " + unknown("parameter", name, names));
+        continue;
+      }
+      for (const auto& [value, at] : values) {
+        if (const auto complaint = complaint_about(*declared, value)) report(at, *complaint);
+      }
+    }
+  }
+  // What a factor stands for is looked at in the trials in which it does.
+  ParameterValues constants{};
+  for (const auto& [name, binding] : stimulus.parameters) {
+    if (binding.value) constants.emplace(name, *binding.value);
+  }
+  if (constants.size() == stimulus.parameters.size()) {
+    for (const ModelDeclaration* const model : models) check_together(*model, constants, pointer);
+  }
+  if (stimulus.equal_force) check_equal_force(stimulus, pointer);
+}
+
+void Meaning::check_together(const ModelDeclaration& model, const ParameterValues& given,
+                             const std::string& pointer) {
+  if (!model.conflict_among) return;
+  ParameterValues complete{};
+  for (const Parameter& declared : model.parameters) {
+    const auto found = given.find(declared.name);
+    const ParameterValue& value = found == given.end() ? declared.default_value : found->second;
+    if (complaint_about(declared, value)) return;  // said at its own place
+    complete.emplace(declared.name, value);
+  }
+  const std::optional<ParameterConflict> conflict = model.conflict_among(complete);
+  if (!conflict) return;
+  const auto changeable =
+      std::find_if(conflict->parameters.begin(), conflict->parameters.end(),
+                   [&given](const std::string& name) { return given.contains(name); });
+  report(changeable == conflict->parameters.end()
+             ? pointer
+             : pointer_to(pointer + "/parameters", *changeable),
+         conflict->message);
+}
+
+void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer) {
+  const EqualForce& equal = *stimulus.equal_force;
+  const std::string place = pointer + "/equal_force";
+  if (equal.band_low_Hz >= equal.band_high_Hz) {
+    report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
+                      digits(equal.band_high_Hz) +
+                      " Hz is empty; its lower limit must be less than its upper limit");
+  }
+  if (equal.band_high_Hz > 0.5 * protocol_.rate_Hz) {
+    report(place, "the band ends at " + digits(equal.band_high_Hz) +
+                      " Hz, above half of the servo rate of " + digits(protocol_.rate_Hz) + " Hz");
+  }
+  if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
+    report(place + "/rms_N", digits(*equal.rms_N) + " N are above the force limit of " +
+                                 digits(protocol_.force_limit_N) +
+                                 " N (/device/force_limit_N); lower the force or raise the limit");
+  }
+  if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
+    report(place + "/to_model", unknown("force model", equal.to_model, models_));
+  } else if (!equal.to_model.empty() && models_.find(equal.to_model)->second->needs_bodies) {
+    report(place + "/to_model", "the model " + in_quotes(equal.to_model) +
+                                    " cannot be the reference of equal force: its texture force "
+                                    "depends on two bodies; state \"rms_N\" instead");
+  }
+  for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
+    const auto model = models_.find(id);
+    if (model == models_.end()) continue;
+    // The model that the others are made equal to is compared as it is by default: an amplitude of
+    // its own would make it the only one of another strength.
+    if (model->second->needs_bodies) {
+      report(at, "the texture force of the model " + in_quotes(id) +
+                     ", which depends on two bodies, cannot be made equal to another; leave "
+                     "\"equal_force\" out and state the strength as " +
+                     in_quotes(model->second->amplitude_parameter.value_or("parameters")));
+    } else if (!model->second->amplitude_parameter) {
+      if (id == equal.to_model) continue;
+      report(at, "the model " + in_quotes(id) +
+                     " has no amplitude by which its texture force could be made equal; remove "
+                     "\"equal_force\" or use another model");
+    } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
+      report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
+                 id == equal.to_model
+                     ? "the others are made equal to " + in_quotes(id) +
+                           " with this parameter at its default; leave it out"
+                     : "equal_force solves this parameter of " + in_quotes(id) + "; leave it out");
+    }
+  }
+}
+
+}  // namespace asperity

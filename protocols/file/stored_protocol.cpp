@@ -1,0 +1,285 @@
+#include "protocols/file/stored_protocol.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+#include "protocols/file/protocol_from_json.h"
+
+namespace asperity {
+
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& member_of(const Json& object, const std::string& key) {
+  static const Json kNone{};
+  if (!object.is_object()) return kNone;
+  const auto found = object.find(key);
+  return found == object.end() ? kNone : *found;
+}
+
+std::string text_in(const Json& object, const std::string& key) {
+  const Json& value = member_of(object, key);
+  return value.is_string() ? value.get<std::string>() : std::string{};
+}
+
+std::optional<double> number_at(const Json& object, const std::string& key) {
+  const Json& value = member_of(object, key);
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+/// The texts of a list; its other entries are left out.
+std::vector<std::string> texts_in(const Json& object, const std::string& key) {
+  std::vector<std::string> texts{};
+  const Json& list = member_of(object, key);
+  if (!list.is_array()) return texts;
+  for (const Json& one : list) {
+    if (one.is_string()) texts.push_back(one.get<std::string>());
+  }
+  return texts;
+}
+
+/// Levels as text; a number with itself.
+std::vector<std::pair<std::string, std::optional<double>>> levels_in(const Json& protocol,
+                                                                     const std::string& factor) {
+  std::vector<std::pair<std::string, std::optional<double>>> levels{};
+  const Json& list = member_of(member_of(member_of(protocol, "factors"), factor), "levels");
+  if (!list.is_array()) return levels;
+  for (const Json& level : list) {
+    if (level.is_number()) {
+      levels.emplace_back(number_text(level.get<double>()), level.get<double>());
+    } else if (level.is_string()) {
+      levels.emplace_back(level.get<std::string>(), std::nullopt);
+    }
+  }
+  return levels;
+}
+
+/// Calls `use(name, value)` for the members of an object that are objects themselves.
+template <class Use>
+void for_each_object(const Json& object, const Use& use) {
+  if (!object.is_object()) return;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_object()) use(name, value);
+  }
+}
+
+/// A stimulus as one surface of a block presents it: with the levels that are fixed for this surface.
+Json presented_stimulus(const Json& protocol, const Json& surface) {
+  Json stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
+  const Json& fixed = member_of(surface, "with");
+  Json flat = stimulus.is_object() ? stimulus.flatten() : Json::object();
+  for (auto& [place, value] : flat.items()) {
+    if (!place.ends_with("/factor") || !value.is_string()) continue;
+    const Json& level = member_of(fixed, value.get<std::string>());
+    if (!level.is_null()) value = level;
+  }
+  return flat;
+}
+
+/// "friction" of "/parameters/friction" and "/parameters/friction/factor"; nothing of what is not a parameter.
+std::optional<std::string> parameter_at(const std::string& place) {
+  for (const std::string_view of : {"/parameters/", "/equal_force/"}) {
+    if (!place.starts_with(of)) continue;
+    const std::string name = place.substr(of.size());
+    return name.substr(0, name.find('/'));
+  }
+  return std::nullopt;
+}
+
+/// The parameters in which the surfaces of a block differ; nothing where they differ in anything else.
+std::optional<std::set<std::string>> parameters_compared(const Json& protocol, const Json& block) {
+  const Json& surfaces = member_of(block, "presented");
+  std::map<std::string, std::set<Json>> values{};
+  std::map<std::string, std::size_t> present{};
+  if (!surfaces.is_array()) return std::nullopt;
+  for (const Json& surface : surfaces) {
+    const Json stimulus = presented_stimulus(protocol, surface);
+    for (const auto& [place, value] : stimulus.items()) {
+      values[place].insert(value);
+      ++present[place];
+    }
+  }
+  std::set<std::string> parameters{};
+  for (const auto& [place, different] : values) {
+    if (different.size() == 1 && present[place] == surfaces.size()) continue;
+    const std::optional<std::string> parameter = parameter_at(place);
+    if (!parameter) return std::nullopt;
+    parameters.insert(*parameter);
+  }
+  return parameters;
+}
+
+std::optional<std::string> parameter_compared_in(const Json& protocol) {
+  if (text_in(protocol, "kind") != "selection") return std::nullopt;
+  std::set<std::string> parameters{};
+  bool are_alone = true;
+  for_each_object(member_of(protocol, "blocks"), [&](const std::string&, const Json& block) {
+    const std::string phase = text_in(block, "phase");
+    if (!phase.empty() && phase != "main") return;
+    const auto own = parameters_compared(protocol, block);
+    if (own) parameters.insert(own->begin(), own->end());
+    are_alone = are_alone && own;
+  });
+  return are_alone && parameters.size() == 1 ? std::optional(*parameters.begin()) : std::nullopt;
+}
+
+/// Where a protocol has texts; "*" stands for every name and every place in a list.
+constexpr std::array kTextPlaces{
+    "/title",
+    "/language",
+    "/description",
+    "/instructions",
+    "/consent/statement",
+    "/textures/*/note",
+    "/factors/*/meaning",
+    "/questions/*/prompt",
+    "/questions/*/options/*/text",
+    "/blocks/*/question/prompt",
+    "/flow/*/screen",
+    "/flow/*/break/text",
+    "/flow/*/pause/text",
+    "/resume/screens",
+};
+
+/// Takes out what is at `place` below `value`.
+void remove_at(std::string_view place, Json& value) {
+  const std::size_t end = std::min(place.find('/', 1), place.size());
+  const std::string name(place.substr(1, end - 1));
+  const std::string_view rest = place.substr(end);
+  if (name == "*") {
+    if (!value.is_structured()) return;
+    for (Json& one : value) remove_at(rest, one);
+  } else if (value.is_object() && rest.empty()) {
+    value.erase(name);
+  } else if (value.is_object() && value.contains(name)) {
+    remove_at(rest, value.at(name));
+  }
+}
+
+/// An option that is shown as it is stored may be written as a text alone.
+void write_options_alike(Json& protocol) {
+  if (!member_of(protocol, "questions").is_object()) return;
+  for (Json& question : protocol.at("questions")) {
+    if (!member_of(question, "options").is_array()) continue;
+    for (Json& option : question.at("options")) {
+      if (option.is_object() && option.size() == 1 && option.contains("value")) {
+        option = Json(option.at("value"));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+AnalysisDeclaration analysis_declared_in(const Json& protocol) {
+  const Json& analysis = member_of(protocol, "analysis");
+  AnalysisDeclaration declared{.family = texts_in(analysis, "family")};
+  if (member_of(analysis, "target").is_string()) declared.target = text_in(analysis, "target");
+  const Json& margin = member_of(analysis, "equivalence_margin");
+  if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
+    declared.equivalence_margin = margin.get<double>();
+  }
+  return declared;
+}
+
+std::optional<EstimationDeclaration> estimation_declared_in(const Json& protocol) {
+  const Json& estimation = member_of(protocol, "estimation");
+  if (!estimation.is_object()) return {};
+  EstimationDeclaration declared{.spacing = text_in(estimation, "spacing"),
+                                 .condition = text_in(estimation, "condition")};
+  for (const auto& [level, number] : levels_in(protocol, declared.condition)) {
+    declared.conditions.push_back(level);
+  }
+  const Json& textures = member_of(protocol, "textures");
+  for (const auto& [level, number] : levels_in(protocol, declared.spacing)) {
+    const std::optional<double> spacing_m =
+        number ? number : number_at(member_of(textures, level), "spacing_m");
+    if (spacing_m) declared.spacing_m.emplace(level, *spacing_m);
+  }
+  return declared;
+}
+
+std::string without_texts(const std::string& source) {
+  Json protocol = Json::parse(source, nullptr, false);
+  if (protocol.is_discarded()) return source;
+  for (const std::string_view place : kTextPlaces) remove_at(place, protocol);
+  write_options_alike(protocol);
+  return protocol.dump();
+}
+
+std::string language_of(const std::string& source) {
+  const std::string stated = text_in(Json::parse(source, nullptr, false), "language");
+  return stated.empty() ? "en" : stated;
+}
+
+StoredProtocol stored_protocol(const std::string& source) {
+  const Json root = Json::parse(source, nullptr, false);
+  StoredProtocol read{.title = text_in(root, "title"),
+                      .analysis = analysis_declared_in(root),
+                      .estimation = estimation_declared_in(root),
+                      .compared_parameter = parameter_compared_in(root)};
+  for_each_object(member_of(root, "factors"), [&](const std::string& name, const Json& factor) {
+    StoredProtocol::Factor& declared = read.factors[name];
+    declared = {.meaning = text_in(factor, "meaning"), .unit = text_in(factor, "unit")};
+    const Json& hed = member_of(factor, "hed");
+    if (!hed.is_object()) return;
+    for (const auto& [level, tags] : hed.items()) {
+      if (tags.is_string()) declared.hed[level] = tags.get<std::string>();
+    }
+  });
+  for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
+    StoredProtocol::Question& question = read.questions[name];
+    question = {.prompt = text_in(asked, "prompt"),
+                .form = text_in(asked, "form"),
+                .minimum = number_at(asked, "minimum"),
+                .maximum = number_at(asked, "maximum")};
+    const Json& options = member_of(asked, "options");
+    if (!options.is_array()) return;
+    for (const Json& option : options) {
+      if (option.is_string()) {
+        question.options.push_back(option.get<std::string>());
+      } else if (const std::string value = text_in(option, "value"); !value.empty()) {
+        question.options.push_back(value);
+        question.option_texts[value] = text_in(option, "text");
+      }
+    }
+  });
+  for_each_object(member_of(root, "blocks"), [&](const std::string& name, const Json& block) {
+    const Json& asked = member_of(block, "question");
+    if (asked.is_object()) {
+      read.trial_questions[name] = {.name = text_in(asked, "name"),
+                                    .prompt = text_in(asked, "prompt")};
+    }
+    const std::vector<std::string> own = texts_in(asked, "pictures");
+    read.pictures.insert(read.pictures.end(), own.begin(), own.end());
+  });
+  for (const auto& [name, factor] : read.factors) {
+    for (auto& [level, number] : levels_in(root, name)) read.pictures.push_back(std::move(level));
+  }
+  return read;
+}
+
+std::size_t count_protocols(const std::vector<std::string>& sources) {
+  std::map<std::string, std::map<std::string, std::size_t>> files_by_language{};
+  for (const std::string& source : sources) {
+    ++files_by_language[without_texts(source)][language_of(source)];
+  }
+  std::size_t all = 0;
+  for (const auto& [content, languages] : files_by_language) {
+    all += std::max_element(
+               languages.begin(), languages.end(),
+               [](const auto& one, const auto& other) { return one.second < other.second; })
+               ->second;
+  }
+  return all;
+}
+
+}  // namespace asperity

@@ -1,0 +1,166 @@
+// Judging by distance between features.
+
+#include "protocols/observer/virtual_observer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "analysis/roughness.h"
+
+namespace asperity {
+
+namespace {
+
+double evidence(const ForceFeatures& felt, const ForceFeatures& expected) {
+  return -0.5 * squared_distance(felt, expected);
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+}  // namespace
+
+NumberHabit number_habit_of(Random person) {
+  constexpr double kSmallest = 10.0;
+  constexpr double kLargest = 1000.0;
+  NumberHabit habit{};
+  habit.modulus = kSmallest * std::pow(kLargest / kSmallest, person.uniform());
+  habit.digits = person.below(2) == 0 ? 1 : 2;
+  return habit;
+}
+
+VirtualObserver::VirtualObserver(const ObserverDeclaration& declaration, Random random)
+    : declaration_(declaration), random_(random) {
+  require(declaration.feature_noise >= 0.0, "feature_noise has to be at least 0");
+  require(declaration.lapse >= 0.0 && declaration.lapse <= 1.0, "lapse has to be between 0 and 1");
+}
+
+bool VirtualObserver::lapses() {
+  // Drawn even when deaf, so that what follows is the same with either setting.
+  const bool by_chance = random_.uniform() < declaration_.lapse;
+  return declaration_.deaf || by_chance;
+}
+
+ForceFeatures VirtualObserver::perceived(const ForceFeatures& felt) {
+  // The distance divides each band by the number of bands; noise of the same size in every scaled
+  // feature is therefore larger by the root of that number in an unscaled band.
+  const double of_band = std::sqrt(static_cast<double>(kFeatureBands));
+  ForceFeatures result = felt;
+  for (double& band : result.spectrum) {
+    band += of_band * declaration_.feature_noise * random_.normal();
+  }
+  result.size += declaration_.feature_noise * random_.normal();
+  result.roughness += declaration_.feature_noise * random_.normal();
+  return result;
+}
+
+std::size_t VirtualObserver::best_of(std::span<const double> evidences) {
+  const double best = *std::max_element(evidences.begin(), evidences.end());
+  const auto ties =
+      static_cast<std::uint64_t>(std::count(evidences.begin(), evidences.end(), best));
+  std::uint64_t skip = random_.below(ties);
+  for (std::size_t i = 0; i < evidences.size(); ++i) {
+    if (evidences[i] == best && skip-- == 0) return i;
+  }
+  return 0;  // not reached: one of the ties is drawn
+}
+
+std::size_t VirtualObserver::select(std::span<const ForceFeatures> felt,
+                                    const ForceFeatures& expected) {
+  require(!felt.empty(), "nothing was felt");
+  std::vector<double> evidences{};
+  for (const ForceFeatures& each : felt) evidences.push_back(evidence(perceived(each), expected));
+  evidences.front() += declaration_.position_bias;
+  return lapses() ? guess(felt.size()) : best_of(evidences);
+}
+
+std::size_t VirtualObserver::recognise(const ForceFeatures& felt,
+                                       std::span<const ForceFeatures> expected) {
+  require(!expected.empty(), "nothing is expected");
+  const ForceFeatures noisy = perceived(felt);
+  std::vector<double> evidences{};
+  for (const ForceFeatures& each : expected) evidences.push_back(evidence(noisy, each));
+  evidences.front() += declaration_.position_bias;
+  return lapses() ? guess(expected.size()) : best_of(evidences);
+}
+
+std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> felt,
+                                                std::span<const ForceFeatures> expected) {
+  constexpr std::size_t kMost = 8;  // 8! = 40 320 assignments are gone through one by one
+  require(!felt.empty() && felt.size() == expected.size() && felt.size() <= kMost,
+          "match needs as many felt surfaces as expectations, 1 to 8");
+  const std::size_t n = felt.size();
+  std::vector<ForceFeatures> noisy{};
+  for (const ForceFeatures& each : felt) noisy.push_back(perceived(each));
+  // Started in random order, so that the first of equally good assignments is any of them.
+  std::vector<std::size_t> options(n);
+  std::iota(options.begin(), options.end(), std::size_t{0});
+  random_.shuffle(std::span<std::size_t>(options));
+  if (lapses()) return options;
+  std::vector<std::size_t> places(n);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::vector<std::size_t> best = options;
+  double best_sum = -std::numeric_limits<double>::infinity();
+  do {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = options[places[i]];
+      sum += evidence(noisy[i], expected[j]);
+      if (i == 0 && j == 0) sum += declaration_.position_bias;
+    }
+    if (sum > best_sum) {
+      best_sum = sum;
+      for (std::size_t i = 0; i < n; ++i) best[i] = options[places[i]];
+    }
+  } while (std::next_permutation(places.begin(), places.end()));
+  return best;
+}
+
+double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
+  using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+  switch (declaration_.magnitude_of) {
+    case MagnitudeOf::lateral_force:
+      return perceived(felt).roughness;
+    case MagnitudeOf::normal_force:
+      return perceived(felt).size;
+    case MagnitudeOf::held_tool: {
+      const double threshold_m_per_s2 = kHeldTool.acceleration_m_per_s2() / std::numbers::sqrt2;
+      return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2)) +
+             declaration_.feature_noise * random_.normal();
+    }
+  }
+  throw std::logic_error("a magnitude is made from nothing");
+}
+
+double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
+  const double judged = log_magnitude(felt);
+  const double guessed = random_.normal();
+  const double logarithm = lapses() ? guessed : declaration_.exponent * judged;
+  const double exact = habit.modulus * std::exp(logarithm);
+  // Whole numbers only on both sides: 0.3 and not 0.30000000000000004.
+  const int shift = habit.digits - 1 - static_cast<int>(std::floor(std::log10(exact)));
+  const double scale = std::pow(10.0, std::abs(shift));
+  return shift >= 0 ? std::round(exact * scale) / scale : std::round(exact / scale) * scale;
+}
+
+std::size_t VirtualObserver::guess(std::size_t options) {
+  require(options > 0, "there is nothing to guess among");
+  return static_cast<std::size_t>(random_.below(options));
+}
+
+double VirtualObserver::response_time_s() {
+  // Half the sum of two squared normal numbers is exponential: a skewed time without a logarithm.
+  constexpr double kFastest_s = 0.6;
+  constexpr double kMeanExtra_s = 1.2;
+  const double a = random_.normal();
+  const double b = random_.normal();
+  return kFastest_s + kMeanExtra_s * 0.5 * (a * a + b * b);
+}
+
+}  // namespace asperity

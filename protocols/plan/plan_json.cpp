@@ -1,0 +1,207 @@
+// A planned trial as a line of JSON: what is stored before a session starts.
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/plan/plan.h"
+#include "protocols/plan/shown_options.h"
+
+namespace asperity {
+
+namespace {
+
+/// Grows as it is written, and is to the byte what nlohmann's `dump` gives: plans are compared with what
+/// older programs stored by it. The tree that `dump` needs would take ten times as long, and who checks a
+/// study makes a million plans again.
+class JsonLine final {
+ public:
+  void open(char bracket) {
+    separate();
+    line_ += bracket;
+  }
+  void close(char bracket) { line_ += bracket; }
+  void key(std::string_view name) {
+    add(name);
+    line_ += ':';
+  }
+
+  void add(std::string_view text) {
+    separate();
+    const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
+      return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+    });
+    if (is_plain) {
+      line_ += '"';
+      line_ += text;
+      line_ += '"';
+    } else {
+      line_ += nlohmann::json(text).dump();
+    }
+  }
+  void add(const std::string& text) { add(std::string_view(text)); }
+  void add(const char* text) { add(std::string_view(text)); }
+  void add(int number) {
+    separate();
+    line_ += std::to_string(number);
+  }
+  void add(double number) {
+    separate();
+    line_ += nlohmann::json(number).dump();
+  }
+  void add(const Level& level) {
+    std::visit([this](const auto& held) { add(held); }, level);
+  }
+  void add(std::nullopt_t) {
+    separate();
+    line_ += "null";
+  }
+  template <typename Value>
+  void add(const std::optional<Value>& value) {
+    if (value) {
+      add(*value);
+    } else {
+      add(std::nullopt);
+    }
+  }
+
+  template <typename Value>
+  void field(std::string_view name, const Value& value) {
+    key(name);
+    add(value);
+  }
+  /// An object of factors or parameters.
+  template <typename Levels>
+  void levels(const Levels& named) {
+    open('{');
+    for (const auto& [name, value] : named) field(name, value);
+    close('}');
+  }
+
+  std::string take() && { return std::move(line_); }
+
+ private:
+  /// Before whatever follows something else of the same object or array.
+  void separate() {
+    if (!line_.empty() && line_.back() != '{' && line_.back() != '[' && line_.back() != ':') {
+      line_ += ',';
+    }
+  }
+
+  std::string line_{};
+};
+
+const char* name_of(TrialQuestion::Form form) {
+  switch (form) {
+    case TrialQuestion::Form::choice:
+      break;
+    case TrialQuestion::Form::assignment:
+      return "assignment";
+    case TrialQuestion::Form::number:
+      return "number";
+  }
+  return "choice";
+}
+
+void add_body(JsonLine& line, std::string_view key, const BodyDescription& body) {
+  line.key(key);
+  line.open('{');
+  line.field("body", body.name);
+  line.field("mesh", body.mesh);
+  line.field("height_field", body.height_field);
+  line.close('}');
+}
+
+void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
+  const StimulusDescription& stimulus = planned.stimulus;
+  line.open('{');
+  line.field("position", planned.position);
+  line.field("role", planned.role);
+  line.field("item", planned.item);
+  line.field("code", planned.code);
+  line.field("stimulus", stimulus.name);
+  line.field("model", stimulus.model);
+  line.field("texture", stimulus.texture);
+  line.field("height_field", stimulus.height_field);
+  line.key("parameters");
+  line.levels(stimulus.parameters);
+  if (planned.equal_force) {
+    line.key("equal_force");
+    line.open('{');
+    line.field("rms_N", planned.equal_force->rms_N);
+    line.field("to_model", planned.equal_force->to_model);
+    line.field("band_low_Hz", planned.equal_force->band_low_Hz);
+    line.field("band_high_Hz", planned.equal_force->band_high_Hz);
+    line.close('}');
+  } else {
+    line.field("equal_force", std::nullopt);
+  }
+  // Only where there are bodies: other plans are compared with what older programs stored.
+  if (stimulus.surface) add_body(line, "surface", *stimulus.surface);
+  if (stimulus.tool) add_body(line, "tool", *stimulus.tool);
+  line.close('}');
+}
+
+void add_question(JsonLine& line, const TrialQuestion& question) {
+  line.open('{');
+  line.field("name", question.name);
+  line.field("form", name_of(question.form));
+  line.field("standard_picture", question.standard_picture);
+  line.key("options");
+  line.open('[');
+  for (const Option& option : question.options) {
+    line.open('{');
+    line.field("value", option.value);
+    line.field("label", option.label);
+    line.field("picture", option.picture);
+    line.close('}');
+  }
+  line.close(']');
+  line.key("correct");
+  line.open('[');
+  for (const std::string& answer : question.correct) line.add(answer);
+  line.close(']');
+  line.close('}');
+}
+
+}  // namespace
+
+std::string json_of(const Trial& trial) {
+  JsonLine line{};
+  line.open('{');
+  line.field("ordinal", trial.ordinal);
+  line.field("block", trial.block);
+  line.field("block_ordinal", trial.block_ordinal);
+  line.field("phase", text_of(trial.phase));
+  line.field("repetition", trial.repetition);
+  line.key("factors");
+  line.levels(trial.factors);
+  line.key("presentations");
+  line.open('[');
+  for (const PlannedPresentation& planned : trial.presentations) add_presentation(line, planned);
+  line.close(']');
+  line.key("question");
+  add_question(line, trial.question);
+  line.close('}');
+  return std::move(line).take();
+}
+
+std::string factors_json_of(const Trial& trial) {
+  JsonLine line{};
+  line.levels(trial.factors);
+  return std::move(line).take();
+}
+
+std::string options_json_of(const Trial& trial) {
+  JsonLine line{};
+  line.open('[');
+  for (const Option& option : trial.question.options) line.add(option.value);
+  line.close(']');
+  return std::move(line).take();
+}
+
+}  // namespace asperity

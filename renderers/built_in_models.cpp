@@ -1,0 +1,23 @@
+// The one list of the program's force models; a new model adds its include and its line.
+
+#include "renderers/built_in_models.h"
+
+#include "renderers/models/height_map.h"
+#include "renderers/models/lateral_gradient.h"
+#include "renderers/models/sinusoid.h"
+#include "renderers/models/stochastic.h"
+#include "renderers/pd_gradient/contact/pd_gradient.h"
+
+namespace asperity {
+
+ModelRegistry built_in_models() {
+  ModelRegistry registry;
+  registry.add(height_map_model());
+  registry.add(sinusoid_model());
+  registry.add(stochastic_model());
+  registry.add(lateral_gradient_model());
+  registry.add(pd_gradient_model());
+  return registry;
+}
+
+}  // namespace asperity

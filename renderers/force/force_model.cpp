@@ -1,0 +1,104 @@
+// The registry of force models.
+
+#include "renderers/force/force_model.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+bool is_an_id(std::string_view id) {
+  const auto is_lower = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !id.empty() && is_lower(id.front()) && std::all_of(id.begin(), id.end(), [&](char c) {
+    return is_lower(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+// The end of a sentence.
+std::string missing_bodies(const RendererInputs& inputs) {
+  if (inputs.tool) return "no surface is given";
+  if (inputs.surface) return "no tool is given";
+  return "neither is given";
+}
+
+}  // namespace
+
+std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
+                                             const RendererInputs& inputs) {
+  if (model.declaration.needs_height_field && !inputs.height_field) {
+    throw std::invalid_argument("the force model " + model.declaration.id +
+                                " needs a height field, and none is given");
+  }
+  if (model.declaration.needs_bodies && !(inputs.tool && inputs.surface)) {
+    throw std::invalid_argument("the force model " + model.declaration.id +
+                                " needs a tool and a surface, meshes with haptic textures, and " +
+                                missing_bodies(inputs));
+  }
+  RendererInputs complete = inputs;
+  complete.parameters = complete_values(model.declaration, inputs.parameters);
+  return model.make(complete);
+}
+
+std::string conservative_text(const ForceModel& model) {
+  if (!model.conservative_with) return "never";
+  if (model.conservative_with->empty()) return "always";
+  std::string text{};
+  for (const auto& [name, value] : *model.conservative_with) {
+    const double* const number = std::get_if<double>(&value);
+    text += (text.empty() ? "with " : ", ") + name + '=' +
+            (number == nullptr ? std::get<std::string>(value) : number_text(*number));
+  }
+  return text;
+}
+
+void ModelRegistry::add(ForceModel model) {
+  const std::string& id = model.declaration.id;
+  if (!is_an_id(id)) {
+    throw std::invalid_argument("ModelDeclaration::id \"" + id +
+                                "\" must be a lower-case letter followed by lower-case letters, "
+                                "digits and underscores");
+  }
+  if (find(id) != nullptr) {
+    throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken");
+  }
+  models_.push_back(std::move(model));
+}
+
+const ForceModel* ModelRegistry::find(std::string_view id) const& noexcept {
+  for (const ForceModel& model : models_) {
+    if (model.declaration.id == id) return &model;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<ForceRenderer> ModelRegistry::make(std::string_view id,
+                                                   const RendererInputs& inputs) const {
+  if (const ForceModel* model = find(id)) return make_renderer(*model, inputs);
+  std::string known;
+  for (const ForceModel& model : models_) {
+    known += (known.empty() ? "" : ", ") + model.declaration.id;
+  }
+  throw std::invalid_argument("there is no force model \"" + std::string(id) + "\"; there are " +
+                              known);
+}
+
+std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
+  std::vector<ModelDeclaration> declarations{};
+  for (const ForceModel& model : models.models()) declarations.push_back(model.declaration);
+  return declarations;
+}
+
+RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs) {
+  RendererInputs plate = inputs;
+  if (declaration.amplitude_parameter) plate.parameters[*declaration.amplitude_parameter] = 0.0;
+  plate.material.friction = 0.0;
+  return plate;
+}
+
+}  // namespace asperity

@@ -1,0 +1,110 @@
+// Placement, friction and borders of a patch.
+
+#include "renderers/force/surface_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+namespace {
+
+constexpr const char* kFrictionSpeed = "friction_speed_m_per_s";
+
+void refuse_unless(bool acceptable, const char* what, double value) {
+  if (acceptable && std::isfinite(value)) return;
+  throw std::invalid_argument(std::string(what) + ", and it is " + std::to_string(value));
+}
+
+double smoothstep(double u) noexcept {
+  u = std::clamp(u, 0.0, 1.0);
+  return u * u * (3.0 - 2.0 * u);
+}
+
+// How far a coordinate lies beyond ±half, with its sign; 0 inside.
+double excess(double coordinate, double half) noexcept {
+  return coordinate - std::clamp(coordinate, -half, half);
+}
+
+}  // namespace
+
+Parameter friction_speed_parameter() {
+  return {.name = kFrictionSpeed,
+          .kind = ParameterKind::number,
+          .unit = "m/s",
+          .minimum = 1e-4,
+          .maximum = 0.1,
+          .choices = {},
+          .default_value = 0.010,
+          .meaning =
+              "Speed v0 below which dry friction falls off towards rest: "
+              "mu N v / sqrt(v^2 + v0^2)"};
+}
+
+SurfaceContact::SurfaceContact(const SurfacePatch& patch, const Material& material,
+                               const ParameterValues& parameters)
+    : patch_(patch),
+      material_(material),
+      half_extent_m_(0.5 * patch.extent_m),
+      friction_speed_m_per_s_(number_of(parameters, kFrictionSpeed)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    refuse_unless(true, "SurfacePatch::centre_m must be finite", patch.centre_m[axis]);
+  }
+  const double smaller_m = std::min(patch.extent_m.x, patch.extent_m.y);
+  refuse_unless(smaller_m > 0.0, "SurfacePatch::extent_m must be positive", smaller_m);
+  refuse_unless(std::isfinite(patch.extent_m.x + patch.extent_m.y),
+                "SurfacePatch::extent_m must be finite", patch.extent_m.x + patch.extent_m.y);
+  refuse_unless(patch.motion_scale > 0.0, "SurfacePatch::motion_scale must be positive",
+                patch.motion_scale);
+  refuse_unless(patch.edge_width_m >= 0.0, "SurfacePatch::edge_width_m must not be negative",
+                patch.edge_width_m);
+  refuse_unless(patch.edge == PatchEdge::wall || patch.edge_width_m <= 0.5 * smaller_m,
+                "SurfacePatch::edge_width_m must be at most half the smaller extent",
+                patch.edge_width_m);
+  refuse_unless(material.stiffness_N_per_m > 0.0, "Material::stiffness_N_per_m must be positive",
+                material.stiffness_N_per_m);
+  refuse_unless(material.friction >= 0.0, "Material::friction must not be negative",
+                material.friction);
+}
+
+PatchPoint SurfaceContact::locate(const glm::dvec3& position_m) const noexcept {
+  const double x_m = position_m.x - patch_.centre_m.x;
+  const double y_m = position_m.y - patch_.centre_m.y;
+  PatchPoint point{.x_m = patch_.motion_scale * x_m,
+                   .y_m = patch_.motion_scale * y_m,
+                   .height_m = position_m.z - patch_.centre_m.z};
+  switch (patch_.edge) {
+    case PatchEdge::wall:
+      point.wall_N.x = -material_.stiffness_N_per_m * excess(x_m, half_extent_m_.x);
+      point.wall_N.y = -material_.stiffness_N_per_m * excess(y_m, half_extent_m_.y);
+      break;
+    case PatchEdge::fade: {
+      const double inside_x_m = half_extent_m_.x - std::abs(x_m);
+      const double inside_y_m = half_extent_m_.y - std::abs(y_m);
+      if (inside_x_m <= 0.0 || inside_y_m <= 0.0) {
+        point.gain = 0.0;
+      } else if (patch_.edge_width_m > 0.0) {
+        point.gain = smoothstep(inside_x_m / patch_.edge_width_m) *
+                     smoothstep(inside_y_m / patch_.edge_width_m);
+      }
+      break;
+    }
+  }
+  return point;
+}
+
+RenderedTick SurfaceContact::force(const PatchPoint& point, const ProbeState& probe,
+                                   const ContactForce& contact) const noexcept {
+  const double vx = probe.velocity_m_per_s.x;
+  const double vy = probe.velocity_m_per_s.y;
+  const double v0 = friction_speed_m_per_s_;
+  const double friction_N_s_per_m =
+      material_.friction * contact.normal_N / std::sqrt(vx * vx + vy * vy + v0 * v0);
+  glm::dvec3 force_N = contact.texture_N;
+  force_N.x += point.wall_N.x - friction_N_s_per_m * vx;
+  force_N.y += point.wall_N.y - friction_N_s_per_m * vy;
+  return {.wrench = {.force_N = point.gain * force_N}, .penetration_m = contact.penetration_m};
+}
+
+}  // namespace asperity

@@ -1,0 +1,74 @@
+// What all force models share: where the probe is on the patch, its friction and its border.
+
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "device/probe_state.h"
+#include "renderers/force/rendered_tick.h"
+#include "stimuli/properties/material.h"
+#include "stimuli/properties/parameter.h"
+#include "stimuli/properties/surface_patch.h"
+
+namespace asperity {
+
+/// Where the probe is with respect to a patch.
+struct PatchPoint {
+  double x_m = 0.0;  ///< on the texture: motion_scale · (device − centre)
+  double y_m = 0.0;
+  double height_m = 0.0;   ///< p_z − z_s, of the tip over the reference plane
+  double gain = 1.0;       ///< of a fading border; 0 outside the patch
+  glm::dvec2 wall_N{0.0};  ///< of a walled border, once the probe is below the surface
+};
+
+/// The part of a force that is a model's own.
+struct ContactForce {
+  glm::dvec3 texture_N{0.0};  ///< along and across the surface, everything but friction and walls
+  double normal_N = 0.0;      ///< the normal force that friction is taken from, not negative
+  double penetration_m = 0.0;
+};
+
+/// The patch of a stimulus as every force model sees it; models that are compared differ in nothing
+/// that is decided here.
+///
+///   friction   F_f = −μ·N·v_t / √(v_t² + v₀²)   v_t tangential velocity of the hand [m/s],
+///                                               N normal force [N], μ the Material's [1],
+///                                               v₀ `friction_speed_m_per_s` [m/s]
+///   wall       F_w = −k·e   e the distance beyond the border [m], k the Material's stiffness [N/m]
+///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
+///                                    s(u) = u²(3 − 2u) on [0, 1]
+///
+/// Friction is Coulomb's, rounded off below v₀: 99 % of μN at 7 v₀, and none at rest, so that nothing holds a hand on a
+/// slope. Near rest it is a damper of μN/v₀, on which a loop vibrates if it is too steep (offline/sampled_loop.h). Extent
+/// and border are measured on the device, whatever `motion_scale` is.
+///
+/// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion
+/// scale, stiffness or v₀ that is not positive, a friction that is negative, or a fading border
+/// that is wider than half the patch.
+///
+/// Real-time: `locate` and `force` do not allocate, lock or throw.
+class SurfaceContact final {
+ public:
+  SurfaceContact(const SurfacePatch& patch, const Material& material,
+                 const ParameterValues& parameters);
+
+  PatchPoint locate(const glm::dvec3& position_m) const noexcept;
+  /// The whole answer, from what the model found at `point`.
+  RenderedTick force(const PatchPoint& point, const ProbeState& probe,
+                     const ContactForce& contact) const noexcept;
+
+  const SurfacePatch& patch() const noexcept { return patch_; }
+  const Material& material() const noexcept { return material_; }
+
+ private:
+  SurfacePatch patch_{};
+  Material material_{};
+  glm::dvec2 half_extent_m_{0.0};
+  double friction_speed_m_per_s_ = 0.0;
+};
+
+/// Declares v₀ of the friction above, which every model has.
+Parameter friction_speed_parameter();
+
+}  // namespace asperity

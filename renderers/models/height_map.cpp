@@ -1,0 +1,162 @@
+// The two laws of the height map.
+
+#include "renderers/models/height_map.h"
+
+#include <algorithm>
+
+#include "renderers/force/surface_contact.h"
+
+namespace asperity {
+namespace {
+
+class CorrectedHeightMap final : public ForceRenderer {
+ public:
+  explicit CorrectedHeightMap(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        field_(inputs.height_field),
+        height_scale_(number_of(inputs.parameters, "height_scale")),
+        depth_limit_m_(number_of(inputs.parameters, "depth_limit_m")),
+        lateral_gain_(number_of(inputs.parameters, "lateral_gradient_gain")) {}
+
+  void reset(const ProbeState&) noexcept override {}
+
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const PatchPoint point = contact_.locate(probe.position_m);
+    if (point.gain == 0.0) return {};
+    const HeightSample d = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
+    const double penetration_m = height_scale_ * d.height_m - point.height_m;
+    if (!(penetration_m > 0.0)) return {};
+    const double normal_N =
+        contact_.material().stiffness_N_per_m * std::min(penetration_m, depth_limit_m_);
+    const double per_slope_N =
+        -lateral_gain_ * normal_N * height_scale_ * contact_.patch().motion_scale;
+    return contact_.force(
+        point, probe,
+        {.texture_N = {per_slope_N * d.slope_x, per_slope_N * d.slope_y, normal_N},
+         .normal_N = normal_N,
+         .penetration_m = penetration_m});
+  }
+
+ private:
+  SurfaceContact contact_;
+  std::shared_ptr<const HeightField> field_;
+  double height_scale_ = 1.0;
+  double depth_limit_m_ = 0.0;
+  double lateral_gain_ = 0.0;
+};
+
+class LiteralHeightMap final : public ForceRenderer {
+ public:
+  explicit LiteralHeightMap(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        field_(inputs.height_field),
+        texture_N_per_m_(inputs.material.stiffness_N_per_m *
+                         number_of(inputs.parameters, "height_scale")),
+        k1_N_per_m_(number_of(inputs.parameters, "k1_N_per_m")),
+        depth_limit_m_(number_of(inputs.parameters, "depth_limit_m")),
+        offset_m_(choice_of(inputs.parameters, "offset") == "subtract_min"
+                      ? inputs.height_field->minimum_m()
+                      : 0.0) {}
+
+  void reset(const ProbeState&) noexcept override {}
+
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const PatchPoint point = contact_.locate(probe.position_m);
+    const double penetration_m = -point.height_m;
+    if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
+    double force_N = k1_N_per_m_ * std::min(penetration_m, depth_limit_m_);
+    if (penetration_m <= depth_limit_m_) {
+      const HeightSample d = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
+      force_N += texture_N_per_m_ * (d.height_m - offset_m_);
+    }
+    // No normal force for friction to be taken from: the equations have none.
+    return contact_.force(point, probe,
+                          {.texture_N = {0.0, 0.0, force_N}, .penetration_m = penetration_m});
+  }
+
+ private:
+  SurfaceContact contact_;
+  std::shared_ptr<const HeightField> field_;
+  double texture_N_per_m_ = 0.0;
+  double k1_N_per_m_ = 0.0;
+  double depth_limit_m_ = 0.0;
+  double offset_m_ = 0.0;
+};
+
+}  // namespace
+
+ForceModel height_map_model() {
+  ModelDeclaration declaration{
+      .id = "height_map",
+      .version = "1",
+      .summary = "The height map of a photograph, felt through a spring",
+      .source =
+          "Wu, Song, Zou (2009), A novel haptic texture display based on image processing, "
+          "doi:10.5772/7051",
+      .needs_height_field = true,
+      .amplitude_parameter = "height_scale",
+      .replay_tolerance_N = 1e-9,
+      .parameters = {}};
+  declaration.parameters = {
+      {.name = "law",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"corrected", "literal"},
+       .default_value = std::string("corrected"),
+       .meaning = "corrected: the height enters the penetration; literal: equations 1 to 3 of the "
+                  "source as printed"},
+      {.name = "height_scale",
+       .kind = ParameterKind::number,
+       .unit = "1",
+       .minimum = 0.0,
+       .maximum = 100.0,
+       .choices = {},
+       .default_value = 1.0,
+       .meaning = "Factor applied to the heights of the field"},
+      {.name = "depth_limit_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 1e-5,
+       .maximum = 0.05,
+       .choices = {},
+       .default_value = 0.003,
+       .meaning = "Depth H beyond which the normal force is constant"},
+      {.name = "lateral_gradient_gain",
+       .kind = ParameterKind::number,
+       .unit = "1",
+       .minimum = 0.0,
+       .maximum = 10.0,
+       .choices = {},
+       .default_value = 0.0,
+       .meaning = "Force along the surface, -gain times normal force times slope; 1 makes the "
+                  "force conservative; corrected law only"},
+      {.name = "offset",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"none", "subtract_min"},
+       .default_value = std::string("none"),
+       .meaning = "Literal law only. none: equation 1, which pulls over valleys; subtract_min: "
+                  "heights measured from the lowest sample"},
+      {.name = "k1_N_per_m",
+       .kind = ParameterKind::number,
+       .unit = "N/m",
+       .minimum = 0.0,
+       .maximum = 5000.0,
+       .choices = {},
+       .default_value = 500.0,
+       .meaning = "Literal law only: k1 of equation 2, the stiffness of the plate"},
+      friction_speed_parameter()};
+  const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+    if (choice_of(inputs.parameters, "law") == "literal") {
+      return std::make_unique<LiteralHeightMap>(inputs);
+    }
+    return std::make_unique<CorrectedHeightMap>(inputs);
+  };
+  return {.declaration = std::move(declaration),
+          .make = make,
+          .suggested_by = {},
+          .conservative_with =
+              ParameterValues{{"law", std::string("corrected")}, {"lateral_gradient_gain", 1.0}}};
+}
+
+}  // namespace asperity

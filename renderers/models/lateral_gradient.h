@@ -1,0 +1,29 @@
+// Texture as force along the surface alone, proportional to its slope.
+
+#pragma once
+
+#include "renderers/force/force_model.h"
+
+namespace asperity {
+
+/// A flat plate whose texture only pushes sideways, down the slope.
+///
+///   w   = max(0, z_s − p_z)                penetration of the flat plate [m]
+///   F_n = k·w                              k the Material's stiffness [N/m]
+///   F_x = −K·∂h/∂x,  F_y = −K·∂h/∂y        in contact (w > 0), h the height field [m],
+///                                          K = `gain_N` [N], whatever the normal force
+///   F   = F_n·n + (F_x, F_y, 0) − μ·F_n·v_t/√(v_t² + v₀²)
+///
+/// A sinusoid h = A·sin(2πx/L) pushes with at most F_max = K·2πA/L. Slopes are taken over the
+/// device's motion, so `motion_scale` enters them.
+///
+/// In contact the force is −∇(½·k·w² + K·h) without friction, so a loop does no work. A hand that touches down on a height
+/// and lifts off over another is given or loses K times their difference.
+///
+/// Limits: the force along the surface appears at once with contact.
+///
+/// [Minsky 1995] Minsky: Computational haptics: the Sandpaper system for synthesizing texture for a
+/// force-feedback display.
+ForceModel lateral_gradient_model();
+
+}  // namespace asperity

@@ -1,0 +1,119 @@
+// The grating and its two directions of force.
+
+#include "renderers/models/sinusoid.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "analysis/spectrum.h"
+#include "renderers/force/surface_contact.h"
+
+namespace asperity {
+namespace {
+
+class Sinusoid final : public ForceRenderer {
+ public:
+  explicit Sinusoid(const RendererInputs& inputs)
+      : contact_(inputs.patch, inputs.material, inputs.parameters),
+        amplitude_m_(number_of(inputs.parameters, "amplitude_m")),
+        wave_number_rad_per_m_(2.0 * std::numbers::pi /
+                               number_of(inputs.parameters, "wavelength_m")),
+        along_x_(std::cos(number_of(inputs.parameters, "direction_rad"))),
+        along_y_(std::sin(number_of(inputs.parameters, "direction_rad"))),
+        local_normal_(choice_of(inputs.parameters, "force_direction") == "local_normal") {}
+
+  void reset(const ProbeState&) noexcept override {}
+
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const PatchPoint point = contact_.locate(probe.position_m);
+    if (point.gain == 0.0 || point.height_m >= 2.0 * amplitude_m_) return {};  // above the crests
+    const double phase_rad = wave_number_rad_per_m_ * (along_x_ * point.x_m + along_y_ * point.y_m);
+    const double penetration_m = amplitude_m_ * std::sin(phase_rad) + amplitude_m_ - point.height_m;
+    if (!(penetration_m > 0.0)) return {};
+    const double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
+    glm::dvec3 force_N{0.0, 0.0, normal_N};
+    if (local_normal_) {
+      const double slope = amplitude_m_ * wave_number_rad_per_m_ * std::cos(phase_rad) *
+                           contact_.patch().motion_scale;
+      force_N = normal_N / std::sqrt(1.0 + slope * slope) *
+                glm::dvec3{-slope * along_x_, -slope * along_y_, 1.0};
+    }
+    return contact_.force(
+        point, probe, {.texture_N = force_N, .normal_N = normal_N, .penetration_m = penetration_m});
+  }
+
+ private:
+  SurfaceContact contact_;
+  double amplitude_m_ = 0.0;
+  double wave_number_rad_per_m_ = 0.0;
+  double along_x_ = 1.0;
+  double along_y_ = 0.0;
+  bool local_normal_ = false;
+};
+
+}  // namespace
+
+ForceModel sinusoid_model() {
+  ModelDeclaration declaration{
+      .id = "sinusoid",
+      .version = "1",
+      .summary = "A sinusoidal grating, felt through a spring",
+      .source =
+          "Wu, Song, Zou (2009), equation 4; after Choi, Tan (2004), Perceived instability "
+          "of virtual haptic texture",
+      .needs_height_field = false,
+      .amplitude_parameter = "amplitude_m",
+      .replay_tolerance_N = 1e-9,
+      .parameters = {}};
+  declaration.parameters = {
+      {.name = "amplitude_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 0.0,
+       .maximum = 0.005,
+       .choices = {},
+       .default_value = 0.0001,
+       .meaning = "Amplitude A: half the height from trough to crest"},
+      {.name = "wavelength_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 1e-5,
+       .maximum = 0.1,
+       .choices = {},
+       .default_value = 0.002,
+       .meaning = "Wavelength L"},
+      {.name = "direction_rad",
+       .kind = ParameterKind::number,
+       .unit = "rad",
+       .minimum = -std::numbers::pi,
+       .maximum = std::numbers::pi,
+       .choices = {},
+       .default_value = 0.0,
+       .meaning = "Direction in which the height varies, from +x towards +y"},
+      {.name = "force_direction",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"fixed", "local_normal"},
+       .default_value = std::string("fixed"),
+       .meaning = "fixed: along the normal of the plane, as in the source; local_normal: along "
+                  "that of the grating"},
+      friction_speed_parameter()};
+  return {.declaration = std::move(declaration),
+          .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+            return std::make_unique<Sinusoid>(inputs);
+          },
+          .suggested_by =
+              [](const HeightField& field, const Material&) {
+                ParameterValues suggested{{"amplitude_m", std::numbers::sqrt2 * field.rms_m()}};
+                const std::optional<double> wavelength_m =
+                    dominant_wavelength_m({.heights_m = field.heights_m(),
+                                           .rows = field.grid().rows,
+                                           .columns = field.grid().columns,
+                                           .pitch_m = field.grid().pitch_m});
+                if (wavelength_m) suggested["wavelength_m"] = *wavelength_m;
+                return suggested;
+              }};
+}
+
+}  // namespace asperity

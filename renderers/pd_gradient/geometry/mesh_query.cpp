@@ -1,0 +1,239 @@
+#include "renderers/pd_gradient/geometry/mesh_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace asperity {
+namespace {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+constexpr std::size_t kLanes = kClusterSize;
+
+glm::dvec3 middle_of(const Corners& corners) {
+  return (corners[0] + corners[1] + corners[2]) / 3.0;
+}
+
+/// Splits `order` at the median of the longest axis until at most sixteen are left, all clusters
+/// but one full.
+void cluster(std::span<std::uint32_t> order, const std::vector<glm::dvec3>& middles) {
+  if (order.size() <= kLanes) return;
+  glm::dvec3 low = middles[order[0]];
+  glm::dvec3 high = low;
+  for (const std::uint32_t triangle : order) {
+    low = glm::min(low, middles[triangle]);
+    high = glm::max(high, middles[triangle]);
+  }
+  const glm::dvec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t clusters = (order.size() + kLanes - 1) / kLanes;
+  const std::size_t half = (clusters / 2) * kLanes;
+  // By index where places are equal: the same clusters with every standard library.
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
+                   [&](std::uint32_t first, std::uint32_t second) {
+                     return std::pair(middles[first][axis], first) <
+                            std::pair(middles[second][axis], second);
+                   });
+  cluster(order.first(half), middles);
+  cluster(order.subspan(half), middles);
+}
+
+/// The planes across the mean normal between which a cluster's triangles lie.
+void set_slab(TriangleCluster& cluster) {
+  const auto corner = [&cluster](std::size_t which, std::size_t lane) {
+    return glm::dvec3(cluster.corners[which][0][lane], cluster.corners[which][1][lane],
+                      cluster.corners[which][2][lane]);
+  };
+  glm::dvec3 normal(0.0);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if ((cluster.used >> lane & 1U) == 0) continue;
+    normal += glm::cross(corner(1, lane) - corner(0, lane), corner(2, lane) - corner(0, lane));
+  }
+  const double length = glm::length(normal);
+  normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {  // those that are not used repeat others
+    for (std::size_t which = 0; which < 3; ++which) {
+      low = std::min(low, glm::dot(normal, corner(which, lane)));
+      high = std::max(high, glm::dot(normal, corner(which, lane)));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) cluster.slab_normal[axis] = static_cast<float>(normal[axis]);
+  cluster.slab_low_m = static_cast<float>(low);
+  cluster.slab_high_m = static_cast<float>(high);
+}
+
+/// Whether the projections on `axis` leave a gap.
+bool separates(const glm::dvec3& axis, const Corners& a, const Corners& b) noexcept {
+  const auto range = [&axis](const Corners& corners) {
+    const double first = glm::dot(axis, corners[0]);
+    const double second = glm::dot(axis, corners[1]);
+    const double third = glm::dot(axis, corners[2]);
+    return std::pair(std::min({first, second, third}), std::max({first, second, third}));
+  };
+  const auto [a_low, a_high] = range(a);
+  const auto [b_low, b_high] = range(b);
+  return a_high < b_low || b_high < a_low;
+}
+
+const TriangleLoops& loops_for(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::sse2:
+      return kSse2TriangleLoops;
+    case InstructionSet::avx2:
+      return kAvx2TriangleLoops;
+    case InstructionSet::avx512:
+      return kAvx512TriangleLoops;
+  }
+  return kSse2TriangleLoops;
+}
+
+TriangleClusters clusters_of(const ClusteredMesh& mesh) {
+  return {.clusters = mesh.clusters().data(),
+          .count = mesh.clusters().size(),
+          .boxes = mesh.boxes().data()};
+}
+
+}  // namespace
+
+bool triangles_intersect(const Corners& a, const Corners& b) noexcept {
+  // From a corner of A: the products below do not lose what two near triangles differ by.
+  const Corners p{glm::dvec3(0.0), a[1] - a[0], a[2] - a[0]};
+  const Corners q{b[0] - a[0], b[1] - a[0], b[2] - a[0]};
+  const Corners p_edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
+  const Corners q_edges{q[1] - q[0], q[2] - q[1], q[0] - q[2]};
+  const glm::dvec3 p_normal = glm::cross(p_edges[0], p_edges[1]);
+  const glm::dvec3 q_normal = glm::cross(q_edges[0], q_edges[1]);
+  if (separates(p_normal, p, q) || separates(q_normal, p, q)) return false;
+  for (const glm::dvec3& edge : p_edges) {
+    for (const glm::dvec3& other : q_edges) {
+      if (separates(glm::cross(edge, other), p, q)) return false;
+    }
+    if (separates(glm::cross(p_normal, edge), p, q)) return false;
+  }
+  for (const glm::dvec3& edge : q_edges) {
+    if (separates(glm::cross(q_normal, edge), p, q)) return false;
+  }
+  return true;
+}
+
+ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no triangles");
+  std::vector<glm::dvec3> middles{};
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    Corners corners{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (triangle[corner] >= mesh.vertices_m.size()) {
+        throw std::invalid_argument("triangle " + std::to_string(corners_m_.size()) +
+                                    " of the mesh names vertex " +
+                                    std::to_string(triangle[corner]) + ", and there are only " +
+                                    std::to_string(mesh.vertices_m.size()));
+      }
+      corners[corner] = mesh.vertices_m[triangle[corner]];
+      low = glm::min(low, corners[corner]);
+      high = glm::max(high, corners[corner]);
+    }
+    corners_m_.push_back(corners);
+    middles.push_back(middle_of(corners));
+  }
+  centre_m_ = 0.5 * (low + high);
+  radius_m_ = 0.5 * glm::length(high - low);
+
+  std::vector<std::uint32_t> order(corners_m_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  cluster(order, middles);
+
+  constexpr float kFar = std::numeric_limits<float>::max();
+  clusters_.resize((order.size() + kLanes - 1) / kLanes);
+  boxes_.resize((clusters_.size() + kLanes - 1) / kLanes);
+  for (ClusterBoxes& boxes : boxes_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::fill(std::begin(boxes.low[axis]), std::end(boxes.low[axis]), kFar);
+      std::fill(std::begin(boxes.high[axis]), std::end(boxes.high[axis]), -kFar);
+    }
+  }
+  for (std::size_t place = 0; place < clusters_.size() * kLanes; ++place) {
+    TriangleCluster& cluster = clusters_[place / kLanes];
+    ClusterBoxes& boxes = boxes_[place / kLanes / kLanes];
+    const std::size_t box = place / kLanes % kLanes;
+    const std::size_t lane = place % kLanes;
+    const bool is_used = place < order.size();
+    const std::uint32_t triangle = order[std::min(place, order.size() - 1)];
+    cluster.triangles[lane] = triangle;
+    if (is_used) cluster.used |= 1U << lane;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int component = static_cast<int>(axis);
+      float lowest = kFar;
+      float highest = -kFar;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto place_m =
+            static_cast<float>(corners_m_[triangle][corner][component] - centre_m_[component]);
+        cluster.corners[corner][axis][lane] = place_m;
+        lowest = std::min(lowest, place_m);
+        highest = std::max(highest, place_m);
+      }
+      cluster.low[axis][lane] = is_used ? lowest : kFar;
+      cluster.high[axis][lane] = is_used ? highest : -kFar;
+      if (!is_used) continue;
+      boxes.low[axis][box] = std::min(boxes.low[axis][box], lowest);
+      boxes.high[axis][box] = std::max(boxes.high[axis][box], highest);
+    }
+  }
+  for (TriangleCluster& cluster : clusters_) set_slab(cluster);
+}
+
+MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
+                     std::size_t maximum_pairs)
+    : MeshQuery(std::move(a), std::move(b), maximum_pairs, instruction_sets_here().back()) {}
+
+MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
+                     std::size_t maximum_pairs, InstructionSet set)
+    : a_(std::move(a)), b_(std::move(b)), loops_(&loops_for(set)), pairs_(maximum_pairs) {}
+
+std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
+  ClusterPose pose{};
+  const glm::dvec3 shift_m =
+      a_in_b.rotation * a_->centre_m() + a_in_b.position_m - b_->centre_m();  // between the centres
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      pose.turn[static_cast<std::size_t>(3 * row + column)] =
+          static_cast<float>(a_in_b.rotation[column][row]);
+    }
+    pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
+  }
+  // Rounding of a place in single precision, with room for the products of the test.
+  pose.tolerance_m = 4e-6F * static_cast<float>(a_->radius_m() + b_->radius_m());
+
+  struct Found {
+    MeshQuery& query;
+    const Pose& a_in_b;
+  } found{*this, a_in_b};
+  count_ = 0;
+  const auto take = [](void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept {
+    Found& into = *static_cast<Found*>(to);
+    if (!is_sure) {
+      Corners corners = into.query.a_->corners_m(a);
+      for (glm::dvec3& corner : corners)
+        corner = into.a_in_b.rotation * corner + into.a_in_b.position_m;
+      if (!triangles_intersect(corners, into.query.b_->corners_m(b))) return;
+    }
+    if (into.query.count_ < into.query.pairs_.size()) into.query.pairs_[into.query.count_] = {a, b};
+    ++into.query.count_;
+  };
+  loops_->find_pairs(clusters_of(*a_), clusters_of(*b_), pose, take, &found);
+  return std::span(pairs_).first(std::min(count_, pairs_.size()));
+}
+
+}  // namespace asperity

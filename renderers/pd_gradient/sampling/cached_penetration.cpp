@@ -1,0 +1,513 @@
+// Keeping heights, finding where they are now, and sampling them anew a few rows at a time.
+
+#include "renderers/pd_gradient/sampling/cached_penetration.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderers/pd_gradient/sampling/found_gradient.h"
+#include "renderers/pd_gradient/sampling/sampled_triangles.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kSoftStrain = 0.5;
+constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane move aside by that
+constexpr double kMostAwayFromN = 0.06;
+constexpr double kLeastFall = 0.8;  // at that angle, of a surface that is 73° from n
+// Of its half height: how far its ends may have gone since. With 1 a ball through two thin sheets is off by 0.15 N of
+// 1.1; with 0.5 a small contact is sampled so often that a closed path of the smooth maximum does 8e-5 of the gross work
+// instead of 2e-5.
+constexpr double kMostOfBox = 0.75;
+constexpr double kMostOtherLeaning = 0.05;  // of the cosine from which faces sink, at most 0.5
+constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows hold what lies along a row
+constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
+constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
+constexpr double kLittle = 1e-9;
+constexpr int kTrianglesInACall = 12;
+
+Pose after(const Pose& second, const Pose& first) noexcept {
+  return {.rotation = second.rotation * first.rotation,
+          .position_m = second.rotation * first.position_m + second.position_m};
+}
+
+Pose inverse(const Pose& pose) noexcept {
+  const glm::dmat3 back = glm::transpose(pose.rotation);
+  return {.rotation = back, .position_m = -(back * pose.position_m)};
+}
+
+Pose pose_of(const ContactFrame& frame) noexcept {
+  return {.rotation = glm::dmat3(frame.u, frame.v, frame.n), .position_m = frame.origin_m};
+}
+
+int rounded_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+
+// Of A's heights: the places for the window whose first sample is at (column, row) of B's lattice, with
+// A turned about the window's middle by `turn_rad`. In cells.
+KeptPlaces places_of(const Pose& motion, const SamplingGrid& lattice, int samples,
+                     const glm::dvec2& first, double turn_rad) {
+  const double cosine = std::cos(turn_rad);
+  const double sine = std::sin(turn_rad);
+  const glm::dmat3& r = motion.rotation;  // r[column][row]
+  // q = R₂ₓ₂·p + shift, all from the lattice's middle
+  const glm::dmat2 ahead(r[0].x, r[0].y, r[1].x, r[1].y);
+  const double z_m = -motion.position_m.z;
+  const double per_m = 1.0 / lattice.spacing_m();
+  const glm::dvec2 shift = per_m * (glm::dvec2{motion.position_m} + z_m * glm::dvec2{r[2]});
+  const double middle = 0.5 * (lattice.samples - 1);
+  const glm::dvec2 centre = first + 0.5 * (samples - 1) - middle;
+  // Turned: q = T·(R₂ₓ₂·p + shift − centre) + centre
+  const glm::dmat2 turn(cosine, sine, -sine, cosine);
+  const glm::dmat2 back = glm::inverse(turn * ahead);
+  const glm::dvec2 start = back * (first - middle - centre - turn * (shift - centre)) + middle;
+  return {.x = static_cast<float>(start.x),
+          .y = static_cast<float>(start.y),
+          .x_per_column = static_cast<float>(back[0].x),
+          .x_per_row = static_cast<float>(back[1].x),
+          .y_per_column = static_cast<float>(back[0].y),
+          .y_per_row = static_cast<float>(back[1].y)};
+}
+
+// A's heights are against n: what stands at (x, y, −a) now stands a' against n.
+KeptLift lift_of(const Pose& motion, const SamplingGrid& lattice) {
+  const glm::dmat3& r = motion.rotation;
+  const double middle_m = 0.5 * (lattice.samples - 1) * lattice.spacing_m();
+  return {.per_m = static_cast<float>(r[2].z),
+          .per_x_m = static_cast<float>(-r[0].z * lattice.spacing_m()),
+          .per_y_m = static_cast<float>(-r[1].z * lattice.spacing_m()),
+          .shift_m = static_cast<float>((r[0].z + r[1].z) * middle_m - motion.position_m.z)};
+}
+
+// In another frame: δ falls by less than a metre per metre along an n that is not the kept one. As little
+// as kLeastFall, or not at all, only where it is steeper than any surface of which n is a direction.
+Penetration in_frame(const Penetration& found, const ContactFrame& kept,
+                     const ContactFrame& asked) {
+  const glm::dvec3 gradient = kept.to_world({found.slope, -1.0});
+  const glm::dvec3 lever_m =
+      kept.to_world(found.lever_m) + glm::cross(kept.origin_m - asked.origin_m, gradient);
+  const double per_fall = 1.0 / std::max(kLeastFall, -glm::dot(gradient, asked.n));
+  Penetration result = found;
+  result.depth_m = found.depth_m * per_fall;
+  result.slope = per_fall * glm::dvec2{asked.to_frame(gradient)};
+  result.lever_m = per_fall * asked.to_frame(lever_m);
+  result.deepest_m =
+      asked.to_frame(kept.origin_m + kept.to_world(found.deepest_m) - asked.origin_m);
+  return result;
+}
+
+}  // namespace
+
+CachedPenetration::CachedPenetration(const CachedSettings& settings)
+    : sampler_(settings.sampler),
+      law_(settings.sampler.law),
+      rows_in_a_call_(settings.rows_in_a_call),
+      pruning_(settings.pruning),
+      loops_(&loops_of(settings.sampler.instructions)) {
+  if (settings.most_places == 1) {
+    throw std::invalid_argument(
+        "CachedPenetration: most_places is 1; one serves while another one is sampled, so that at "
+        "least 2 are needed, or 0.");
+  }
+  if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kStepOfWindow != 0) {
+    throw std::invalid_argument(
+        "CachedPenetration: rows_in_a_call is " + std::to_string(rows_in_a_call_) +
+        "; it has to be a positive multiple of " + std::to_string(kStepOfWindow) + ".");
+  }
+  const SamplingGrid& grid = sampler_.grid();
+  step_cells_ = kSlopeApron;
+  if (const auto* hard = std::get_if<HardMaximum>(&law_)) {
+    step_cells_ = static_cast<int>(std::lround(hard->step_m / grid.spacing_m()));
+    steps_ = difference_steps(grid, hard->step_m);
+  }
+  margin_ = rounded_up(grid.samples / 4 + step_cells_ + 5, kStepOfWindow);
+  lattice_.samples = grid.samples + 2 * margin_;
+  lattice_.width_m = lattice_.samples * grid.spacing_m();
+  stride_ = stride_of_samples(lattice_.samples);
+  // What find_bounds reaches along a row, with room for lattices that are not parallel.
+  const double around = 1.05 * step_cells_;
+  const double reach = 1.02 * (0.5 * (kMostLanes - 1) + around) +
+                       kMostTurnOfLanes * (0.5 * (kBlockRows - 1) + around) + 1.2;
+  span_of_a_ = static_cast<int>(2.0 * reach) + 2;
+
+  const auto area = static_cast<std::size_t>(lattice_.samples * stride_ + kMostLanes);
+  const auto bounds = static_cast<std::size_t>(lattice_.samples / kBoundRows * stride_);
+  const std::size_t place_bytes = 2 * sizeof(float) * (area + bounds);
+  patch_width_m_ = settings.most_places > 0 ? lattice_.width_m
+                                            : grid.width_m + 2 * step_cells_ * grid.spacing_m();
+  if (settings.most_places > 0) {
+    places_.resize(
+        std::clamp(settings.most_bytes / place_bytes, std::size_t{2}, settings.most_places));
+  }
+  for (Place& place : places_) {
+    for (BodyHeights* heights : {&place.a, &place.b}) {
+      heights->height_m.assign(area, kNoSurface_m);
+      heights->most_m.assign(bounds, kNoSurface_m);
+    }
+  }
+  work_.triangles_a.reserve(settings.sampler.most_triangles);
+  work_.triangles_b.reserve(settings.sampler.most_triangles);
+  triangles_.resize(settings.sampler.most_triangles);
+  room_.assign(4 * static_cast<std::size_t>(kBandRows * stride_ + kMostLanes), 0.0F);  // a BandRoom
+  const auto blocks =
+      static_cast<std::size_t>(grid.samples / kMostLanes * (grid.samples / kBlockRows));
+  bound_m_.assign(blocks, 0.0F);
+  block_most_m_.assign(blocks * kMostLanes, 0.0F);
+}
+
+std::size_t CachedPenetration::bytes() const noexcept {
+  if (places_.empty()) return 0;
+  const BodyHeights& heights = places_.front().a;
+  return 2 * places_.size() * sizeof(float) * (heights.height_m.size() + heights.most_m.size());
+}
+
+void CachedPenetration::reset() noexcept {
+  for (Place& place : places_) {
+    place.is_whole = false;
+    place.last_used = 0;
+  }
+  work_.step = Step::idle;
+  calls_ = 0;
+  kept_answers_ = 0;
+  sampled_answers_ = 0;
+}
+
+// Nothing for a place of other bodies, or one that is too far from where the bodies are now.
+std::optional<CachedPenetration::Fit> CachedPenetration::fit(
+    const Place& place, const PackedPatch& a, const PackedPatch& b,
+    const ContactFrame& frame) const noexcept {
+  if (place.surface_a != &a.surface || place.surface_b != &b.surface) return std::nullopt;
+  Fit found{.lattice = after(b.pose, place.lattice_in_b)};
+  const Pose back = inverse(found.lattice);
+  found.motion = after(back, after(a.pose, place.lattice_in_a));
+  const glm::dvec3 origin_m = back.rotation * frame.origin_m + back.position_m;
+  const glm::dvec3 n = back.rotation * frame.n;
+  const int samples = grid().samples;
+  const double cell_m = lattice_.spacing_m();
+  const double most_aside =
+      margin_ - kStepOfWindow;  // cells; the window is at most half a tile off
+  const glm::dvec2 aside = glm::dvec2{origin_m} / cell_m;
+  const glm::dmat3& r = found.motion.rotation;
+
+  const double turn = std::max(std::abs(r[0].y), std::abs(r[1].x));
+  const double tilt = std::max(std::abs(r[0].z), std::abs(r[1].z));
+  bool fits = n.z > 0.0 && r[2].z > 0.0;
+  const auto strained = [&](double share) {
+    fits = fits && share < 1.0;  // nor where it is no number
+    found.strain = std::max(found.strain, share);
+  };
+  strained(std::abs(aside.x) / most_aside);
+  strained(std::abs(aside.y) / most_aside);
+  strained(std::abs(origin_m.z) / (0.5 * grid().width_m));
+  // What another box would hold or leave out is unknown.
+  const double half_m = a.half_height_m;
+  strained((std::abs(origin_m.z) + std::abs(half_m - place.half_height_m)) /
+           (kMostOfBox * std::min(half_m, place.half_height_m)));
+  strained(std::abs(a.leaning_cosine - place.leaning_a) / kMostOtherLeaning);
+  strained(std::abs(b.leaning_cosine - place.leaning_b) / kMostOtherLeaning);
+  strained(glm::length(glm::dvec2{n}) / kMostAwayFromN);
+  strained(tilt / kMostTilt);
+  strained(turn / (kMostTurnOfLanes - steps_.turn_rad));
+  if (!fits) return std::nullopt;
+  const auto first = [&](double from_middle) {
+    return margin_ + kStepOfWindow * static_cast<int>(std::lround(from_middle / kStepOfWindow));
+  };
+  found.column = first(aside.x);
+  found.row = first(aside.y);
+  // A's heights under the window's middle, and how far from there it reaches.
+  const KeptPlaces places =
+      places_of(found.motion, lattice_, samples, {found.column, found.row}, 0.0);
+  const double half = 0.5 * (samples - 1);
+  const double middle = 0.5 * (lattice_.samples - 1);
+  const double x = places.x + half * (double{places.x_per_column} + double{places.x_per_row});
+  const double y = places.y + half * (double{places.y_per_column} + double{places.y_per_row});
+  const double reach =
+      (half + step_cells_) * (1.0 + turn) / (1.0 - tilt) + 3.0;  // rows between rows
+  strained(std::abs(x - middle) / (middle - reach));
+  strained(std::abs(y - middle) / (middle - reach));
+  return fits ? std::optional(found) : std::nullopt;
+}
+
+CachedPenetration::Choice CachedPenetration::choose(const PackedPatch& a, const PackedPatch& b,
+                                                    const ContactFrame& frame) const noexcept {
+  Choice choice{.fit = {.strain = 1.0}};
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const bool is_work = work_.step != Step::idle && work_.place == i;
+    if (!places_[i].is_whole && !is_work) continue;
+    const std::optional<Fit> found = fit(places_[i], a, b, frame);
+    if (!found) continue;
+    if (is_work) {
+      choice.is_coming = true;
+    } else if (found->strain < choice.fit.strain) {
+      choice.place = i;
+      choice.fit = *found;
+    }
+  }
+  choice.begins = !places_.empty() && choice.fit.strain > kSoftStrain && !choice.is_coming &&
+                  work_.step == Step::idle;
+  return choice;
+}
+
+bool CachedPenetration::needs_triangles(const PackedPatch& a, const PackedPatch& b,
+                                        const ContactFrame& frame) const noexcept {
+  const Choice choice = choose(a, b, frame);
+  return choice.begins || !choice.place;
+}
+
+std::optional<Penetration> CachedPenetration::evaluate(const PackedPatch& a, const PackedPatch& b,
+                                                       const ContactFrame& frame) noexcept {
+  ++calls_;
+  const Choice choice = choose(a, b, frame);
+  if (choice.place) places_[*choice.place].last_used = calls_;
+  if (choice.begins) begin(a, b, frame);
+  const bool serves_until_then = choice.place && (choice.begins || choice.is_coming);
+  continue_work(serves_until_then ? hurry(choice.fit.strain)
+                : choice.place    ? 0.0
+                                  : kHurryWithoutHeights);
+  if (!choice.place) {
+    ++sampled_answers_;
+    return sampler_.evaluate(a, b, frame);
+  }
+  ++kept_answers_;
+  return from_place(places_[*choice.place], choice.fit, frame);
+}
+
+KeptHeights CachedPenetration::kept(BodyHeights& heights, int span) const noexcept {
+  return {.height_m = heights.height_m.data(),
+          .samples = lattice_.samples,
+          .stride = stride_,
+          .most_m = heights.most_m.data(),
+          .span = span};
+}
+
+std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit& fit,
+                                                         const ContactFrame& frame) noexcept {
+  const int samples = grid().samples;
+  const double cell_m = lattice_.spacing_m();
+  const glm::dvec2 first{fit.column, fit.row};
+  const auto turned = [&](double turn_rad) {
+    return places_of(fit.motion, lattice_, samples, first, turn_rad);
+  };
+  KeptTask task{.a = kept(place.a, span_of_a_),
+                .b = kept(place.b, kMostLanes),
+                .samples = samples,
+                .b_column = fit.column,
+                .b_row = fit.row,
+                .here = turned(0.0),
+                .lift = lift_of(fit.motion, lattice_),
+                .step_cells = step_cells_,
+                .prune = pruning_ == Pruning::on,
+                .first_block = place.deepest_block,
+                .bound_m = bound_m_.data(),
+                .block_most_m = block_most_m_.data()};
+  // The window's middle, from which places and levers are counted.
+  const glm::dvec2 aside = (first - static_cast<double>(margin_)) * cell_m;
+  ContactFrame kept_frame{
+      .u = fit.lattice.rotation[0], .v = fit.lattice.rotation[1], .n = fit.lattice.rotation[2]};
+  kept_frame.origin_m = fit.lattice.position_m + kept_frame.to_world({aside, 0.0});
+
+  const auto deepest_m = [&](int row, int column, float here_m) {
+    const auto at = static_cast<std::size_t>((fit.row + row) * stride_ + fit.column + column);
+    return glm::dvec3{grid().place_m(column), grid().place_m(row),
+                      double{place.b.height_m[at]} - double{here_m}};
+  };
+  Penetration result;
+  if (const auto* smooth = std::get_if<SmoothMaximum>(&law_)) {
+    task.per_tau_per_m = static_cast<float>(1.0 / smooth->tau_m);
+    WeightedSums sums;
+    loops_->weigh_kept(task, sums);
+    if (!(sums.here_m > kNothing_m)) return std::nullopt;
+    result = gradient_of(sums, *smooth, cell_m, deepest_m(sums.row, sums.column, sums.here_m));
+    result.at_border = at_border(task, sums.row, sums.column);
+    result.at_window = grid().is_outermost(sums.row, sums.column);
+  } else {
+    task.forth = turned(steps_.turn_rad);
+    task.back = turned(-steps_.turn_rad);
+    task.tilt_rise_m = static_cast<float>(steps_.tilt_rad * cell_m);
+    ElevenMaxima maxima;
+    loops_->compare_kept(task, maxima);
+    if (!(maxima.here_m > kNothing_m)) return std::nullopt;
+    result = gradient_of(maxima, steps_, deepest_m(maxima.row, maxima.column, maxima.here_m));
+    result.at_border = at_border(task, maxima.row, maxima.column);
+    result.at_window = grid().is_outermost(maxima.row, maxima.column);
+  }
+  const auto& at_m = result.deepest_m;
+  const auto cell = [&](double from_middle_m) {
+    return static_cast<int>(std::lround(from_middle_m / cell_m + 0.5 * (samples - 1)));
+  };
+  place.deepest_block =
+      cell(at_m.y) / kBlockRows * (samples / kMostLanes) + cell(at_m.x) / kMostLanes;
+  result.covered = place.covered;
+  result.folded = place.folded;
+  return in_frame(result, kept_frame, frame);
+}
+
+void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
+                              const ContactFrame& frame) noexcept {
+  assert(std::max(a.triangles.size(), b.triangles.size()) <= triangles_.size());
+  const auto least_used =
+      std::min_element(places_.begin(), places_.end(),
+                       [](const Place& p, const Place& q) { return p.last_used < q.last_used; });
+  Place& place = *least_used;
+  const Pose lattice = pose_of(frame);
+  place.is_whole = false;
+  place.surface_a = &a.surface;
+  place.surface_b = &b.surface;
+  place.lattice_in_a = after(inverse(a.pose), lattice);
+  place.lattice_in_b = after(inverse(b.pose), lattice);
+  place.half_height_m = a.half_height_m;
+  place.leaning_a = a.leaning_cosine;
+  place.leaning_b = b.leaning_cosine;
+  place.covered = 0;
+  place.folded = 0;
+  place.deepest_block = 0;
+  place.last_used = calls_;
+  work_.step = Step::triangles_of_a;
+  work_.place = static_cast<std::size_t>(least_used - places_.begin());
+  work_.pose_a = a.pose;
+  work_.pose_b = b.pose;
+  work_.frame = frame;
+  work_.triangles_a.assign(a.triangles.begin(), a.triangles.end());
+  work_.triangles_b.assign(b.triangles.begin(), b.triangles.end());
+  work_.next_triangle = 0;
+  work_.strain_before = kSoftStrain;
+  triangle_count_ = 0;
+}
+
+// How much of the work has to be done now: the kept heights will not serve until all is done if the
+// bodies go on as they do.
+double CachedPenetration::hurry(double strain) noexcept {
+  const double grown = std::max(0.0, strain - work_.strain_before);
+  work_.strain_before = strain;
+  return std::min(1.0, 2.0 * grown / std::max(1.0 - strain, grown + kLittle));
+}
+
+// Some triangles or some rows, more in a hurry.
+void CachedPenetration::continue_work(double hurry) noexcept {
+  if (work_.step == Step::idle) return;
+  Place& place = places_[work_.place];
+  const auto share = [hurry](int usual, int all) {
+    return std::max(usual, static_cast<int>(std::ceil(hurry * all)));
+  };
+  switch (work_.step) {
+    case Step::idle:
+      return;
+    case Step::triangles_of_a:
+      prepare_triangles(
+          *place.surface_a, work_.triangles_a, work_.pose_a, -1.0, place.leaning_a, Step::rows_of_a,
+          share(kTrianglesInACall,
+                2 * static_cast<int>(work_.triangles_a.size() + work_.triangles_b.size())));
+      return;
+    case Step::triangles_of_b:
+      prepare_triangles(
+          *place.surface_b, work_.triangles_b, work_.pose_b, 1.0, place.leaning_b, Step::rows_of_b,
+          share(kTrianglesInACall,
+                2 * static_cast<int>(work_.triangles_a.size() + work_.triangles_b.size())));
+      return;
+    case Step::rows_of_a:
+      sample_rows(*place.surface_a, kept(place.a, span_of_a_),
+                  share(rows_in_a_call_, 2 * lattice_.samples));
+      if (work_.next_row < lattice_.samples) return;
+      work_.step = Step::triangles_of_b;
+      work_.next_triangle = 0;
+      triangle_count_ = 0;
+      return;
+    case Step::rows_of_b:
+      sample_rows(*place.surface_b, kept(place.b, kMostLanes),
+                  share(rows_in_a_call_, 2 * lattice_.samples));
+      if (work_.next_row < lattice_.samples) return;
+      work_.step = Step::idle;
+      // Of a place without anything in it the next call wants to know whether there is something now.
+      place.is_whole = place.covered > 0;
+      return;
+  }
+}
+
+void CachedPenetration::prepare_triangles(const PackedSurface& surface,
+                                          const std::vector<std::uint32_t>& triangles,
+                                          const Pose& pose, double outwards, double leaning_cosine,
+                                          Step next, int most) noexcept {
+  const ToWindow window = to_window(pose, work_.frame, lattice_, outwards);
+  const FieldEnds ends{.first = 0, .end = lattice_.samples};
+  const std::size_t end =
+      std::min(triangles.size(), work_.next_triangle + static_cast<std::size_t>(most));
+  for (; work_.next_triangle < end; ++work_.next_triangle) {
+    const auto triangle =
+        sampled_triangle(surface.triangles()[triangles[work_.next_triangle]], window, ends,
+                         {.cosine = leaning_cosine, .window_m = grid().width_m}, surface.step_m());
+    if (triangle) triangles_[triangle_count_++] = *triangle;
+  }
+  if (work_.next_triangle < triangles.size()) return;
+  work_.step = next;
+  work_.next_row = 0;
+}
+
+void CachedPenetration::sample_rows(const PackedSurface& surface, const KeptHeights& heights,
+                                    int rows) noexcept {
+  Place& place = places_[work_.place];
+  const int first = work_.next_row;
+  const int end = std::min(lattice_.samples, first + rounded_up(rows, kStepOfWindow));
+  const std::size_t band = room_.size() / 4;
+  place.folded += loops_->sample_surface({.triangles = triangles_.data(),
+                                          .count = static_cast<std::int32_t>(triangle_count_),
+                                          .texels = surface.texels(),
+                                          .field = {.height_m = heights.height_m,
+                                                    .samples = lattice_.samples,
+                                                    .apron = 0,
+                                                    .stride = stride_},
+                                          .room = {.place_x = room_.data(),
+                                                   .place_y = room_.data() + band,
+                                                   .height_m = room_.data() + 2 * band,
+                                                   .lift_m = room_.data() + 3 * band},
+                                          .first_row = first,
+                                          .end_row = end});
+  loops_->bound_rows(
+      {.field = heights, .first_row = first, .end_row = end, .room_m = room_.data()});
+  work_.next_row = end;
+  if (work_.step == Step::rows_of_b) count_covered(place, first, end);
+}
+
+// Of the window in the lattice's middle.
+void CachedPenetration::count_covered(Place& place, int first_row, int end_row) noexcept {
+  const int end = std::min(end_row, margin_ + grid().samples);
+  for (int row = std::max(first_row, margin_); row < end; ++row) {
+    const auto from = static_cast<std::size_t>(row * stride_ + margin_);
+    for (std::size_t i = from; i < from + static_cast<std::size_t>(grid().samples); ++i) {
+      place.covered += place.a.height_m[i] + place.b.height_m[i] > kNothing_m ? 1 : 0;
+    }
+  }
+}
+
+// Whether the window ends at a sample, or a surface beside it.
+bool CachedPenetration::at_border(const KeptTask& task, int row, int column) const noexcept {
+  if (grid().is_outermost(row, column)) return true;
+  const auto missing = [](const KeptHeights& of, int r, int c) {
+    return of.height_m[r * of.stride + c] < kNothing_m;
+  };
+  const int b_row = task.b_row + row;
+  const int b_column = task.b_column + column;
+  if (missing(task.b, b_row - 1, b_column) || missing(task.b, b_row + 1, b_column) ||
+      missing(task.b, b_row, b_column - 1) || missing(task.b, b_row, b_column + 1)) {
+    return true;
+  }
+  const auto along = static_cast<float>(column);
+  const auto across = static_cast<float>(row);
+  const KeptPlaces& here = task.here;
+  const int x = static_cast<int>(here.x + here.x_per_column * along + here.x_per_row * across);
+  const int y = static_cast<int>(here.y + here.y_per_column * along + here.y_per_row * across);
+  for (int r = y - 1; r <= y + 2; ++r) {
+    for (int c = x - 1; c <= x + 2; ++c) {
+      if (missing(task.a, r, c)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace asperity

@@ -1,0 +1,114 @@
+#include "renderers/pd_gradient/sampling/window_samplers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kSamplesPerStep = 32;  // what the sampler's number of samples is a multiple of
+constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
+constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells leaves whole ones
+constexpr std::size_t kMostPlaces = 12;  // ten contacts, and two of which heights are sampled
+constexpr std::size_t kMostCoarsePlaces = 3;
+
+/// The step of the hard maximum in cells; 1 for the smooth one, which has none. Nothing where it is
+/// no number of cells that a window can have.
+std::optional<int> cells_per_step(const WindowSampling& sampling) {
+  const auto* hard = std::get_if<HardMaximum>(&sampling.law);
+  if (hard == nullptr) return 1;
+  const double cells = hard->step_m / sampling.cell_m;
+  for (const int whole : kStepsInCells) {
+    if (std::abs(cells - whole) < kWholeCell) return whole;
+  }
+  return std::nullopt;
+}
+
+/// "0.0001, 0.0002, 0.0004 or 0.0008"
+std::string whole_steps_m(double cell_m) {
+  std::string list = number_text(cell_m);
+  for (std::size_t i = 1; i < kStepsInCells.size(); ++i) {
+    list +=
+        (i + 1 == kStepsInCells.size() ? " or " : ", ") + number_text(kStepsInCells[i] * cell_m);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
+  if (!(sampling.cell_m > 0.0) || !std::isfinite(sampling.cell_m)) {
+    throw std::invalid_argument("cell_m is " + number_text(sampling.cell_m) +
+                                "; it has to be positive.");
+  }
+  require_sound(sampling.law);
+  const std::optional<int> cells = cells_per_step(sampling);
+  if (!cells) {
+    return ParameterConflict{
+        .parameters = {"step_m", "cell_m"},
+        .message = "step_m is " + number_text(std::get<HardMaximum>(sampling.law).step_m) +
+                   " and cell_m " + number_text(sampling.cell_m) +
+                   "; the step has to be 1, 2, 4 or 8 cells, with this cell_m " +
+                   whole_steps_m(sampling.cell_m) + "."};
+  }
+  const int least = kSamplesPerStep * *cells;
+  if (sampling.most_samples >= least) return std::nullopt;
+  return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
+                           .message = "most_samples is " + std::to_string(sampling.most_samples) +
+                                      "; with a step of " + std::to_string(*cells) +
+                                      " cells a window takes at least " + std::to_string(least) +
+                                      "."};
+}
+
+WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
+                               std::size_t most_triangles, InstructionSet instructions) {
+  if (const auto conflict = conflict_in(sampling)) throw std::invalid_argument(conflict->message);
+  const int declared = cells_per_step(sampling).value();
+  const bool keeps = sampling.heights == Heights::kept;
+  double cell_m = sampling.cell_m;
+  double reached_m = 0.0;
+  for (int doubled = 0; reached_m < widest_m; ++doubled, cell_m *= 2.0) {
+    const int step_cells = std::max(1, declared >> doubled);
+    MaximumLaw law = sampling.law;
+    bool is_coarse = doubled > 0;
+    if (auto* hard = std::get_if<HardMaximum>(&law)) {
+      hard->step_m = step_cells * cell_m;
+      is_coarse = declared >> doubled == 0;
+    }
+    const int multiple = kSamplesPerStep * step_cells;
+    for (int samples = multiple; samples <= sampling.most_samples && reached_m < widest_m;
+         samples += multiple) {
+      const double width_m = samples * cell_m;
+      if (width_m <= reached_m) continue;
+      windows_.push_back({.sampler = CachedPenetration(
+                              {.sampler = {.grid = {.width_m = width_m, .samples = samples},
+                                           .law = law,
+                                           .most_triangles = most_triangles,
+                                           .instructions = instructions},
+                               .most_places = !keeps      ? 0
+                                              : is_coarse ? kMostCoarsePlaces
+                                                          : kMostPlaces}),
+                          .is_coarse = is_coarse});
+      reached_m = width_m;
+    }
+  }
+}
+
+WindowSamplers::Window& WindowSamplers::window_for(double width_m) noexcept {
+  const auto found = std::find_if(
+      windows_.begin(), windows_.end(),
+      [width_m](const Window& window) { return window.sampler.grid().width_m >= width_m; });
+  return found == windows_.end() ? windows_.back() : *found;
+}
+
+void WindowSamplers::reset() noexcept {
+  for (Window& window : windows_) window.sampler.reset();
+}
+
+}  // namespace asperity

@@ -1,0 +1,343 @@
+// One tick, step by step.
+
+#include "renderers/servo/servo_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/refusal.h"
+#include "renderers/servo/servo_time.h"
+
+namespace asperity {
+namespace {
+
+bool is_finite(const glm::dvec3& v) noexcept {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_finite(const ProbeState& probe) noexcept {
+  const glm::dquat& q = probe.orientation;
+  return is_finite(probe.position_m) && is_finite(probe.velocity_m_per_s) &&
+         is_finite(probe.angular_velocity_rad_per_s) && std::isfinite(q.w) && std::isfinite(q.x) &&
+         std::isfinite(q.y) && std::isfinite(q.z);
+}
+
+bool is_finite(const RenderedTick& tick) noexcept {
+  return is_finite(tick.wrench.force_N) && is_finite(tick.wrench.torque_N_m) &&
+         std::isfinite(tick.penetration_m);
+}
+
+std::int32_t saturated(std::int64_t duration_ns) noexcept {
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(duration_ns, std::numeric_limits<std::int32_t>::min(),
+                               std::numeric_limits<std::int32_t>::max()));
+}
+
+void set(TickRecord& record, TickFlag flag) noexcept {
+  record.flags |= static_cast<std::uint32_t>(flag);
+}
+
+// A miss older than this is forgotten.
+constexpr std::int64_t kMissWindow_ns = 1'000'000'000;
+
+}  // namespace
+
+const char* name_of(Fault fault) noexcept {
+  switch (fault) {
+    case Fault::none:
+      return "none";
+    case Fault::emergency_stop:
+      return "emergency_stop";
+    case Fault::device_lost:
+      return "device_lost";
+    case Fault::not_finite:
+      return "not_finite";
+    case Fault::workspace_left:
+      return "workspace_left";
+    case Fault::repeated_misses:
+      return "repeated_misses";
+    case Fault::standstill:
+      return "standstill";
+  }
+  return "unknown";
+}
+
+struct ServoLoop::Handover {
+  Presentation presentation{};
+  std::uint64_t number = 0;  // the first presentation of the loop is 1
+};
+
+struct ServoLoop::Servo {
+  std::unique_ptr<Handover> felt{};
+  bool leaving = false;     // withdrawn, or another one waits
+  bool to_be_reset = true;  // the renderer has not seen this stretch of samples yet
+  bool has_been_in_free_space = false;
+  bool fading_for_silence = false;
+  double gain = 0.0;
+
+  ProbeState last_probe{};
+  std::int64_t last_rendered_ns = 0;
+  std::int64_t last_tick_ns = 0;
+  bool has_ticked = false;
+
+  std::uint64_t heartbeats_seen = 0;
+  std::int64_t last_heartbeat_ns = 0;
+
+  std::uint64_t ticks = 0;
+  std::uint64_t missed = 0;
+  std::vector<std::int64_t> recent_misses_ns{};  // a ring of the last misses_to_fault + 1
+
+  // The next time the surface is felt, it is felt as a new one.
+  void start_over() noexcept {
+    to_be_reset = true;
+    has_been_in_free_space = false;
+    fading_for_silence = false;
+    gain = 0.0;
+  }
+};
+
+ServoLoop::ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings)
+    : device_(device), records_(records), settings_(settings), servo_(std::make_unique<Servo>()) {
+  require_positive("ServoSettings::rate_Hz", settings.rate_Hz);
+  require_positive("ServoSettings::ramp_s", settings.ramp_s);
+  require_positive("ServoSettings::heartbeat_timeout_s", settings.heartbeat_timeout_s);
+  require_positive("ServoSettings::heartbeat_fade_s", settings.heartbeat_fade_s);
+  require_positive("ServoSettings::misses_to_fault", settings.misses_to_fault);
+  require_positive("ServoSettings::workspace_margin_m", settings.workspace_margin_m);
+  require_positive("ServoSettings::silence_to_fault_s", settings.silence_to_fault_s);
+  require_positive("ServoSettings::standstill_to_fault_s", settings.standstill_to_fault_s);
+  period_ns_ = period_ns_of(settings.rate_Hz);
+  servo_->recent_misses_ns.assign(static_cast<std::size_t>(settings.misses_to_fault) + 1, 0);
+}
+
+ServoLoop::~ServoLoop() {
+  device_.zero_force();
+  delete inbox_.exchange(nullptr);
+  delete outbox_.exchange(nullptr);
+}
+
+void ServoLoop::present(Presentation presentation) {
+  if (!presentation.renderer) throw std::invalid_argument("Presentation::renderer is missing");
+  if (presentation.id == 0) throw std::invalid_argument("Presentation::id must not be 0");
+  if (inbox_.load(std::memory_order_acquire) != nullptr) {
+    throw std::logic_error("a presentation is already waiting for the servo loop");
+  }
+  inbox_.store(new Handover{std::move(presentation), ++handed_over_}, std::memory_order_release);
+}
+
+void ServoLoop::withdraw() noexcept {
+  withdrawn_up_to_.store(handed_over_, std::memory_order_release);
+}
+
+Presentation ServoLoop::collect() noexcept {
+  const std::unique_ptr<Handover> back(outbox_.exchange(nullptr, std::memory_order_acquire));
+  return back ? std::move(back->presentation) : Presentation{};
+}
+
+void ServoLoop::emergency_stop() noexcept {
+  fault_.store(Fault::emergency_stop, std::memory_order_release);
+}
+
+void ServoLoop::clear_fault(Fault seen) noexcept {
+  fault_.compare_exchange_strong(seen, Fault::none, std::memory_order_acq_rel);
+}
+
+void ServoLoop::raise(Fault fault) noexcept {
+  Fault none = Fault::none;  // the first fault is the one that explains the others
+  fault_.compare_exchange_strong(none, fault, std::memory_order_acq_rel);
+}
+
+ServoStatus ServoLoop::status() const noexcept {
+  ServoStatus status{};
+  for (;;) {
+    const std::uint64_t version = status_version_.load(std::memory_order_acquire);
+    status.ticks = ticks_.load(std::memory_order_acquire);
+    status.missed_deadlines = missed_deadlines_.load(std::memory_order_acquire);
+    status.presentation = presentation_.load(std::memory_order_acquire);
+    if (version % 2 == 0 && version == status_version_.load(std::memory_order_relaxed)) break;
+  }
+  status.fault = fault_.load(std::memory_order_acquire);
+  return status;
+}
+
+void ServoLoop::publish_status() noexcept {
+  const Servo& servo = *servo_;
+  // A reader that saw one of the values below, by their release, also sees the odd version.
+  const std::uint64_t version = status_version_.load(std::memory_order_relaxed);
+  status_version_.store(version + 1, std::memory_order_relaxed);
+  ticks_.store(servo.ticks, std::memory_order_release);
+  missed_deadlines_.store(servo.missed, std::memory_order_release);
+  presentation_.store(servo.felt ? servo.felt->presentation.id : 0, std::memory_order_release);
+  status_version_.store(version + 2, std::memory_order_release);
+}
+
+void ServoLoop::exchange_presentations() noexcept {
+  Servo& servo = *servo_;
+  const bool another_waits = inbox_.load(std::memory_order_acquire) != nullptr;
+  if (servo.felt) {
+    servo.leaving =
+        another_waits || servo.felt->number <= withdrawn_up_to_.load(std::memory_order_acquire);
+    if (servo.leaving && servo.gain == 0.0 && outbox_.load(std::memory_order_relaxed) == nullptr) {
+      outbox_.store(servo.felt.release(), std::memory_order_release);
+    }
+  }
+  if (!servo.felt && another_waits) {
+    servo.felt.reset(inbox_.exchange(nullptr, std::memory_order_acq_rel));
+    servo.leaving = servo.felt->number <= withdrawn_up_to_.load(std::memory_order_acquire);
+    servo.start_over();
+  }
+}
+
+bool ServoLoop::is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
+  return static_cast<double>(to_ns - from_ns) * 1e-9 > settings_.standstill_to_fault_s;
+}
+
+bool ServoLoop::conductor_is_silent(std::int64_t now_ns) noexcept {
+  Servo& servo = *servo_;
+  const std::uint64_t heartbeats = heartbeats_.load(std::memory_order_relaxed);
+  if (heartbeats != servo.heartbeats_seen || !servo.has_ticked) {
+    servo.heartbeats_seen = heartbeats;
+    servo.last_heartbeat_ns = now_ns;
+  }
+  return static_cast<double>(now_ns - servo.last_heartbeat_ns) * 1e-9 >
+         settings_.heartbeat_timeout_s;
+}
+
+void ServoLoop::count_deadline(std::int64_t now_ns, std::int64_t deadline_ns,
+                               TickRecord& record) noexcept {
+  Servo& servo = *servo_;
+  record.lateness_ns = saturated(now_ns - deadline_ns);
+  if (now_ns - deadline_ns <= period_ns_) return;
+  set(record, TickFlag::missed_deadline);
+  const std::size_t depth = servo.recent_misses_ns.size();
+  servo.recent_misses_ns[servo.missed % depth] = now_ns;
+  ++servo.missed;
+  // With this one there are misses_to_fault + 1 of them; the oldest stands in the next slot.
+  if (servo.missed >= depth &&
+      now_ns - servo.recent_misses_ns[servo.missed % depth] <= kMissWindow_ns) {
+    raise(Fault::repeated_misses);
+  }
+}
+
+void ServoLoop::read_probe(std::int64_t now_ns, TickRecord& record) noexcept {
+  Servo& servo = *servo_;
+  const std::optional<ProbeState> probe = device_.read(now_ns);
+  if (!probe) {
+    raise(Fault::device_lost);
+    set(record, TickFlag::device_lost);
+    record.probe = servo.last_probe;
+    record.probe.time_ns = now_ns;
+    return;
+  }
+  record.probe = rounded_for_recording(*probe);
+  if (!is_finite(record.probe)) {
+    raise(Fault::not_finite);
+    return;
+  }
+  servo.last_probe = record.probe;
+  const DeviceCapability& capability = device_.capability();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double position_m = record.probe.position_m[axis];
+    if (position_m < capability.workspace_minimum_m[axis] - settings_.workspace_margin_m ||
+        position_m > capability.workspace_maximum_m[axis] + settings_.workspace_margin_m) {
+      raise(Fault::workspace_left);
+    }
+  }
+}
+
+void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
+  Servo& servo = *servo_;
+  ForceRenderer& renderer = *servo.felt->presentation.renderer;
+  set(record, TickFlag::presenting);
+  double renderer_dt_s = 1.0 / settings_.rate_Hz;
+  if (servo.to_be_reset) {
+    set(record, TickFlag::first_of_presentation);
+    renderer.reset(record.probe);
+    servo.to_be_reset = false;
+  } else {
+    renderer_dt_s = clamped_dt_s(servo.last_rendered_ns, record.probe.time_ns, settings_.rate_Hz);
+  }
+  servo.last_rendered_ns = record.probe.time_ns;
+
+  const RenderedTick rendered = renderer.tick(record.probe, renderer_dt_s);
+  record.rendered = rendered.wrench;
+  record.penetration_m = rendered.penetration_m;
+  if (!is_finite(rendered)) {
+    set(record, TickFlag::limited_not_finite);
+    raise(Fault::not_finite);
+    return;
+  }
+
+  servo.fading_for_silence = servo.fading_for_silence || silent;
+  if (silent) set(record, TickFlag::heartbeat_lost);
+  if (servo.leaving) {
+    servo.gain = std::max(0.0, servo.gain - dt_s / settings_.ramp_s);
+  } else if (servo.fading_for_silence) {
+    servo.gain = std::max(0.0, servo.gain - dt_s / settings_.heartbeat_fade_s);
+    servo.has_been_in_free_space = false;
+    servo.fading_for_silence = silent || servo.gain > 0.0;
+  } else if (servo.has_been_in_free_space) {
+    servo.gain = std::min(1.0, servo.gain + dt_s / settings_.ramp_s);
+  } else {
+    servo.has_been_in_free_space = rendered.penetration_m == 0.0;
+  }
+}
+
+void ServoLoop::send(double dt_s, TickRecord& record) noexcept {
+  Servo& servo = *servo_;
+  if (fault_.load(std::memory_order_acquire) == Fault::none) {
+    const bool presenting = record.has(TickFlag::presenting);
+    record.gain = presenting ? servo.gain : 0.0;
+    Wrench wanted{};
+    if (presenting && servo.gain > 0.0) {
+      wanted.force_N = servo.gain * record.rendered.force_N;
+      wanted.torque_N_m = servo.gain * record.rendered.torque_N_m;
+    }
+    if (const std::optional<LimitedWrench> sent = device_.push(wanted, dt_s)) {
+      record.sent = sent->wrench;
+      record.flags |= sent->reasons;
+      return;
+    }
+    raise(Fault::device_lost);
+    set(record, TickFlag::device_lost);
+  }
+  set(record, TickFlag::fault_latched);
+  device_.zero_force();
+  servo.start_over();
+  record.gain = 0.0;
+}
+
+void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock) noexcept {
+  Servo& servo = *servo_;
+  const double dt_s = servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz)
+                                       : 1.0 / settings_.rate_Hz;
+  // Asked before a waiting presentation is taken: that one has pushed nobody yet.
+  if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
+  TickRecord record{};
+  count_deadline(now_ns, deadline_ns, record);
+  exchange_presentations();
+  const bool silent = conductor_is_silent(now_ns);
+  servo.has_ticked = true;
+  servo.last_tick_ns = now_ns;
+
+  read_probe(now_ns, record);
+  if (servo.felt) record.presentation = servo.felt->presentation.id;
+  if (servo.felt && fault_.load(std::memory_order_acquire) == Fault::none) {
+    render(silent, dt_s, record);
+    if (clock != nullptr && is_standstill(now_ns, clock())) raise(Fault::standstill);
+  }
+  send(dt_s, record);
+
+  ++servo.ticks;
+  publish_status();
+  if (clock != nullptr) record.execution_ns = saturated(clock() - now_ns);
+  records_.push(record);
+}
+
+}  // namespace asperity

@@ -1,0 +1,29 @@
+// The precision of a recording, applied before the renderer sees the hand.
+
+#include "renderers/servo/tick_record.h"
+
+namespace asperity {
+namespace {
+
+double through_float(double value) noexcept {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+glm::dvec3 through_float(const glm::dvec3& value) noexcept {
+  return {through_float(value.x), through_float(value.y), through_float(value.z)};
+}
+
+}  // namespace
+
+ProbeState rounded_for_recording(const ProbeState& probe) noexcept {
+  ProbeState rounded = probe;
+  rounded.position_m = through_float(probe.position_m);
+  rounded.orientation =
+      glm::dquat(through_float(probe.orientation.w), through_float(probe.orientation.x),
+                 through_float(probe.orientation.y), through_float(probe.orientation.z));
+  rounded.velocity_m_per_s = through_float(probe.velocity_m_per_s);
+  rounded.angular_velocity_rad_per_s = through_float(probe.angular_velocity_rad_per_s);
+  return rounded;
+}
+
+}  // namespace asperity

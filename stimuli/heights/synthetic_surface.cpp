@@ -1,0 +1,199 @@
+// Finds the maker of a kind and checks what it is asked for.
+
+#include "stimuli/heights/synthetic_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/number_text.h"
+#include "stimuli/heights/surface_makers.h"
+
+namespace asperity {
+
+namespace {
+
+std::vector<SurfaceMaker> all_makers() {
+  std::vector<SurfaceMaker> makers = pattern_makers();
+  for (SurfaceMaker& maker : material_makers()) makers.push_back(std::move(maker));
+  return makers;
+}
+
+constexpr double kFewestSamples = 8.0;  // of a wave; of fewer the crests lie between them
+constexpr double kWholeWaves = 1e-3;    // of a wave: less of a seam is rounding
+
+/// Without the last bits that a division leaves.
+std::string length_text(double length_m) {
+  constexpr double kNanometres_per_m = 1e9;
+  return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m) + " m";
+}
+
+/// What repeats at equal distances along an axis of the canvas.
+struct RegularRepeat {
+  double length_m = 0.0;
+  std::string words{};  ///< "waves of 0.002 m (spacing_m)"
+  const char* axis = "";
+};
+
+/// The complete values of a kind that is there; nothing where `make_surface` would refuse.
+std::optional<ParameterValues> values_of_kind(std::string_view kind,
+                                              const ParameterValues& values) {
+  for (const SurfaceMaker& maker : all_makers()) {
+    if (maker.declaration.kind != kind) continue;
+    try {
+      return complete_values(maker.declaration.kind, maker.declaration.parameters, values);
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+  }
+  return {};
+}
+
+std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValues& values) {
+  const auto spacings = [&values](const char* axis, double share = 1.0) {
+    const double length_m = number_of(values, "spacing_m") / share;
+    return RegularRepeat{length_m,
+                         "spacings of " + length_text(length_m) +
+                             (share == 1.0 ? " (spacing_m)" : " (spacing_m over its angle)"),
+                         axis};
+  };
+  if (kind == "sinusoid") {
+    std::vector<RegularRepeat> repeats{};
+    const double angle_rad = number_of(values, "angle_rad");
+    for (const auto& [axis, share] : {std::pair{"x", std::abs(std::cos(angle_rad))},
+                                      std::pair{"y", std::abs(std::sin(angle_rad))}}) {
+      if (share > kWholeWaves) repeats.push_back(spacings(axis, share));
+    }
+    return repeats;
+  }
+  if (kind == "grating" || kind == "wood") return {spacings("x")};
+  if (kind == "cones") return {spacings("x"), spacings("y")};
+  if (kind == "brick") {
+    const double length_m = number_of(values, "brick_length_m");
+    const double courses_m = 2.0 * number_of(values, "course_height_m");
+    return {{length_m, "bricks of " + length_text(length_m) + " (brick_length_m)", "x"},
+            {courses_m, "pairs of courses of " + length_text(courses_m) + " (2 · course_height_m)",
+             "y"}};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> seam_of(std::string_view kind, const ParameterValues& values,
+                                   const SurfaceCanvas& canvas) {
+  const std::optional<ParameterValues> complete = values_of_kind(kind, values);
+  if (!complete) return {};
+  for (const RegularRepeat& repeat : repeats_of(kind, *complete)) {
+    const double count = canvas.width_m / repeat.length_m;
+    if (std::abs(count - std::round(count)) <= kWholeWaves) continue;
+    constexpr double kHundredth = 100.0;
+    const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
+    return length_text(canvas.width_m) + " along " + repeat.axis + " hold " +
+           number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
+           ", and where the surface is repeated the last one is cut, which makes an unintended "
+           "step; " +
+           (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
+                        : more_m) +
+           " hold complete ones (--width-m)";
+  }
+  return {};
+}
+
+std::optional<std::string> coarse_samples_of(std::string_view kind, const ParameterValues& values,
+                                             const SurfaceCanvas& canvas) {
+  const std::optional<ParameterValues> complete = values_of_kind(kind, values);
+  if (!complete || repeats_of(kind, *complete).empty() || !complete->contains("spacing_m")) {
+    return {};
+  }
+  const double spacing_m = number_of(*complete, "spacing_m");
+  const double samples = spacing_m / pitch_of(canvas);
+  constexpr double kRounding = 1e-6;
+  if (samples >= kFewestSamples * (1.0 - kRounding)) return {};
+  constexpr double kTenth = 10.0;
+  return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
+         length_text(pitch_of(canvas)) +
+         " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
+         " for each spacing, so that heights and shape differ from those requested; " +
+         number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
+         " samples per side or more (--pixels) have eight for each";
+}
+
+std::vector<SurfaceDeclaration> synthetic_surfaces() {
+  std::vector<SurfaceDeclaration> declarations;
+  for (SurfaceMaker& maker : all_makers()) declarations.push_back(std::move(maker.declaration));
+  return declarations;
+}
+
+HeightField make_surface(std::string_view kind, const ParameterValues& values,
+                         const SurfaceCanvas& canvas) {
+  if (!(canvas.width_m >= 1e-3 && canvas.width_m <= 1.0)) {
+    throw std::invalid_argument("width_m is " + number_text(canvas.width_m) +
+                                " m; a synthetic surface is 0.001 to 1 m wide.");
+  }
+  if (canvas.pixels < 16 || canvas.pixels > 8192) {
+    throw std::invalid_argument("pixels is " + std::to_string(canvas.pixels) +
+                                "; a synthetic surface has 16 to 8192 per side.");
+  }
+  const std::vector<SurfaceMaker> makers = all_makers();
+  const auto maker = std::find_if(makers.begin(), makers.end(), [&](const SurfaceMaker& candidate) {
+    return candidate.declaration.kind == kind;
+  });
+  if (maker == makers.end()) {
+    std::string names;
+    for (const SurfaceMaker& known : makers) {
+      names += (names.empty() ? "" : ", ") + known.declaration.kind;
+    }
+    throw std::invalid_argument("There is no synthetic surface \"" + std::string(kind) +
+                                "\"; there are " + names + ".");
+  }
+  const ParameterValues complete =
+      complete_values(maker->declaration.kind, maker->declaration.parameters, values);
+  return {{.rows = canvas.pixels, .columns = canvas.pixels, .pitch_m = pitch_of(canvas)},
+          maker->make(complete, canvas)};
+}
+
+Parameter length_parameter(std::string_view name, double minimum_m, double maximum_m,
+                           double default_m, std::string_view meaning) {
+  Parameter parameter = plain_parameter(name, minimum_m, maximum_m, default_m, meaning);
+  parameter.unit = "m";
+  return parameter;
+}
+
+Parameter plain_parameter(std::string_view name, double minimum, double maximum,
+                          double default_value, std::string_view meaning) {
+  return {.name = std::string(name),
+          .kind = ParameterKind::number,
+          .unit = "1",
+          .minimum = minimum,
+          .maximum = maximum,
+          .choices = {},
+          .default_value = default_value,
+          .meaning = std::string(meaning)};
+}
+
+double pitch_of(const SurfaceCanvas& canvas) noexcept {
+  return canvas.width_m / static_cast<double>(canvas.pixels);
+}
+
+void require_resolved(const ParameterValues& values, std::string_view name,
+                      const SurfaceCanvas& canvas) {
+  const double length_m = number_of(values, name);
+  const double pitch_m = pitch_of(canvas);
+  if (length_m < 2.0 * pitch_m) {
+    throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
+                                std::to_string(canvas.pixels) + " pixels over " +
+                                number_text(canvas.width_m) + " m show nothing shorter than " +
+                                number_text(2.0 * pitch_m) + " m; use more pixels.");
+  }
+}
+
+SurfacePoint point_of(const SurfaceCanvas& canvas, std::size_t row, std::size_t column) noexcept {
+  const double pitch_m = pitch_of(canvas);
+  const double middle = 0.5 * static_cast<double>(canvas.pixels - 1);
+  return {.x_m = (static_cast<double>(column) - middle) * pitch_m,
+          .y_m = (middle - static_cast<double>(row)) * pitch_m};
+}
+
+}  // namespace asperity

@@ -1,0 +1,113 @@
+// OBJ and OFF.
+
+#include <array>
+#include <vector>
+
+#include "stimuli/meshes/mesh_decoding.h"
+
+namespace asperity {
+
+namespace {
+
+glm::dvec3 next_point(MeshText& text) {
+  glm::dvec3 point{};
+  for (int axis = 0; axis < 3; ++axis) point[axis] = text.number_in(text.word());
+  return point;
+}
+
+/// Goes to the next line that holds anything but a comment and returns its first word.
+std::string_view next_item(MeshText& text) {
+  while (text.next_line()) {
+    const std::string_view word = text.word();
+    if (!word.empty() && word.front() != '#') return word;
+  }
+  return {};
+}
+
+std::size_t next_count(MeshText& text, std::string_view word, const char* what) {
+  const std::int64_t count = text.integer_in(word);
+  // An item takes two bytes at least, a digit and the end of its line.
+  if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
+    text.refuse("the file states " + std::string(word) + ' ' + what +
+                ", for which it is too short.");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const std::string& name) {
+  MeshText text(content, name);
+  GrowingMesh mesh(reading, name);
+  std::vector<std::int64_t> corners{};
+  while (text.next_line()) {
+    const std::string_view keyword = text.word();
+    if (keyword == "v") {
+      mesh.add_vertex(next_point(text));
+    } else if (keyword == "f") {
+      corners.clear();
+      for (std::string_view word = text.word(); !word.empty() && word.front() != '#';
+           word = text.word()) {
+        if (word == "\\") {
+          text.next_line();
+          continue;
+        }
+        const std::int64_t index = text.integer_in(word.substr(0, word.find('/')));
+        if (index == 0) text.refuse("a face names vertex 0; the first vertex is number 1.");
+        // A negative index counts back from the last vertex so far.
+        const auto before = static_cast<std::int64_t>(mesh.vertices());
+        if (index < -before) {
+          text.refuse("a face names vertex " + std::to_string(index) + ", but only " +
+                      std::to_string(before) + " vertices precede it.");
+        }
+        corners.push_back(index > 0 ? index - 1 : before + index);
+      }
+      mesh.add_face(corners);
+    }
+  }
+  return mesh.finish(MeshFormat::obj);
+}
+
+ReadMesh decode_off(std::string_view content, const MeshReading& reading, const std::string& name) {
+  MeshText text(content, name);
+  const std::string_view kind = next_item(text);
+  if (kind.find_first_of("4n") != std::string_view::npos) {
+    text.refuse("\"" + std::string(kind) + "\" has points of more than three dimensions.");
+  }
+  std::string_view word = text.word();
+  if (word == "BINARY") text.refuse("binary OFF is not read; save it as text.");
+  if (word.empty() || word.front() == '#') word = next_item(text);
+  if (word.empty()) text.refuse("the file ends before it states the number of its vertices.");
+  const std::size_t vertices = next_count(text, word, "vertices");
+  const std::size_t faces = next_count(text, text.word(), "faces");
+  GrowingMesh mesh(reading, name);
+  mesh.reserve(vertices, faces);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    word = next_item(text);
+    if (word.empty()) {
+      text.refuse("the file ends after " + std::to_string(i) + " of " + std::to_string(vertices) +
+                  " vertices.");
+    }
+    const double x = text.number_in(word);
+    const double y = text.number_in(text.word());
+    const double z = text.number_in(text.word());
+    mesh.add_vertex({x, y, z});  // normals and colours that may follow are left
+  }
+  std::vector<std::int64_t> corners{};
+  for (std::size_t i = 0; i < faces; ++i) {
+    word = next_item(text);
+    if (word.empty()) {
+      text.refuse("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) +
+                  " faces.");
+    }
+    const std::int64_t count = text.integer_in(word);
+    corners.clear();
+    for (std::int64_t corner = 0; corner < count; ++corner) {
+      corners.push_back(text.integer_in(text.word()));
+    }
+    mesh.add_face(corners);
+  }
+  return mesh.finish(MeshFormat::off);
+}
+
+}  // namespace asperity

@@ -1,0 +1,107 @@
+// Skewness and direction of a residual, put into words.
+
+#include "stimuli/photographs/photograph_advice.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+// A Gaussian texture of this size stays well below the first; oblique light on a surface alike in
+// all directions lies at 0.5, so the second leaves room for noise.
+constexpr double kSkewed = 0.35;
+constexpr double kDirected = 0.3;
+
+std::string in_hundredths(double number) { return number_text(std::round(100.0 * number) / 100.0); }
+
+std::string about_direction(double direction_rad) {
+  const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
+  return "The picture changes mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
+         "° from +x. Either the surface has a grain across that direction, or the light came from "
+         "one side along it. In the second case the heights are really slopes towards the light: "
+         "take the picture again in even light from all sides. ";
+}
+
+std::string about_skewness(double skewness) {
+  if (skewness < -kSkewed) {
+    return "It has narrow dark parts on brighter ground, like grooves or pits that are dark "
+           "because "
+           "they lie low: then bright is high, the default sign. ";
+  }
+  return "It has narrow bright parts on darker ground. If those stand out (grains, fibres), bright "
+         "is high, the default sign; if they lie low (light mortar between bricks), choose the "
+         "sign "
+         "-1. ";
+}
+
+}  // namespace
+
+PhotographEvidence examine_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
+                                      const std::string& name) {
+  const GreyImage residual = brightness_residual(photograph, recipe, name);
+  const std::size_t rows = residual.rows;
+  const std::size_t columns = residual.columns;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const float value : residual.values) {
+    sum += static_cast<double>(value);
+    squares += static_cast<double>(value) * static_cast<double>(value);
+  }
+  const auto count = static_cast<double>(residual.values.size());
+  const double mean = sum / count;
+  const double deviation = std::sqrt(squares / count - mean * mean);
+  double cubes = 0.0;
+  for (const float value : residual.values) {
+    cubes += std::pow((static_cast<double>(value) - mean) / deviation, 3);
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (std::size_t i = 0; i + 1 < rows; ++i) {
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      // Differences along the diagonals treat both axes alike.
+      const float* here = residual.values.data() + i * columns + j;
+      const auto falling = static_cast<double>(here[columns + 1] - here[0]);
+      const auto rising = static_cast<double>(here[1] - here[columns]);
+      const double dx = rising + falling;
+      const double dy = rising - falling;
+      xx += dx * dx;
+      xy += dx * dy;
+      yy += dy * dy;
+    }
+  }
+  const double trace = xx + yy;
+  return {.skewness = cubes / count,
+          .anisotropy = trace > 0.0 ? std::hypot(xx - yy, 2.0 * xy) / trace : 0.0,
+          .direction_rad = 0.5 * std::atan2(2.0 * xy, xx - yy)};
+}
+
+std::vector<PhotographResemblance> resemblances(const PhotographEvidence& evidence) {
+  std::vector<PhotographResemblance> found{};
+  if (evidence.anisotropy > kDirected) found.push_back(PhotographResemblance::directed);
+  if (evidence.skewness < -kSkewed) found.push_back(PhotographResemblance::dark_grooves);
+  if (evidence.skewness > kSkewed) found.push_back(PhotographResemblance::bright_spots);
+  if (found.empty()) found.push_back(PhotographResemblance::nothing_clear);
+  return found;
+}
+
+std::string advice(const PhotographEvidence& evidence) {
+  std::string words;
+  if (evidence.anisotropy > kDirected) words += about_direction(evidence.direction_rad);
+  if (std::abs(evidence.skewness) > kSkewed) words += about_skewness(evidence.skewness);
+  if (words.empty()) {
+    words =
+        "The picture does not show whether its brightness follows height; stains and paint look "
+        "the same. Compare the relief with the surface itself before using it. ";
+  }
+  return words + "(Skewness " + in_hundredths(evidence.skewness) + ", anisotropy " +
+         in_hundredths(evidence.anisotropy) +
+         ".) One photograph cannot show whether dark is low, shaded or painted: look at the "
+         "surface.";
+}
+
+}  // namespace asperity

@@ -1,0 +1,56 @@
+// What of the pipeline is kept from recipe to recipe, and when it no longer holds.
+
+#include "stimuli/photographs/photograph_textures.h"
+
+#include <utility>
+
+#include "stimuli/pictures/bands.h"
+
+namespace asperity {
+
+PhotographTextures::PhotographTextures(GreyImage photograph, std::string name)
+    : PhotographTextures(std::move(photograph), std::move(name), usual_threads()) {}
+
+PhotographTextures::PhotographTextures(GreyImage photograph, std::string name, int threads)
+    : photograph_(std::make_shared<const GreyImage>(std::move(photograph))),
+      name_(std::move(name)),
+      threads_(threads) {}
+
+PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recipe) {
+  check_recipe(*photograph_, recipe, name_);
+  const double homomorphic = homomorphic_cutoff(recipe, *photograph_);
+  const double gaussian = gaussian_cutoff(recipe, *photograph_);
+  // Forgets from the first step that changes; what follows fills the gaps.
+  const bool grey_holds = grey_ != nullptr && recipe.histogram == last_.histogram;
+  const bool logarithm_holds =
+      grey_holds && logarithm_ && homomorphic == logarithm_->cutoff_wavelength();
+  const bool evened_holds = logarithm_holds && evened_ != nullptr &&
+                            recipe.gamma_low == last_.gamma_low &&
+                            recipe.gamma_high == last_.gamma_high;
+  const bool residual_holds =
+      evened_holds && residual_ && gaussian == gaussian_cutoff(last_, *photograph_);
+  if (!residual_holds) residual_.reset();
+  if (!residual_holds) low_pass_.reset();
+  if (!evened_holds) evened_.reset();
+  if (!logarithm_holds) logarithm_.reset();
+  if (!grey_holds) grey_.reset();
+  last_ = recipe;
+
+  if (grey_ == nullptr) {
+    grey_ = recipe.histogram == HistogramTransformation::none
+                ? photograph_
+                : std::make_shared<const GreyImage>(with_histogram(*photograph_, recipe.histogram));
+  }
+  if (!logarithm_) logarithm_ = logarithm_spectrum(*grey_, homomorphic, threads_);
+  if (evened_ == nullptr) {
+    evened_ = std::make_shared<const GreyImage>(evened_light(*logarithm_, recipe, threads_));
+  }
+  if (!residual_) {
+    low_pass_ = std::make_shared<const GreyImage>(low_passed(*evened_, gaussian, threads_));
+    residual_ = residual_of(*evened_, *low_pass_, recipe, name_);
+  }
+  return {std::make_shared<const HeightField>(heights_of(*residual_, recipe)), grey_, evened_,
+          low_pass_};
+}
+
+}  // namespace asperity

@@ -1,0 +1,202 @@
+// Each step of the chapter's pipeline as a function of the ones before.
+
+#include "stimuli/photographs/texture_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "analysis/number_text.h"
+#include "stimuli/pictures/bands.h"
+#include "stimuli/properties/parameter.h"
+
+namespace asperity {
+
+namespace {
+
+// The shortest wave that a photograph shows is two pixels long. A tip of 2 mm, a usual one, follows no shorter wave than
+// its own size: a picture whose pixels are larger than 1 mm of the surface has shape and no texture that a probe feels.
+constexpr double kLargestPitch_m = 1e-3;
+constexpr std::size_t kSmallestSide = 16;  // below, there is nothing between pixel and picture
+constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
+// RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
+constexpr double kNoContrast = 1e-5;
+
+cv::Mat mat_over(const GreyImage& image) {
+  return cv::Mat(static_cast<int>(image.rows), static_cast<int>(image.columns), CV_32FC1,
+                 const_cast<float*>(image.values.data()));
+}
+
+/// Calls use(band) for pieces of the picture, each a matrix of one row. They begin where OpenCV's
+/// vector loops begin a step, so that the same loop meets the same pixel however many there are.
+template <class Use>
+void in_pieces(GreyImage& image, int threads, const Use& use) {
+  constexpr std::size_t kStep = 64;
+  const std::size_t count = image.values.size();
+  in_bands((count + kStep - 1) / kStep, threads, [&](std::size_t first, std::size_t last) {
+    const std::size_t begin = first * kStep;
+    const std::size_t end = std::min(last * kStep, count);
+    use(cv::Mat(1, static_cast<int>(end - begin), CV_32FC1, image.values.data() + begin));
+  });
+}
+
+/// Brightness replaced by the share of pixels that are darker, ties in the middle of their share.
+GreyImage equalized(const GreyImage& image) {
+  constexpr std::size_t kLevels = 65536;
+  const auto level_of = [](float value) {
+    return static_cast<std::size_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * (kLevels - 1)));
+  };
+  std::vector<double> share(kLevels, 0.0);
+  for (const float value : image.values) share[level_of(value)] += 1.0;
+  double darker = 0.0;
+  for (double& count : share) {
+    const double here = count;
+    count = (darker + 0.5 * here) / static_cast<double>(image.values.size());
+    darker += here;
+  }
+  GreyImage result = image;
+  for (float& value : result.values) value = static_cast<float>(share[level_of(value)]);
+  return result;
+}
+
+/// Refuses a width that is no piece of a surface that a hand explores, or whose pixels no probe feels.
+void check_width(const GreyImage& photograph, double width_m, const std::string& name) {
+  refuse_unless_positive(width_m, "width_m");
+  const std::vector<Parameter> declared = texture_recipe_parameters();
+  const auto width = std::find_if(declared.begin(), declared.end(), [](const Parameter& parameter) {
+    return parameter.name == "width_m";
+  });
+  if (const auto complaint = complaint_about(*width, width_m)) {
+    const std::string given = number_text(width_m);
+    throw std::invalid_argument(*complaint + " It is the width of the surface in " + name +
+                                ", from its left to its right edge, in metres: " + given +
+                                " mm are " + number_text(width_m * 1e-3) + ", and " + given +
+                                " cm " + number_text(width_m * 1e-2) + ".");
+  }
+  const double pitch_m = width_m / static_cast<double>(photograph.columns);
+  if (pitch_m > kLargestPitch_m) {
+    throw std::invalid_argument(
+        "width_m is " + number_text(width_m) + " m: each of the " +
+        std::to_string(photograph.columns) + " pixels of " + name + " would be " +
+        number_text(pitch_m * 1e3) +
+        " mm of the surface, and a probe feels no texture in pixels of more than " +
+        number_text(kLargestPitch_m * 1e3) +
+        " mm. Take a photograph of a smaller part of the surface, or one with more pixels.");
+  }
+}
+
+}  // namespace
+
+void refuse_unless_positive(double value, const char* field) {
+  if (!std::isfinite(value) || value <= 0.0) {
+    throw std::invalid_argument(std::string(field) + " is " + number_text(value) +
+                                "; it must be a positive number.");
+  }
+}
+
+void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
+                  const std::string& name) {
+  refuse_unless_positive(recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m");
+  refuse_unless_positive(recipe.gamma_low, "gamma_low");
+  refuse_unless_positive(recipe.gamma_high, "gamma_high");
+  refuse_unless_positive(recipe.gaussian_wavelength_m, "gaussian_wavelength_m");
+  refuse_unless_positive(recipe.rms_m, "rms_m");
+  if (photograph.rows < kSmallestSide || photograph.columns < kSmallestSide ||
+      photograph.values.size() != photograph.rows * photograph.columns) {
+    throw std::invalid_argument(name + " is " + std::to_string(photograph.columns) + " by " +
+                                std::to_string(photograph.rows) +
+                                " pixels; a texture needs at least 16 by 16.");
+  }
+  check_width(photograph, recipe.width_m, name);
+  const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);
+  for (const auto& [wavelength_m, field] :
+       {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
+        std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
+    if (wavelength_m < 2.0 * pitch_m) {
+      throw std::invalid_argument(
+          std::string(field) + " is " + number_text(wavelength_m) + " m; " + name + ", " +
+          number_text(recipe.width_m) +
+          " m wide, cannot represent wavelengths shorter than two pixels, " +
+          number_text(2.0 * pitch_m) + " m. Choose a longer wavelength.");
+    }
+  }
+}
+
+GreyImage with_histogram(const GreyImage& photograph, HistogramTransformation transformation) {
+  return transformation == HistogramTransformation::equalize ? equalized(photograph) : photograph;
+}
+
+double homomorphic_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept {
+  // γ_L + (γ_H − γ_L)(1 − exp(−ν² λ²)) in the shape of RadialFilter: exp(−½ ν² (√2 λ)²).
+  const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);
+  return std::numbers::sqrt2 * recipe.homomorphic_wavelength_m / pitch_m;
+}
+
+double gaussian_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept {
+  const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);
+  return recipe.gaussian_wavelength_m / pitch_m;
+}
+
+PictureSpectrum logarithm_spectrum(const GreyImage& grey, double homomorphic_cutoff, int threads) {
+  GreyImage logarithm = grey;
+  in_pieces(logarithm, threads, [](cv::Mat piece) {
+    piece += kBlack;
+    cv::log(piece, piece);
+  });
+  return {logarithm, homomorphic_cutoff, threads};
+}
+
+GreyImage evened_light(const PictureSpectrum& logarithm, const TextureRecipe& recipe, int threads) {
+  GreyImage evened = logarithm.filtered(
+      {.constant = recipe.gamma_high, .gaussian = recipe.gamma_low - recipe.gamma_high});
+  in_pieces(evened, threads, [](cv::Mat piece) {
+    cv::exp(piece, piece);
+    piece -= kBlack;
+  });
+  return evened;
+}
+
+GreyImage low_passed(const GreyImage& picture, double gaussian_cutoff, int threads) {
+  return PictureSpectrum(picture, gaussian_cutoff, threads).filtered({});
+}
+
+GreyImage difference(const GreyImage& from, const GreyImage& what) {
+  GreyImage result = from;
+  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] -= what.values[i];
+  return result;
+}
+
+Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
+                     const TextureRecipe& recipe, const std::string& name) {
+  Residual residual{.values = difference(evened, low_pass)};
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(mat_over(residual.values), mean, deviation);
+  if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that holds one, ends here too
+    throw std::invalid_argument(
+        name + " has no contrast at wavelengths that could be felt (shorter than about " +
+        number_text(2.0 * recipe.gaussian_wavelength_m) +
+        " m); a texture needs a picture that shows one.");
+  }
+  residual.mean = mean[0];
+  residual.deviation = deviation[0];
+  return residual;
+}
+
+HeightField heights_of(Residual residual, const TextureRecipe& recipe) {
+  const double sign = recipe.sign == HeightSign::bright_is_high ? 1.0 : -1.0;
+  const double scale_m = sign * recipe.rms_m / residual.deviation;
+  cv::Mat heights_m = mat_over(residual.values);
+  heights_m.convertTo(heights_m, CV_32F, scale_m, -residual.mean * scale_m);
+  return {{.rows = residual.values.rows,
+           .columns = residual.values.columns,
+           .pitch_m = recipe.width_m / static_cast<double>(residual.values.columns)},
+          std::move(residual.values.values)};
+}
+
+}  // namespace asperity

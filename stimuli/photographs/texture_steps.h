@@ -1,0 +1,50 @@
+// The steps from brightness to heights one by one, for whoever keeps what they give.
+
+#pragma once
+
+#include <string>
+
+#include "stimuli/heights/height_field.h"
+#include "stimuli/photographs/texture_from_photograph.h"
+#include "stimuli/pictures/grey_image.h"
+#include "stimuli/pictures/picture_filter.h"
+
+namespace asperity {
+
+// Formulas and symbols are those of texture_from_photograph.h. Every step gives the same numbers
+// whatever the number of `threads`.
+
+/// Errors: std::invalid_argument as texture_from_photograph, save for missing contrast.
+void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
+                  const std::string& name);
+void refuse_unless_positive(double value, const char* field);
+
+GreyImage with_histogram(const GreyImage& photograph, HistogramTransformation transformation);
+
+/// 1/ν₀ of H_h in the shape of RadialFilter, and of H_g; in pixels.
+double homomorphic_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept;
+double gaussian_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept;
+
+/// ℱ ln(b + ε), with room for a filter of that cut-off.
+PictureSpectrum logarithm_spectrum(const GreyImage& grey, double homomorphic_cutoff, int threads);
+/// f
+GreyImage evened_light(const PictureSpectrum& logarithm, const TextureRecipe& recipe, int threads);
+/// g
+GreyImage low_passed(const GreyImage& picture, double gaussian_cutoff, int threads);
+
+GreyImage difference(const GreyImage& from, const GreyImage& what);
+
+/// f − g, with its mean and standard deviation.
+struct Residual {
+  GreyImage values{};
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+/// Errors: std::invalid_argument where there is nothing left but rounding.
+Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
+                     const TextureRecipe& recipe, const std::string& name);
+
+/// d
+HeightField heights_of(Residual residual, const TextureRecipe& recipe);
+
+}  // namespace asperity

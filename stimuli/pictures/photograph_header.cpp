@@ -1,0 +1,336 @@
+// What a picture file says about itself, and whether all of it is there.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "stimuli/pictures/photograph.h"
+
+namespace asperity {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+class HeaderReader final {
+ public:
+  HeaderReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw std::invalid_argument(name_ + " " + sentence);
+  }
+  [[noreturn]] void refuse_cut_off() const {
+    refuse(
+        "is truncated or damaged: the file ends before the picture does. Copy or export it again.");
+  }
+
+  // The size comes first: a picture that is too large is refused for that, whole or not.
+  void refuse_wrong_size(const PictureFacts& facts) const {
+    const std::string size =
+        std::to_string(facts.columns) + " by " + std::to_string(facts.rows) + " pixels";
+    if (facts.rows == 0 || facts.columns == 0) {
+      refuse("cannot be read: its header states " + size + ".");
+    }
+    if (facts.rows > kLargestPictureSide || facts.columns > kLargestPictureSide) {
+      refuse("is " + size + "; at most " + std::to_string(kLargestPictureSide) +
+             " per side are possible. Scale it down or crop it.");
+    }
+  }
+
+  std::size_t size() const noexcept { return bytes_.size(); }
+
+  std::uint32_t big_endian(std::size_t at, std::size_t count) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) value = value << 8U | byte(at + i);
+    return value;
+  }
+  std::uint32_t little_endian(std::size_t at, std::size_t count) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = count; i-- > 0;) value = value << 8U | byte(at + i);
+    return value;
+  }
+  std::uint32_t byte(std::size_t at) const {
+    if (at >= bytes_.size()) refuse_cut_off();
+    return std::to_integer<std::uint32_t>(bytes_[at]);
+  }
+  bool has(std::size_t at, std::string_view text) const {
+    if (at + text.size() > bytes_.size()) return false;
+    return std::equal(text.begin(), text.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
+  }
+  Bytes part(std::size_t at, std::size_t count) const {
+    if (at > bytes_.size() || count > bytes_.size() - at) refuse_cut_off();
+    return bytes_.subspan(at, count);
+  }
+
+ private:
+  Bytes bytes_;
+  const std::string& name_;
+};
+
+std::uint32_t crc32(Bytes bytes) noexcept {
+  static constexpr auto kTable = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t i = 0; i < 256; ++i) {
+      std::uint32_t value = i;
+      for (int bit = 0; bit < 8; ++bit) {
+        value = (value & 1U) != 0 ? 0xEDB88320U ^ (value >> 1U) : value >> 1U;
+      }
+      table[i] = value;
+    }
+    return table;
+  }();
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const std::byte b : bytes) {
+    crc = kTable[(crc ^ std::to_integer<std::uint32_t>(b)) & 0xFFU] ^ (crc >> 8U);
+  }
+  return ~crc;
+}
+
+PictureFacts inspect_png(const HeaderReader& file) {
+  constexpr std::size_t kSignature = 8;
+  if (!file.has(kSignature + 4, "IHDR")) {
+    file.refuse(
+        "is truncated or damaged: a PNG begins with its size (IHDR), and this one does not.");
+  }
+  PictureFacts facts{.format = PictureFormat::png,
+                     .rows = file.big_endian(kSignature + 12, 4),
+                     .columns = file.big_endian(kSignature + 8, 4),
+                     .bits_per_channel = static_cast<int>(file.byte(kSignature + 16)),
+                     .channels = 1};
+  switch (file.byte(kSignature + 17)) {
+    case 0:
+      break;
+    case 2:
+    case 3:  // a palette
+      facts.channels = 3;
+      break;
+    case 4:
+      facts.channels = 2;
+      break;
+    case 6:
+      facts.channels = 4;
+      break;
+    default:
+      file.refuse("is damaged: its colour type does not exist in PNG.");
+  }
+  if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // what it is decoded to
+
+  file.refuse_wrong_size(facts);
+  // Every piece carries a check sum, so that nothing cut off or changed gets past this loop.
+  for (std::size_t at = kSignature;;) {
+    const std::size_t length = file.big_endian(at, 4);
+    if (crc32(file.part(at + 4, length + 4)) != file.big_endian(at + 8 + length, 4)) {
+      file.refuse("is damaged: a checksum in it does not match. Copy or export it again.");
+    }
+    if (file.has(at + 4, "IEND")) return facts;
+    at += 12 + length;
+  }
+}
+
+/// True for the frame headers SOF0 to SOF15, which carry the size; C4, C8 and CC are other things.
+bool is_frame_header(std::uint32_t marker) noexcept {
+  return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+}
+
+PictureFacts inspect_jpeg(const HeaderReader& file) {
+  PictureFacts facts{.format = PictureFormat::jpeg};
+  std::size_t at = 2;  // after the start of image
+  for (;;) {
+    // Inside a scan a data byte FF is followed by 00, and restart marks (D0 to D7) stand alone.
+    while (file.byte(at) != 0xFF) ++at;
+    const std::uint32_t marker = file.byte(at + 1);
+    if (marker == 0xFF) {
+      ++at;
+      continue;
+    }
+    at += 2;
+    if (marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7)) continue;
+    if (marker == 0xD9) break;
+    const std::size_t length = file.big_endian(at, 2);
+    if (length < 2) file.refuse("is damaged: a segment of this JPEG has no length.");
+    if (is_frame_header(marker)) {
+      facts.bits_per_channel = static_cast<int>(file.byte(at + 2));
+      facts.rows = file.big_endian(at + 3, 2);
+      facts.columns = file.big_endian(at + 5, 2);
+      facts.channels = static_cast<int>(file.byte(at + 7));
+      file.refuse_wrong_size(facts);
+    }
+    at += length;
+  }
+  if (facts.channels == 0) file.refuse_cut_off();
+  if (facts.bits_per_channel != 8) {
+    file.refuse("is a JPEG with " + std::to_string(facts.bits_per_channel) +
+                " bits per channel; 8 are read. Save it as a 16-bit PNG or TIFF instead.");
+  }
+  if (facts.channels != 1 && facts.channels != 3) {
+    file.refuse("is a JPEG with " + std::to_string(facts.channels) +
+                " colour channels (print colours); save it as grey or RGB.");
+  }
+  return facts;
+}
+
+PictureFacts inspect_tiff(const HeaderReader& file) {
+  const bool big = file.has(0, "MM");
+  const auto number = [&](std::size_t at, std::size_t count) {
+    return big ? file.big_endian(at, count) : file.little_endian(at, count);
+  };
+  if (number(2, 2) != 42) {
+    file.refuse("is a BigTIFF or a kind of TIFF that is not read; save it as plain TIFF or PNG.");
+  }
+  struct Entry {
+    std::size_t count = 0;
+    std::size_t width = 0;
+    std::size_t at = 0;
+  };
+  PictureFacts facts{
+      .format = PictureFormat::tiff, .rows = 0, .columns = 0, .bits_per_channel = 1, .channels = 1};
+  std::uint32_t sample_format = 1;
+  Entry offsets{};
+  Entry lengths{};
+  const std::size_t directory = number(4, 4);
+  const std::size_t entries = number(directory, 2);
+  file.part(directory, 2 + 12 * entries + 4);  // it ends with the place of the next
+  for (std::size_t i = 0; i < entries; ++i) {
+    const std::size_t at = directory + 2 + 12 * i;
+    const std::uint32_t type = number(at + 2, 2);
+    const std::size_t width = type == 3 ? 2 : type == 4 ? 4 : 1;
+    const std::size_t count = number(at + 4, 4);
+    const bool inside = count * width <= 4;
+    const Entry entry{.count = count, .width = width, .at = inside ? at + 8 : number(at + 8, 4)};
+    if (!inside) file.part(entry.at, count * width);
+    const auto first = [&] { return number(entry.at, entry.width); };
+    switch (number(at, 2)) {
+      case 256:
+        facts.columns = first();
+        break;
+      case 257:
+        facts.rows = first();
+        break;
+      case 258:
+        facts.bits_per_channel = static_cast<int>(first());
+        break;
+      case 277:
+        facts.channels = static_cast<int>(first());
+        break;
+      case 339:
+        sample_format = first();
+        break;
+      case 273:  // strips or
+      case 324:  // tiles
+        offsets = entry;
+        break;
+      case 279:
+      case 325:
+        lengths = entry;
+        break;
+      default:
+        break;
+    }
+  }
+  file.refuse_wrong_size(facts);
+  if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
+    file.refuse("is a TIFF with " + std::to_string(facts.bits_per_channel) +
+                (sample_format == 3 ? "-bit floating-point numbers" : " bits per channel") +
+                "; whole numbers of 8 or 16 bits are read.");
+  }
+  if (facts.channels < 1 || facts.channels > 4) {
+    file.refuse("is a TIFF with " + std::to_string(facts.channels) +
+                " channels; 1 to 4 are read (grey or colour, with or without alpha).");
+  }
+  if (offsets.count == 0 || offsets.count != lengths.count) file.refuse_cut_off();
+  for (std::size_t i = 0; i < offsets.count; ++i) {
+    file.part(number(offsets.at + i * offsets.width, offsets.width),
+              number(lengths.at + i * lengths.width, lengths.width));
+  }
+  return facts;
+}
+
+PictureFacts inspect_bmp(const HeaderReader& file) {
+  const std::size_t data = file.little_endian(10, 4);
+  if (file.little_endian(14, 4) < 40) {
+    file.refuse("is a BMP in the format used before 1990, which is not read; save it as PNG.");
+  }
+  const auto rows = static_cast<std::int32_t>(file.little_endian(22, 4));
+  const auto columns = static_cast<std::int32_t>(file.little_endian(18, 4));
+  const std::size_t bits = file.little_endian(28, 2);
+  const std::uint32_t compression = file.little_endian(30, 4);
+  // A negative number of rows says that the top row comes first.
+  const PictureFacts facts{.format = PictureFormat::bmp,
+                           .rows = static_cast<std::size_t>(std::abs(std::int64_t{rows})),
+                           .columns = columns > 0 ? static_cast<std::size_t>(columns) : 0,
+                           .bits_per_channel = 8,
+                           .channels = bits == 32 ? 4 : 3};
+  file.refuse_wrong_size(facts);
+  if (compression == 1 || compression == 2) {
+    // Run lengths do not say how many they are; the file says how large it is.
+    file.part(0, file.little_endian(2, 4));
+  } else {
+    file.part(data, (facts.columns * bits + 31) / 32 * 4 * facts.rows);
+  }
+  return facts;
+}
+
+PictureFacts inspect_webp(const HeaderReader& file) {
+  PictureFacts facts{.format = PictureFormat::webp, .bits_per_channel = 8, .channels = 3};
+  if (file.has(12, "VP8 ")) {
+    facts.columns = file.little_endian(26, 2) & 0x3FFFU;
+    facts.rows = file.little_endian(28, 2) & 0x3FFFU;
+  } else if (file.has(12, "VP8L")) {
+    const std::uint32_t packed = file.little_endian(21, 4);
+    facts.columns = (packed & 0x3FFFU) + 1;
+    facts.rows = (packed >> 14U & 0x3FFFU) + 1;
+    facts.channels = (packed >> 28U & 1U) != 0 ? 4 : 3;
+  } else if (file.has(12, "VP8X")) {
+    const std::uint32_t flags = file.byte(20);
+    if ((flags & 0x02U) != 0) file.refuse("is an animation; a single picture is needed.");
+    facts.columns = file.little_endian(24, 3) + 1;
+    facts.rows = file.little_endian(27, 3) + 1;
+    facts.channels = (flags & 0x10U) != 0 ? 4 : 3;
+  } else {
+    file.refuse("is damaged: a WebP contains a VP8 picture, and this one does not.");
+  }
+  file.refuse_wrong_size(facts);
+  file.part(8, file.little_endian(4, 4));
+  return facts;
+}
+
+PictureFacts inspect_any(const HeaderReader& file) {
+  if (file.size() == 0) {
+    file.refuse("is empty; a picture (PNG, JPEG, TIFF, BMP or WebP) is needed.");
+  }
+  if (file.has(0, "\x89PNG\r\n\x1A\n")) return inspect_png(file);
+  if (file.has(0, "\xFF\xD8\xFF")) return inspect_jpeg(file);
+  if (file.has(0, "II") && file.size() > 3 && file.byte(3) == 0) return inspect_tiff(file);
+  if (file.has(0, "MM") && file.size() > 3 && file.byte(2) == 0) return inspect_tiff(file);
+  if (file.has(0, "BM")) return inspect_bmp(file);
+  if (file.has(0, "RIFF") && file.has(8, "WEBP")) return inspect_webp(file);
+  file.refuse(
+      "is not a picture in a format that is read; save it as PNG, JPEG, TIFF, BMP or WebP.");
+}
+
+}  // namespace
+
+std::string_view name_of(PictureFormat format) noexcept {
+  switch (format) {
+    case PictureFormat::png:
+      return "PNG";
+    case PictureFormat::jpeg:
+      return "JPEG";
+    case PictureFormat::tiff:
+      return "TIFF";
+    case PictureFormat::bmp:
+      return "BMP";
+    case PictureFormat::webp:
+      return "WebP";
+  }
+  return "";
+}
+
+PictureFacts inspect_picture(Bytes bytes, const std::string& name) {
+  return inspect_any(HeaderReader(bytes, name));
+}
+
+}  // namespace asperity

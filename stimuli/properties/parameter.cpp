@@ -1,0 +1,106 @@
+// Checks values against their declarations.
+
+#include "stimuli/properties/parameter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+std::string with_unit(const Parameter& parameter, double number) {
+  std::string text = number_text(number);
+  if (parameter.unit != "1" && !parameter.unit.empty()) text += " " + parameter.unit;
+  return text;
+}
+
+std::string list_of(const std::vector<std::string>& names, const std::string& conjunction) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += i + 1 == names.size() ? " " + conjunction + " " : ", ";
+    list += names[i];
+  }
+  return list;
+}
+
+std::optional<std::string> complaint_about_choice(const Parameter& parameter,
+                                                  const ParameterValue& value) {
+  const auto* chosen = std::get_if<std::string>(&value);
+  if (chosen != nullptr && std::find(parameter.choices.begin(), parameter.choices.end(), *chosen) !=
+                               parameter.choices.end()) {
+    return std::nullopt;
+  }
+  const std::string given =
+      chosen != nullptr ? "\"" + *chosen + "\"" : number_text(std::get<double>(value));
+  return parameter.name + " is " + given + "; it must be " + list_of(parameter.choices, "or") + ".";
+}
+
+}  // namespace
+
+std::optional<std::string> complaint_about(const Parameter& parameter,
+                                           const ParameterValue& value) {
+  if (parameter.kind == ParameterKind::choice) return complaint_about_choice(parameter, value);
+
+  const std::string right =
+      (parameter.kind == ParameterKind::integer ? "a whole number from " : "a number from ") +
+      number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum) + ".";
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) {
+    return parameter.name + " is \"" + std::get<std::string>(value) + "\"; it must be " + right;
+  }
+  const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
+  // Written so that NaN, which compares false with everything, is refused.
+  if (whole && *number >= parameter.minimum && *number <= parameter.maximum) return std::nullopt;
+  return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right;
+}
+
+ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given) {
+  return complete_values(declaration.id, declaration.parameters, given);
+}
+
+ParameterValues complete_values(std::string_view of, const std::vector<Parameter>& parameters,
+                                const ParameterValues& given) {
+  const std::string who(of);
+  for (const auto& [name, value] : given) {
+    const auto named = [&name](const Parameter& parameter) { return parameter.name == name; };
+    if (std::none_of(parameters.begin(), parameters.end(), named)) {
+      std::vector<std::string> names;
+      for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+      throw std::invalid_argument(
+          who + " has no parameter \"" + name + "\"; " +
+          (names.empty() ? "it has none." : "it has " + list_of(names, "and") + "."));
+    }
+  }
+  ParameterValues values;
+  for (const Parameter& parameter : parameters) {
+    const auto found = given.find(parameter.name);
+    const ParameterValue& value = found == given.end() ? parameter.default_value : found->second;
+    if (const auto complaint = complaint_about(parameter, value)) {
+      throw std::invalid_argument(who + ": " + *complaint);
+    }
+    values.emplace(parameter.name, value);
+  }
+  return values;
+}
+
+double number_of(const ParameterValues& values, std::string_view name) {
+  const auto found = values.find(name);
+  if (found == values.end() || !std::holds_alternative<double>(found->second)) {
+    throw std::invalid_argument("No number is given for the parameter " + std::string(name) + ".");
+  }
+  return std::get<double>(found->second);
+}
+
+const std::string& choice_of(const ParameterValues& values, std::string_view name) {
+  const auto found = values.find(name);
+  if (found == values.end() || !std::holds_alternative<std::string>(found->second)) {
+    throw std::invalid_argument("No choice is given for the parameter " + std::string(name) + ".");
+  }
+  return std::get<std::string>(found->second);
+}
+
+}  // namespace asperity
