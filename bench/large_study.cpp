@@ -77,7 +77,7 @@ PresentationRow surface_of(const PlannedPresentation& planned) {
 std::vector<std::string> answers_to(const TrialQuestion& question, Random& random) {
   std::vector<std::string> options{};
   for (const Option& option : question.options) options.push_back(option.value);
-  if (question.form == TrialQuestion::Form::assignment) {
+  if (std::holds_alternative<AssignmentForm>(question.form)) {
     if (random.uniform() < kShareRight) return question.correct;
     random.shuffle(std::span(options));
     return options;

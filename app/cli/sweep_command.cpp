@@ -37,6 +37,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "results_schema/study.h"
 #endif
+#include "protocols/kinds/magnitude.h"
 #include "renderers/built_in_models.h"
 #include "stimuli/heights/synthetic_surface.h"
 
@@ -335,7 +336,7 @@ std::optional<NamedProtocol> named_protocol(const std::optional<std::string>& te
 }
 
 bool estimates_roughness(const AnalysisOutcome& outcome) {
-  return outcome.kind == text_of(ProtocolKind::magnitude) && outcome.answers > 0;
+  return outcome.kind == magnitude_kind().id && outcome.answers > 0;
 }
 
 /// Of a study with estimates by several protocols, or by several versions of one, which of them has to be

@@ -12,6 +12,7 @@
 #include "app/exports/column_making.h"
 #include "app/exports/event_columns.h"
 #include "app/words/coded_phrases.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "results_schema/analysis_use.h"
 
 namespace asperity {
@@ -111,7 +112,9 @@ Columns session_columns() {
   of_protocol("protocol", "name of the protocol", &ProtocolRow::name);
   of_protocol("protocol_version", "version of the protocol", &ProtocolRow::version);
   of_protocol("kind", "kind of the protocol", &ProtocolRow::kind);
-  columns.back().levels = {"selection", "matching", "recognition", "magnitude"};
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    columns.back().levels.emplace_back(kind->id);
+  }
   of_protocol("design", "as published or improved", &ProtocolRow::design);
   columns.back().levels = {"chapter", "improved"};
   of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",

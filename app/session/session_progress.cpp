@@ -130,14 +130,7 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   summary.flagged = attempt.flagged;
   summary.reason = phrase_of(attempt.valid ? attempt.flag_reason : attempt.invalid_reason);
   for (const ResponseRow& response : attempt.responses) {
-    if (trial.question.form == TrialQuestion::Form::number) {
-      summary.answers.push_back(response.answer);
-      continue;
-    }
-    const auto option = std::find_if(
-        trial.question.options.begin(), trial.question.options.end(),
-        [&response](const Option& candidate) { return candidate.value == response.answer; });
-    summary.answers.push_back(option == trial.question.options.end() ? "?" : option->label);
+    summary.answers.push_back(label_of(trial.question, response.answer));
   }
   if (!attempt.responses.empty()) {
     if (attempt.responses.front().correct) summary.correct = is_right(attempt);

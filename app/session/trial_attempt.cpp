@@ -162,33 +162,36 @@ void TrialAttempt::carry_out() {
   if (!trial_.question.allow_revisit) course_.set_masking(false);
   for (;;) {
     reply_ = ask();
-    if (!reply_.feel_again) {
+    const FeelAgain* const wish = reply_.feel_again();
+    if (wish == nullptr) {
       if (!is_doubtful()) break;
       doubt();
       continue;
     }
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
-    feel(static_cast<std::size_t>(*reply_.feel_again - 1));
+    feel(static_cast<std::size_t>(wish->position - 1));
   }
-  if (!reply_.is_answer() && doubted_) {
+  if (reply_.answer() == nullptr && doubted_) {
     reply_ = *doubted_;
     answer_ns_ = reply_.answered_ns.value_or(answer_ns_);
   }
-  if (reply_.is_answer()) course_.play(Cue::accepted);
+  if (reply_.answer() != nullptr) course_.play(Cue::accepted);
 }
 
 bool TrialAttempt::is_doubtful() const {
-  if (!reply_.estimate || !order_.earlier_estimate || doubted_) return false;
-  const double ratio = *reply_.estimate / *order_.earlier_estimate;
+  const std::optional<double> number = reply_.number();
+  if (!number || !order_.earlier_estimate || doubted_) return false;
+  const double ratio = *number / *order_.earlier_estimate;
   return ratio >= kDoubtfulRatio || ratio <= 1.0 / kDoubtfulRatio;
 }
 
 void TrialAttempt::doubt() {
   doubted_ = reply_;
   doubted_->answered_ns = answer_ns_;
-  course_.event("estimate_doubted", number_text(*reply_.estimate),
-                nlohmann::ordered_json{{"estimate", *reply_.estimate},
+  const double number = reply_.number().value();
+  course_.event("estimate_doubted", number_text(number),
+                nlohmann::ordered_json{{"estimate", number},
                                        {"earlier_estimate", *order_.earlier_estimate},
                                        {"from_cue_s", seconds_between(cue_ns_.value(), answer_ns_)}}
                     .dump());
@@ -206,7 +209,7 @@ Reply TrialAttempt::ask() {
   course_.enter(SessionPhase::response);
   Trial asked = trial_;
   if (doubted_) {
-    ParticipantScene scene = scene_of_doubt(trial_, felt_, doubted_->estimate.value());
+    ParticipantScene scene = scene_of_doubt(trial_, felt_, doubted_->number().value());
     asked.question.prompt = scene.text;
     course_.show(std::move(scene));
   } else {
@@ -343,30 +346,26 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
 }
 
 void TrialAttempt::answer() {
-  // No answer before the deadline is an outcome of the trial, and stays without a response.
-  if (!reply_.is_answer()) row_.outcome = AttemptOutcome::timed_out;
-  const auto add = [this](ResponseRow response) {
-    response.question = trial_.question.name;
-    response.options_json = options_json_of(trial_);
-    response.time_ns = answer_ns_;
+  const Answer* const answer = reply_.answer();
+  if (answer == nullptr) {
+    // No answer before the deadline is an outcome of the trial, and stays without a response.
+    row_.outcome = AttemptOutcome::timed_out;
+    return;
+  }
+  for (AnsweredItem& item : items_of(trial_.question, *answer)) {
+    ResponseRow response{.question = trial_.question.name,
+                         .item = item.item,
+                         .answer = std::move(item.answer),
+                         .answer_number = item.number,
+                         .correct = item.correct,
+                         .options_json = options_json_of(trial_),
+                         .time_ns = answer_ns_};
     response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
     if (const auto contact_ns = row_.presentations.front().contact_ns) {
       response.from_contact_s = seconds_between(*contact_ns, answer_ns_);
     }
     response.source = course_.respondent().source();
     row_.responses.push_back(std::move(response));
-  };
-  if (reply_.estimate) {
-    add({.answer = number_text(*reply_.estimate), .answer_number = reply_.estimate});
-  }
-  for (std::size_t item = 0; item < reply_.options.size(); ++item) {
-    ResponseRow response{};
-    response.item = static_cast<int>(item) + 1;
-    response.answer = trial_.question.options.at(reply_.options[item]).value;
-    if (item < trial_.question.correct.size()) {
-      response.correct = response.answer == trial_.question.correct[item];
-    }
-    add(std::move(response));
   }
 }
 

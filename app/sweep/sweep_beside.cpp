@@ -441,7 +441,7 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
 
 SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
                          const std::filesystem::path& study) {
-  if (protocol.kind != ProtocolKind::magnitude || !protocol.estimation) {
+  if (!protocol.estimation) {
     refuse_beside(protocol, "does not request estimates by spacing");
   }
   SweepBeside beside{.conditions = conditions_of_levels(order, protocol)};

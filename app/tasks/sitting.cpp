@@ -14,6 +14,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/coded_phrases.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -35,7 +36,7 @@ std::string observer_json(const Protocol& protocol) {
   json["feature_noise"] = observer.feature_noise;
   json["position_bias"] = observer.position_bias;
   json["lapse"] = observer.lapse;
-  if (protocol.kind == ProtocolKind::magnitude) {
+  if (std::holds_alternative<NumberForm>(kind_of(protocol).form)) {
     json["magnitude_of"] = text_of(observer.magnitude_of);
     json["exponent"] = observer.exponent;
   }

@@ -12,6 +12,7 @@
 
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
+#include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
 #include "stimuli/heights/synthetic_surface.h"

@@ -130,27 +130,10 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
         problems.push_back(
             item() + "the options stored with the answer differ from those of the planned trial");
       }
-      if (question.form == TrialQuestion::Form::number) {
-        const std::optional<double> stored = number_in(answer);
-        if (!stored || !(*stored > 0.0) || stored != reply.number) {
-          problems.push_back(
-              item() +
-              "the answer is not a number above 0, or differs from the number stored with it");
-        }
-        continue;
-      }
-      const bool is_option =
-          std::any_of(question.options.begin(), question.options.end(),
-                      [&answer](const Option& option) { return option.value == answer; });
-      if (!is_option) {
-        problems.push_back(item() + "the answer is not among the options of the trial");
-      }
-      const auto place = static_cast<std::size_t>(reply.item - 1);
-      std::optional<bool> correct{};
-      if (place < question.correct.size()) correct = answer == question.correct[place];
-      if (correct != reply.correct) {
-        problems.push_back(item() +
-                           "the answer is not marked correct or incorrect as in the planned trial");
+      const AnsweredItem stored{
+          .item = reply.item, .answer = answer, .number = reply.number, .correct = reply.correct};
+      for (const std::string& problem : problems_with(question, stored)) {
+        problems.push_back(item() + problem);
       }
     }
   }

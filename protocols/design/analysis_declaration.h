@@ -4,23 +4,10 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace asperity {
-
-/// A group of tests that a kind of protocol has, by the name under which a protocol can take it into
-/// its family.
-struct TestName {
-  std::string_view kind{};  ///< as text_of(ProtocolKind)
-  std::string_view name{};
-  std::string_view meaning{};
-};
-
-/// Of every kind, in order; of each kind the first is its family where a protocol declares none.
-std::span<const TestName> test_names();
 
 /// The key `analysis`. Its p values are adjusted together after Holm: only then does the chance of
 /// any false alarm among them stay where it was set, and only if the family was chosen before the

@@ -6,20 +6,6 @@
 
 namespace asperity {
 
-const char* text_of(ProtocolKind kind) noexcept {
-  switch (kind) {
-    case ProtocolKind::selection:
-      return "selection";
-    case ProtocolKind::matching:
-      return "matching";
-    case ProtocolKind::recognition:
-      return "recognition";
-    case ProtocolKind::magnitude:
-      return "magnitude";
-  }
-  return "";
-}
-
 const char* text_of(ProtocolDesign design) noexcept {
   switch (design) {
     case ProtocolDesign::chapter:

@@ -18,13 +18,6 @@
 
 namespace asperity {
 
-enum class ProtocolKind {
-  selection,    ///< which of several renderings of one texture is the most realistic
-  matching,     ///< several felt textures are assigned to as many pictures
-  recognition,  ///< one felt texture is recognised among pictures
-  magnitude,    ///< a number says how rough one felt surface is
-};
-
 /// `chapter`: one outcome per person per column of the published table, as [Wu 2009] ran them.
 /// `improved`: balanced order and position, reshuffled pictures, familiarisation, practice.
 enum class ProtocolDesign { chapter, improved };
@@ -53,7 +46,6 @@ enum class VisualTexture {
 enum class Phase { familiarisation, practice, main };
 
 /// As it stands in a protocol file and in the store.
-const char* text_of(ProtocolKind kind) noexcept;
 const char* text_of(ProtocolDesign design) noexcept;
 const char* text_of(Vision vision) noexcept;
 const char* text_of(VisualTexture texture) noexcept;
@@ -195,7 +187,8 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept;
 
 /// Everything a protocol file says. Always valid: only `read_protocol` makes one.
 struct Protocol {
-  ProtocolKind kind = ProtocolKind::selection;
+  std::string kind =
+      "selection";  ///< the id of an ExperimentKind (protocols/kinds/experiment_kind.h)
   ProtocolDesign design = ProtocolDesign::chapter;
   std::string name{};
   std::string version{};

@@ -77,4 +77,13 @@ std::string digits(double value) {
   return {buffer.data(), result.ptr};
 }
 
+std::string unknown_name(std::string_view what, const std::string& name,
+                         const std::vector<std::string>& declared) {
+  const std::string guess = did_you_mean(name, declared);
+  return "there is no " + std::string(what) + " " + in_quotes(name) +
+         (!guess.empty()     ? guess
+          : declared.empty() ? "; none is declared"
+                             : "; declared: " + one_of(declared));
+}
+
 }  // namespace asperity

@@ -21,4 +21,14 @@ std::string in_quotes(std::string_view text);
 /// The shortest digits that read back as the same number.
 std::string digits(double value);
 
+/// "there is no WHAT "name"; did you mean …" or "…; declared: "a" or "b"", of the names that a map declares.
+std::string unknown_name(std::string_view what, const std::string& name,
+                         const std::vector<std::string>& declared);
+template <class Map>
+std::string unknown_name(std::string_view what, const std::string& name, const Map& declared) {
+  std::vector<std::string> names{};
+  for (const auto& [key, value] : declared) names.push_back(key);
+  return unknown_name(what, name, names);
+}
+
 }  // namespace asperity

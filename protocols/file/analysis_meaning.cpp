@@ -45,7 +45,7 @@ void Meaning::check_analysis() {
     }
   }
   const AnalysisDeclaration& declared = protocol_.analysis;
-  if (declared.target && protocol_.kind != ProtocolKind::selection) {
+  if (declared.target && !kind_.has_target) {
     report("/analysis/target",
            "only a selection has a target that is chosen among others; remove this key");
   } else if (declared.target) {
@@ -57,27 +57,28 @@ void Meaning::check_analysis() {
                                      (names.empty() ? "" : "; use " + one_of(names)));
     }
   }
-  if (declared.equivalence_margin && protocol_.kind != ProtocolKind::matching &&
-      protocol_.kind != ProtocolKind::recognition) {
+  if (declared.equivalence_margin && !kind_.has_correct_responses) {
     report(
         "/analysis/equivalence_margin",
         "only a matching and a recognition have proportions correct to compare; remove this key");
   }
   std::vector<std::string> tests{};
-  for (const TestName& test : test_names()) {
-    if (test.kind == text_of(protocol_.kind)) tests.emplace_back(test.name);
-  }
+  for (const KindTest& test : kind_.tests) tests.emplace_back(test.name);
+  const auto needs_target = [this](const std::string& name) {
+    return std::any_of(kind_.tests.begin(), kind_.tests.end(), [&name](const KindTest& test) {
+      return test.needs_target && test.name == name;
+    });
+  };
   for (std::size_t i = 0; i < declared.family.size(); ++i) {
     const std::string& name = declared.family[i];
     const std::string pointer = pointer_to("/analysis/family", i);
     const auto here = declared.family.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(tests.begin(), tests.end(), name) == tests.end()) {
-      report(pointer, "a " + std::string(text_of(protocol_.kind)) + " has no test " +
-                          in_quotes(name) + "; it has " + one_of(tests));
+      report(pointer, "a " + std::string(kind_.id) + " has no test " + in_quotes(name) +
+                          "; it has " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
-    } else if (!declared.target && protocol_.kind == ProtocolKind::selection &&
-               (name == "target_pairs" || name == "textures")) {
+    } else if (!declared.target && needs_target(name)) {
       report(pointer,
              "the test " + in_quotes(name) + " is about the target: name it with \"target\"");
     }

@@ -19,7 +19,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   std::map<std::string, std::string> setters{};
   const auto claim = [&](const std::string& factor, const std::string& by, const std::string& at) {
     if (!protocol_.factors.contains(factor)) {
-      report(at, unknown("factor", factor, protocol_.factors));
+      report(at, unknown_name("factor", factor, protocol_.factors));
       return;
     }
     const auto [earlier, is_new] = setters.emplace(factor, by);
@@ -61,10 +61,10 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
   }
   for (const auto& [name, place] : texts_of(block.exploration, pointer + "/exploration")) {
     if (!protocol_.explorations.contains(name)) {
-      report(place, unknown("exploration", name, protocol_.explorations));
+      report(place, unknown_name("exploration", name, protocol_.explorations));
     }
   }
-  for (const Run* const run : runs_of(block)) {
+  for (const Run* const run : runs_of(protocol_, block)) {
     const std::string& factor = block.exploration.factor;
     if (factor.empty() || !protocol_.factors.contains(factor) ||
         factors_set_by(block, run).contains(factor)) {
@@ -83,7 +83,7 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
 void Meaning::check_anchor(const Block& block, const std::string& pointer) {
   if (block.anchor.empty()) return;
   const std::string place = pointer + "/anchor";
-  if (protocol_.kind != ProtocolKind::magnitude) {
+  if (!kind_.has_anchors) {
     report_key(place,
                "only a magnitude has an anchor with which others are compared; remove this key");
     return;
@@ -112,7 +112,7 @@ void Meaning::check_anchor(const Block& block, const std::string& pointer) {
 }
 
 void Meaning::check_presented(const Block& block, const std::string& pointer) {
-  const std::string expected = protocol_.kind == ProtocolKind::selection ? "alternative" : "target";
+  const std::string expected(kind_.role);
   for (std::size_t i = 0; i < block.presented.size(); ++i) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
@@ -125,14 +125,14 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
     }
     const auto stimulus = protocol_.stimuli.find(presented.stimulus);
     if (stimulus == protocol_.stimuli.end()) {
-      report(place + "/stimulus", unknown("stimulus", presented.stimulus, protocol_.stimuli));
+      report(place + "/stimulus", unknown_name("stimulus", presented.stimulus, protocol_.stimuli));
       continue;
     }
     std::set<std::string> needed{stimulus->second.model.factor, stimulus->second.texture.factor,
                                  stimulus->second.surface.factor, stimulus->second.tool.factor};
     for (const auto& [name, binding] : stimulus->second.parameters) needed.insert(binding.factor);
     needed.erase("");
-    for (const Run* const run : runs_of(block)) {
+    for (const Run* const run : runs_of(protocol_, block)) {
       const std::set<std::string> given = factors_set_by(block, run);
       for (const std::string& factor : needed) {
         if (given.contains(factor) || presented.with.contains(factor)) continue;
@@ -156,9 +156,9 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   if (!block.until) return;
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
-  if (!has_right_answers(protocol_.kind)) {
+  if (!kind_.has_correct_responses) {
     report(place, "a criterion needs correct responses, and no response of a " +
-                      std::string(text_of(protocol_.kind)) + " is correct or incorrect");
+                      std::string(kind_.id) + " is correct or incorrect");
   }
   if (criterion.correct > criterion.of_last) {
     report(place + "/correct", "the criterion cannot be met: it requires " +
@@ -176,7 +176,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   for (const auto& [factor, maximum] : block.maximum_in_a_row) {
     const std::string at = pointer_to(pointer + "/maximum_in_a_row", factor);
     if (!protocol_.factors.contains(factor)) {
-      report_key(at, unknown("factor", factor, protocol_.factors));
+      report_key(at, unknown_name("factor", factor, protocol_.factors));
       return;
     }
     const bool is_row_factor =

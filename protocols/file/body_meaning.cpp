@@ -37,7 +37,7 @@ void Meaning::check_bodies() {
     if (!body.texture) continue;
     const auto texture = protocol_.textures.find(*body.texture);
     if (texture == protocol_.textures.end()) {
-      report(pointer + "/texture", unknown("texture", *body.texture, protocol_.textures));
+      report(pointer + "/texture", unknown_name("texture", *body.texture, protocol_.textures));
     } else if (!texture->second.height_field) {
       report(pointer + "/texture", "the texture " + in_quotes(*body.texture) +
                                        " cannot be put on a body: it has no \"height_field\"");
@@ -99,7 +99,8 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
                  "the model " + in_quotes(models.front()->id) + " has no bodies; leave this out");
     }
     for (const auto& [name, at] : texts_of(binding, place)) {
-      if (!protocol_.bodies.contains(name)) report(at, unknown("body", name, protocol_.bodies));
+      if (!protocol_.bodies.contains(name))
+        report(at, unknown_name("body", name, protocol_.bodies));
     }
   };
   if (needs != models.end() && protocol_.patch.motion_scale != 1.0) {

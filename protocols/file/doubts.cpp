@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"

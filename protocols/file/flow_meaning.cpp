@@ -19,7 +19,7 @@ void Meaning::check_flow() {
       for (std::size_t j = 0; j < ask->questions.size(); ++j) {
         if (!protocol_.questions.contains(ask->questions[j])) {
           report(pointer_to(pointer + "/ask", j),
-                 unknown("question", ask->questions[j], protocol_.questions));
+                 unknown_name("question", ask->questions[j], protocol_.questions));
         }
       }
     }
@@ -27,12 +27,12 @@ void Meaning::check_flow() {
     if (run == nullptr) continue;
     run_blocks.insert(run->block);
     if (!protocol_.blocks.contains(run->block)) {
-      report(pointer + "/run", unknown("block", run->block, protocol_.blocks));
+      report(pointer + "/run", unknown_name("block", run->block, protocol_.blocks));
     }
     if (!run->for_each.empty()) {
       iterated.insert(run->for_each);
       if (!protocol_.factors.contains(run->for_each)) {
-        report(pointer + "/for_each", unknown("factor", run->for_each, protocol_.factors));
+        report(pointer + "/for_each", unknown_name("factor", run->for_each, protocol_.factors));
       }
     }
     if (run->break_every_trials > 0 && !run->pause) {
@@ -69,7 +69,7 @@ bool Meaning::check_level(const std::string& factor, const Level& level,
                           const std::string& pointer) {
   const auto found = protocol_.factors.find(factor);
   if (found == protocol_.factors.end()) {
-    report_key(pointer, unknown("factor", factor, protocol_.factors));
+    report_key(pointer, unknown_name("factor", factor, protocol_.factors));
     return false;
   }
   const std::vector<Level>& levels = found->second.levels;
@@ -79,25 +79,6 @@ bool Meaning::check_level(const std::string& factor, const Level& level,
   report(pointer, in_quotes(text_of(level)) + " is not a level of the factor " + in_quotes(factor) +
                       "; its levels are " + one_of(names) + did_you_mean(text_of(level), names));
   return false;
-}
-
-std::vector<const Run*> Meaning::runs_of(const Block& block) const {
-  std::vector<const Run*> runs{};
-  for (const Protocol::Step& step : protocol_.flow) {
-    const auto* const run = std::get_if<Run>(&step);
-    if (run != nullptr && run->block == block.name) runs.push_back(run);
-  }
-  return runs;
-}
-
-std::set<std::string> Meaning::factors_set_by(const Block& block, const Run* run) const {
-  std::set<std::string> names(block.crossed.begin(), block.crossed.end());
-  names.insert(block.drawn.begin(), block.drawn.end());
-  for (const FactorLevels& row : block.listed) {
-    for (const auto& [name, level] : row) names.insert(name);
-  }
-  if (run != nullptr && !run->for_each.empty()) names.insert(run->for_each);
-  return names;
 }
 
 void Meaning::check_size() {

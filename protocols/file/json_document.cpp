@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "protocols/design/json_pointer.h"
+
 namespace asperity {
 
 namespace {
@@ -64,24 +66,6 @@ bool is_binary(std::string_view text) {
 }
 
 }  // namespace
-
-std::string pointer_to(const std::string& pointer, std::string_view key) {
-  std::string result = pointer + "/";
-  for (const char c : key) {
-    if (c == '~') {
-      result += "~0";
-    } else if (c == '/') {
-      result += "~1";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-std::string pointer_to(const std::string& pointer, std::size_t index) {
-  return pointer + "/" + std::to_string(index);
-}
 
 /// Receives the parser's events. nlohmann fires each one just after the token was read, so a token
 /// starts at the first character after the last event that is neither space nor punctuation.

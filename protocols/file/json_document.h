@@ -52,8 +52,4 @@ class JsonDocument final {
   std::map<std::string, Place, std::less<>> places_{};
 };
 
-/// `pointer` followed by a key or an index.
-std::string pointer_to(const std::string& pointer, std::string_view key);
-std::string pointer_to(const std::string& pointer, std::size_t index);
-
 }  // namespace asperity

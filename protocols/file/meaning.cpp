@@ -22,7 +22,7 @@ std::vector<Diagnostic> Meaning::check() {
   for (const auto& [name, block] : protocol_.blocks) {
     check_block(block, pointer_to("/blocks", name));
   }
-  check_estimation();
+  if (kind_.check != nullptr) kind_.check(protocol_, *this);
   check_analysis();
   // What a trial amounts to can only be seen in one, and only when all references hold.
   if (found_.empty()) check_size();

@@ -12,10 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/design/block_factors.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
 #include "stimuli/properties/parameter.h"
 
@@ -33,38 +37,23 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
-template <class Map>
-std::string unknown(std::string_view what, const std::string& name, const Map& map) {
-  const std::vector<std::string> names = names_of(map);
-  const std::string guess = did_you_mean(name, names);
-  return "there is no " + std::string(what) + " " + in_quotes(name) +
-         (!guess.empty()  ? guess
-          : names.empty() ? "; none is declared"
-                          : "; declared: " + one_of(names));
-}
-
-/// Of a selection and a magnitude no answer is right or wrong.
-constexpr bool has_right_answers(ProtocolKind kind) {
-  return kind == ProtocolKind::matching || kind == ProtocolKind::recognition;
-}
-
 /// Complaints about the whole protocol, gathered place by place.
-class Meaning final {
+class Meaning final : private ProblemSink {
  public:
   Meaning(const Protocol& protocol, const JsonDocument& document,
           const std::vector<ModelDeclaration>& models)
-      : protocol_(protocol), document_(document) {
+      : protocol_(protocol), kind_(kind_of(protocol)), document_(document) {
     for (const ModelDeclaration& model : models) models_.emplace(model.id, &model);
   }
 
   std::vector<Diagnostic> check();
 
  private:
-  void report(const std::string& pointer, std::string message) {
+  void report(const std::string& pointer, std::string message) override {
     if (!said_.emplace(pointer, message).second) return;
     found_.push_back(document_.at(pointer, std::move(message)));
   }
-  void report_key(const std::string& pointer, std::string message) {
+  void report_key(const std::string& pointer, std::string message) override {
     if (!said_.emplace(pointer, message).second) return;
     found_.push_back(document_.at_key(pointer, std::move(message)));
   }
@@ -98,31 +87,24 @@ class Meaning final {
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
-  /// Of a magnitude: what estimates are analysed by is there, and held within blocks where it has to be.
-  void check_estimation();
-  void check_spacings(const std::string& factor);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   void check_order(const Protocol::Block& block, const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_analysis();
-  /// What the answers of a selection can be.
+  /// What can be the answer where one item is declared as the target.
   std::set<std::string> items_of_main_blocks();
   void check_size();
   void check_trials();
   void check_draws();
-  void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies,
-                         const std::string& pointer);
+  void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies);
 
   /// The texts that a binding can stand for, each with the place to complain at.
   std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
                                                             const std::string& pointer);
   bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
-  std::set<std::string> factors_set_by(const Protocol::Block& block,
-                                       const Protocol::Run* run) const;
-  std::vector<const Protocol::Run*> runs_of(const Protocol::Block& block) const;
-
   const Protocol& protocol_;
+  const ExperimentKind& kind_;
   const JsonDocument& document_;
   std::map<std::string, const ModelDeclaration*, std::less<>> models_{};
   std::vector<Diagnostic> found_{};

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/kinds/experiment_kind.h"
+
 namespace asperity {
 
 namespace {
@@ -248,7 +250,7 @@ Protocol::Criterion criterion_of(const json& object) {
   return criterion;
 }
 
-Block block_of(const std::string& name, const json& object, ProtocolKind kind) {
+Block block_of(const std::string& name, const json& object, const ExperimentKind& kind) {
   Block block{};
   block.name = name;
   read_choice(object, "phase", block.phase,
@@ -273,7 +275,7 @@ Block block_of(const std::string& name, const json& object, ProtocolKind kind) {
   });
   for (const json& member : object.at("presented")) {
     Protocol::Presented presented{};
-    presented.role = kind == ProtocolKind::selection ? "alternative" : "target";
+    presented.role = kind.role;
     read(member, "role", presented.role);
     read(member, "stimulus", presented.stimulus);
     if (const auto with = member.find("with"); with != member.end()) {
@@ -327,11 +329,7 @@ Protocol::Step step_of(const json& object) {
 }
 
 void read_head(const json& root, Protocol& protocol) {
-  read_choice(root, "kind", protocol.kind,
-              {{"selection", ProtocolKind::selection},
-               {"matching", ProtocolKind::matching},
-               {"recognition", ProtocolKind::recognition},
-               {"magnitude", ProtocolKind::magnitude}});
+  read(root, "kind", protocol.kind);
   read_choice(root, "design", protocol.design,
               {{"chapter", ProtocolDesign::chapter}, {"improved", ProtocolDesign::improved}});
   read(root, "name", protocol.name);
@@ -476,7 +474,7 @@ Protocol protocol_from_json(const json& root) {
     protocol.questions[name] = question_of(name, member);
   });
   for_each_named(root, "blocks", [&](const std::string& name, const json& member) {
-    protocol.blocks[name] = block_of(name, member, protocol.kind);
+    protocol.blocks[name] = block_of(name, member, kind_of(protocol));
   });
   for (const json& step : root.at("flow")) protocol.flow.push_back(step_of(step));
   if (const auto found = root.find("resume"); found != root.end()) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
 

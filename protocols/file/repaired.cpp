@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/schema_check.h"
 #include "protocols/file/schema_nodes.h"

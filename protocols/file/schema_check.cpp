@@ -12,6 +12,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/schema_nodes.h"

@@ -11,24 +11,13 @@
 namespace asperity {
 
 void Meaning::check_head() {
-  const bool is_selection = protocol_.kind == ProtocolKind::selection;
-  if (is_selection && !protocol_.realism_standard) {
-    report("/kind",
-           "a selection has to state what \"realistic\" is measured against: add the key "
-           "\"realism_standard\" with \"photograph\", \"physical_sample\" or \"memory\"");
-  }
-  if (!is_selection && protocol_.realism_standard) {
-    report_key("/realism_standard",
-               "only in a selection is realism measured against a standard; remove this key");
-  }
-  const bool is_magnitude = protocol_.kind == ProtocolKind::magnitude;
-  if (is_magnitude && !protocol_.estimation) {
-    report("/kind",
-           "a magnitude has to state what estimates are analysed by: add the key \"estimation\" "
-           "with the factor that is the \"spacing\"");
-  }
-  if (!is_magnitude && protocol_.estimation) {
-    report_key("/estimation", "only a magnitude has estimates to be analysed; remove this key");
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    for (const KindKey& key : kind->keys) {
+      const std::string name(key.name);
+      const bool is_there = document_.root().contains(name);
+      if (kind == &kind_ && !is_there) report("/kind", std::string(key.if_missing));
+      if (kind != &kind_ && is_there) report_key("/" + name, std::string(key.if_foreign));
+    }
   }
   const auto& patch = protocol_.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
@@ -325,7 +314,7 @@ void Meaning::check_questions() {
     const auto name = asked[i].get<std::string>();
     if (!protocol_.questions.contains(name)) {
       report(pointer_to("/participants/questions", i),
-             unknown("question", name, protocol_.questions));
+             unknown_name("question", name, protocol_.questions));
     }
   }
 }

@@ -12,7 +12,7 @@ std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
   const auto factor = protocol_.factors.find(binding.factor);
   if (factor == protocol_.factors.end()) {
     if (!binding.factor.empty()) {
-      report(pointer + "/factor", unknown("factor", binding.factor, protocol_.factors));
+      report(pointer + "/factor", unknown_name("factor", binding.factor, protocol_.factors));
     }
     return {};
   }
@@ -35,7 +35,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
   for (const auto& [id, place] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
     if (model == models_.end()) {
-      report(place, unknown("force model", id, models_));
+      report(place, unknown_name("force model", id, models_));
       continue;
     }
     models.push_back(model->second);
@@ -53,7 +53,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
   for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
     const auto texture = protocol_.textures.find(name);
     if (texture == protocol_.textures.end()) {
-      report(place, unknown("texture", name, protocol_.textures));
+      report(place, unknown_name("texture", name, protocol_.textures));
     } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
       // The texture is the name and the picture of what a body brings along.
       if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
@@ -77,7 +77,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
                             pointer_to(pointer_to("/factors", binding.factor) + "/levels", i));
       }
     } else {
-      report(place + "/factor", unknown("factor", binding.factor, protocol_.factors));
+      report(place + "/factor", unknown_name("factor", binding.factor, protocol_.factors));
     }
     for (const ModelDeclaration* const model : models) {
       const auto declared =
@@ -87,7 +87,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
         std::map<std::string, int> names{};
         for (const Parameter& each : model->parameters) names[each.name] = 0;
         report_key(place, "the model " + in_quotes(model->id) +
-                              " has no such parameter: " + unknown("parameter", name, names));
+                              " has no such parameter: " + unknown_name("parameter", name, names));
         continue;
       }
       for (const auto& [value, at] : values) {
@@ -145,7 +145,7 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
                                  " N (/device/force_limit_N); lower the force or raise the limit");
   }
   if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
-    report(place + "/to_model", unknown("force model", equal.to_model, models_));
+    report(place + "/to_model", unknown_name("force model", equal.to_model, models_));
   } else if (!equal.to_model.empty() && models_.find(equal.to_model)->second->needs_bodies) {
     report(place + "/to_model", "the model " + in_quotes(equal.to_model) +
                                     " cannot be the reference of equal force: its texture force "

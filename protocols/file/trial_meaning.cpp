@@ -10,16 +10,10 @@ namespace asperity {
 using Block = Protocol::Block;
 
 void Meaning::check_expectation(const Trial& trial,
-                                const std::set<std::string, std::less<>>& on_bodies,
-                                const std::string& pointer) {
+                                const std::set<std::string, std::less<>>& on_bodies) {
   using Expectation = ObserverDeclaration::Expectation;
   if (protocol_.observer.expectation == Expectation::none) return;
-  if (protocol_.kind == ProtocolKind::magnitude) {
-    report("/observer/expectation",
-           "an observer derives a magnitude from what it feels and has no expectation: set this to "
-           "\"none\"");
-    return;
-  }
+  if (!kind_.has_expectations) return;
   std::set<std::string> expected{};
   for (const PlannedPresentation& planned : trial.presentations) {
     expected.insert(planned.stimulus.texture);
@@ -39,9 +33,6 @@ void Meaning::check_expectation(const Trial& trial,
       report(pointer_to("/textures", name),
              "the observer expects the stated prior of this texture: give it a \"prior\"");
     }
-  }
-  if (protocol_.kind == ProtocolKind::selection && expected.empty()) {
-    report(pointer + "/presented", "nothing can be expected of surfaces without a texture");
   }
 }
 
@@ -89,47 +80,17 @@ void Meaning::check_trials() {
                        pointer_to("/stimuli", planned.stimulus_template));
       }
     }
-    const std::string& texture = trial.presentations.front().stimulus.texture;
     std::set<std::string> pictures(trial.question.correct.begin(), trial.question.correct.end());
     for (const Option& option : trial.question.options) pictures.erase(option.value);
     if (!pictures.empty()) {
       report(pointer + "/question/pictures",
              "the correct response " + in_quotes(*pictures.begin()) + " is not among the pictures");
     }
-    switch (protocol_.kind) {
-      case ProtocolKind::selection:
-        for (const PlannedPresentation& planned : trial.presentations) {
-          if (planned.stimulus.texture != texture) {
-            report(presented, "the surfaces of a trial show different textures (" +
-                                  in_quotes(texture) + " and " +
-                                  in_quotes(planned.stimulus.texture) +
-                                  "); a selection compares renderings of one texture");
-          }
-        }
-        if (protocol_.realism_standard == RealismStandard::photograph &&
-            !trial.question.standard_picture) {
-          report(texture.empty() ? presented : pointer_to("/textures", texture),
-                 "realism is measured against a photograph here: give the texture a \"picture\"");
-        }
-        if (protocol_.realism_standard == RealismStandard::physical_sample &&
-            (texture.empty() || protocol_.textures.at(texture).code.empty())) {
-          report(texture.empty() ? presented : pointer_to("/textures", texture),
-                 "realism is measured against a physical sample here: give the texture the "
-                 "\"code\" on its label");
-        }
-        break;
-      case ProtocolKind::matching:
-      case ProtocolKind::magnitude:
-        break;
-      case ProtocolKind::recognition:
-        if (!texture.empty() && trial.question.correct.front() != texture) {
-          report(pointer + "/question/correct_factor",
-                 "the correct response would be " + in_quotes(trial.question.correct.front()) +
-                     ", but what is felt is " + in_quotes(texture));
-        }
-        break;
+    if (kind_.check_trial != nullptr) {
+      const Block& block = protocol_.blocks.at(trial.block);
+      kind_.check_trial({protocol_, block, pointer}, trial, *this);
     }
-    check_expectation(trial, on_bodies, pointer);
+    check_expectation(trial, on_bodies);
   }
 }
 

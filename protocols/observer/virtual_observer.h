@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "analysis/force_features.h"
@@ -12,6 +15,9 @@
 #include "protocols/design/protocol.h"
 
 namespace asperity {
+
+/// What an observer expects of textures, by name.
+using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 
 /// How a person uses numbers.
 struct NumberHabit {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/random.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/squares.h"
 #include "protocols/plan/trial_order.h"
@@ -76,9 +77,8 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   planned.stimulus.material = protocol.material;
   planned.stimulus.patch = protocol.patch;
   planned.equal_force = source.equal_force;
-  planned.item = !presented.item.empty()                    ? presented.item
-                 : protocol.kind == ProtocolKind::selection ? planned.stimulus.model
-                                                            : planned.stimulus.texture;
+  planned.item =
+      presented.item.empty() ? kind_of(protocol).item_of(planned.stimulus) : presented.item;
   return planned;
 }
 
@@ -143,28 +143,16 @@ std::string with_code(std::string prompt, const std::string& code) {
   return prompt;
 }
 
-TrialQuestion::Form form_of(ProtocolKind kind) {
-  switch (kind) {
-    case ProtocolKind::selection:
-    case ProtocolKind::recognition:
-      break;
-    case ProtocolKind::matching:
-      return TrialQuestion::Form::assignment;
-    case ProtocolKind::magnitude:
-      return TrialQuestion::Form::number;
-  }
-  return TrialQuestion::Form::choice;
-}
-
 TrialQuestion planned_question(const Protocol& protocol, const Block& block, const Trial& trial,
                                const std::vector<std::string>& pictures) {
+  const ExperimentKind& kind = kind_of(protocol);
   const Protocol::TrialQuestionTemplate& source = block.question;
   TrialQuestion question{};
   question.name = source.name;
   question.prompt = source.prompt;
   question.allow_revisit = source.allow_revisit;
   question.pictures_after_feeling = source.pictures_after_feeling;
-  question.form = form_of(protocol.kind);
+  question.form = kind.form;
   if (const auto texture = protocol.textures.find(trial.presentations.front().stimulus.texture);
       texture != protocol.textures.end()) {
     question.experimenter_prompt = with_code(source.experimenter_prompt, texture->second.code);
@@ -174,7 +162,7 @@ TrialQuestion planned_question(const Protocol& protocol, const Block& block, con
   } else {
     question.experimenter_prompt = source.experimenter_prompt;
   }
-  if (question.form == TrialQuestion::Form::number) return question;
+  if (std::holds_alternative<NumberForm>(question.form)) return question;
   if (pictures.empty()) {
     for (const PlannedPresentation& planned : trial.presentations) {
       question.options.push_back({planned.item, planned.code, std::nullopt});
@@ -188,19 +176,7 @@ TrialQuestion planned_question(const Protocol& protocol, const Block& block, con
   if (source.allow_cannot_tell) {
     question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
   }
-  switch (protocol.kind) {
-    case ProtocolKind::selection:
-    case ProtocolKind::magnitude:
-      break;
-    case ProtocolKind::matching:
-      for (const PlannedPresentation& planned : trial.presentations) {
-        question.correct.push_back(planned.item);
-      }
-      break;
-    case ProtocolKind::recognition:
-      question.correct.push_back(text_of(trial.factors.at(source.correct_factor)));
-      break;
-  }
+  if (kind.correct_of != nullptr) question.correct = kind.correct_of(source, trial);
   return question;
 }
 

@@ -11,57 +11,9 @@
 #include <vector>
 
 #include "protocols/design/protocol.h"
-#include "stimuli/stimulus_description.h"
+#include "protocols/design/trial.h"
 
 namespace asperity {
-
-/// One surface of a trial.
-struct PlannedPresentation {
-  int position = 0;    ///< 1-based, the order in which the surfaces come
-  std::string role{};  ///< "alternative", "target", "anchor"
-  std::string item{};  ///< what it is an instance of: the model (selection) or texture it shows
-  std::string code{};  ///< what blinded people see of it: "A" for the first position, then "B", …
-  std::string stimulus_template{};  ///< that the stimulus fills in, as the protocol calls it
-  StimulusDescription stimulus{};
-  std::optional<EqualForce> equal_force{};
-};
-
-/// One option of a trial's question, in the order in which it is shown.
-struct Option {
-  std::string value{};  ///< stored as the answer: an item, a texture, "cannot_tell"
-  std::string
-      label{};  ///< shown, never a name: a presentation's code, or a picture's place from "1"
-  std::optional<std::string> picture{};  ///< study-relative
-};
-
-/// The question of a trial. A choice has one answer; an assignment one per presentation, each
-/// option used once; a number is above 0 and has no options.
-struct TrialQuestion {
-  enum class Form { choice, assignment, number };
-  std::string name{};
-  std::string prompt{};
-  std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
-  /// Study-relative picture of the texture that realism is measured against, where it is shown.
-  std::optional<std::string> standard_picture{};
-  Form form = Form::choice;
-  std::vector<Option> options{};
-  bool allow_revisit = true;
-  bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
-  /// The right answers: one for a choice, one per presentation (by position) for an assignment;
-  /// empty where no answer is right or wrong.
-  std::vector<std::string> correct{};
-};
-
-struct Trial {
-  int ordinal = 0;  ///< 1-based within the session
-  std::string block{};
-  int block_ordinal = 0;  ///< 1-based within the session: every run of a block counts
-  Phase phase = Phase::main;
-  int repetition = 1;  ///< 0 of an anchor
-  std::map<std::string, Level, std::less<>> factors{};
-  std::vector<PlannedPresentation> presentations{};
-  TrialQuestion question{};
-};
 
 /// How a trial is explored: what its block says, or the level of the factor that says it.
 const Exploration& exploration_of(const Protocol& protocol, const Trial& trial);

@@ -95,18 +95,6 @@ class JsonLine final {
   std::string line_{};
 };
 
-const char* name_of(TrialQuestion::Form form) {
-  switch (form) {
-    case TrialQuestion::Form::choice:
-      break;
-    case TrialQuestion::Form::assignment:
-      return "assignment";
-    case TrialQuestion::Form::number:
-      return "number";
-  }
-  return "choice";
-}
-
 void add_body(JsonLine& line, std::string_view key, const BodyDescription& body) {
   line.key(key);
   line.open('{');

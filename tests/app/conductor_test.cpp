@@ -84,9 +84,9 @@ TEST_F(ConductorTest, ReportsWhetherAnAttemptCountsAndWhyItsTrialIsRepeated) {
   links_.tell = [&lines](const std::string& line) { lines.push_back(line); };
   person_.at_question = [this](int question, const Trial&) -> Reply {
     if (question == 2) conductor_->requests().skip("the sample broke");
-    if (question == 2) return {{}, 1};
+    if (question == 2) return feels_again(1);
     if (question == 3) conductor_->requests().repeat_last("the door banged");
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   std::vector<std::string> reported{};
@@ -151,9 +151,9 @@ TEST_F(ConductorTest, RecordsEveryTickOfAnAttempt) {
 TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
   begin(small_protocol());
   person_.at_question = [this](int question, const Trial&) -> Reply {
-    if (question < 2) return {{0}, {}};
+    if (question < 2) return chooses(0);
     conductor_->requests().abort("the fire alarm rang");
-    return {{}, 1};  // feels surface 1 again, and is interrupted in it
+    return feels_again(1);  // feels surface 1 again, and is interrupted in it
   };
   SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
@@ -180,7 +180,7 @@ TEST_F(ConductorTest, StopsAfterTheTrialWhenAsked) {
   begin(small_protocol());
   person_.at_question = [this](int, const Trial&) -> Reply {
     conductor_->requests().stop_after(StopAfter::trial);
-    return {{0}, {}};
+    return chooses(0);
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
@@ -193,9 +193,9 @@ TEST_F(ConductorTest, KeepsASkippedTrialAndDoesNotAskItAgain) {
   person_.at_question = [this](int question, const Trial&) -> Reply {
     if (question == 1) {
       conductor_->requests().skip("the picture fell down");
-      return {{}, 1};  // feels again, and is interrupted in it
+      return feels_again(1);  // feels again, and is interrupted in it
     }
-    return {{0}, {}};
+    return chooses(0);
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::completed);
@@ -210,8 +210,8 @@ TEST_F(ConductorTest, KeepsASkippedTrialAndDoesNotAskItAgain) {
 TEST_F(ConductorTest, LetsASurfaceBeFeltAgainBeforeTheAnswer) {
   begin(small_protocol());
   person_.at_question = [](int question, const Trial&) -> Reply {
-    if (question == 1) return {{}, 2};
-    return {{1}, {}};
+    if (question == 1) return feels_again(2);
+    return chooses(1);
   };
   run();
   const auto rows = attempts();
@@ -258,7 +258,7 @@ TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAg
   person_.at_question = [this](int question, const Trial&) -> Reply {
     auto& force_N = protocol_.explorations.at("short").normal_force_N;
     force_N.target = question == 1 ? 1.5 : 0.9;
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   const auto rows = attempts();
@@ -341,7 +341,7 @@ TEST_F(ConductorTest, ShowsOfTheHandWhatItsRecordingGivesAgain) {
   std::vector<HandSoFar> shown{};
   person_.at_question = [&](int, const Trial&) -> Reply {
     shown.push_back(monitor.snapshot().hand);
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   std::vector<LiveBin> bins{};
@@ -410,7 +410,7 @@ TEST_F(ConductorTest, TakesANaturalHandOnTargetAndAsksOneThatIsTooFastAgain) {
   person_.at_question = [&](int question, const Trial&) -> Reply {
     times_target = question == 1 ? 1.5 : 1.0;
     live.push_back(monitor.snapshot().hand.speed_m_per_s.fraction_in_band.value_or(-1.0));
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   std::vector<int> trials{};
@@ -451,7 +451,7 @@ TEST_F(ConductorTest, GuidesTheHandOfAParticipantOnlyWhileASurfaceIsFeltAndWhere
   person_.at_question = [&](int, const Trial&) -> Reply {
     protocol_.explorations.at("short").guidance = Exploration::Guidance::experimenter;
     if (guided_at_first == 0) guided_at_first = guided;
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   EXPECT_GT(guided_at_first, 20);
@@ -499,7 +499,7 @@ TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
   begin(small_protocol());
   person_.at_question = [this](int, const Trial&) -> Reply {
     conductor_->requests().emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
@@ -552,7 +552,7 @@ TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) 
 TEST_F(ConductorTest, TakesALateAnswerForNoneAndGoesOn) {
   begin(small_protocol());
   person_.at_question = [](int question, const Trial&) -> Reply {
-    return question == 2 ? Reply{} : Reply{{0}, {}};
+    return question == 2 ? Reply{} : chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   const auto rows = attempts();
@@ -588,8 +588,9 @@ TEST_F(ConductorTest, AsksARequeuedTrialAgainAfterAllOthersEveryTime) {
 TEST_F(ConductorTest, HoldsTheLongestContactOfEachVisitAgainstTheMaximum) {
   begin(small_protocol());
   person_.at_question = [](int question, const Trial&) -> Reply {
-    if (question < 5) return {{}, 1};  // goes back to the first surface four times, 0.6 s each
-    return {{0}, {}};
+    if (question < 5)
+      return feels_again(1);  // goes back to the first surface four times, 0.6 s each
+    return chooses(0);
   };
   run();
   const AttemptRow row = attempts().front();
@@ -602,8 +603,8 @@ TEST_F(ConductorTest, CountsReactionTimesFromTheFirstTimeTheQuestionWasPut) {
   std::int64_t put_ns = 0;
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) put_ns = rig_->clock().now_ns() - 200'000'000;  // it took 0.2 s
-    if (question < 3) return {{}, 1};
-    return {{0}, {}};
+    if (question < 3) return feels_again(1);
+    return chooses(0);
   };
   run();
   const ResponseRow response = attempts().front().responses.at(0);
@@ -618,7 +619,7 @@ TEST_F(ConductorTest, AsksOnceMoreForANumberTenTimesAnEarlierOneAndKeepsBoth) {
   std::map<decltype(Trial::factors), int> times{};
   person_.at_question = [&times](int, const Trial& trial) {
     const double number = is_doubt(trial) ? 120.0 : ++times[trial.factors] == 1 ? 10.0 : 100.0;
-    return Reply{.estimate = number};
+    return gives(number);
   };
   run();
   const auto rows = attempts();
@@ -655,10 +656,10 @@ TEST_F(ConductorTest, TakesASecondNumberAsItIsAndOneLessThanTenTimesWithoutAskin
   person_.at_question = [&](int, const Trial& trial) {
     if (is_doubt(trial)) {
       ++doubts;
-      return Reply{.estimate = 1e6};
+      return gives(1e6);
     }
     const bool is_small = std::get<std::string>(trial.factors.at("tip")) == "small";
-    return Reply{.estimate = ++times[trial.factors] == 1 ? 1.0 : is_small ? 9.9 : 0.1};
+    return gives(++times[trial.factors] == 1 ? 1.0 : is_small ? 9.9 : 0.1);
   };
   run();
   // With the large tip: a tenth asks, a million for it stands, and after a million a tenth asks again
@@ -668,7 +669,7 @@ TEST_F(ConductorTest, TakesASecondNumberAsItIsAndOneLessThanTenTimesWithoutAskin
 
 TEST_F(ConductorTest, BeginsEveryRunOfABlockWithItsAnchor) {
   begin(estimated_protocol());
-  person_.at_question = [](int, const Trial&) { return Reply{.estimate = 5.0}; };
+  person_.at_question = [](int, const Trial&) { return gives(5.0); };
   run();
   for (const AttemptRow& row : attempts()) {
     const bool is_first = row.trial == 1 || row.trial == 8;
@@ -684,7 +685,7 @@ TEST_F(ConductorTest, AsksAnAnchorThatWasNotExploredAsAskedAgainAtOnceAndOthersA
   asked.required_fraction_in_band = 0.99;
   asked.on_failure = Exploration::OnFailure::requeue_at_end_of_block;
   asked.maximum_repeats = 1;
-  person_.at_question = [](int, const Trial&) { return Reply{.estimate = 5.0}; };
+  person_.at_question = [](int, const Trial&) { return gives(5.0); };
   run();
   std::vector<int> trials{};
   for (const AttemptDone& done : done_) trials.push_back(done.trial);
@@ -701,7 +702,7 @@ TEST_F(ConductorTest, GoesOnAfterACrashWithTheTrialsThatWaitToBeAskedAgain) {
     person_.questions = 0;
     person_.at_question = [at](int question, const Trial&) -> Reply {
       if (question == at) throw std::runtime_error("power failure");
-      return {{0}, {}};
+      return chooses(0);
     };
     EXPECT_THROW(run(), std::runtime_error);
     const SessionRow row = find_unfinished(*study_, protocol_, "p1", {});
@@ -731,7 +732,7 @@ TEST_F(ConductorTest, KeepsTheNumberThatNobodyConfirmedBeforeTheDeadline) {
   std::map<decltype(Trial::factors), int> times{};
   person_.at_question = [&times](int, const Trial& trial) {
     if (is_doubt(trial)) return Reply{};
-    return Reply{.estimate = ++times[trial.factors] == 1 ? 10.0 : 1.0};
+    return gives(++times[trial.factors] == 1 ? 10.0 : 1.0);
   };
   run();
   int kept = 0;
@@ -775,11 +776,11 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   std::ostringstream shown;
   TerminalRespondent person(ends[0], shown, {}, {});
   Trial trial{};
-  trial.question.form = TrialQuestion::Form::number;
+  trial.question.form = NumberForm{};
   trial.question.prompt = "How rough was it?";
   trial.question.allow_revisit = false;
   const Reply reply = person.ask(trial, {}, {}, [](double) {});
-  EXPECT_EQ(reply.estimate, 7.5);
+  EXPECT_EQ(reply.number(), 7.5);
   EXPECT_NE(shown.str().find("How rough was it?\nYour number: Please enter a number above 0"),
             std::string::npos)
       << shown.str();
@@ -792,9 +793,9 @@ TEST_F(ConductorTest, StopsTheDeadlineWhileASurfaceIsFeltAgain) {
   begin(small_protocol(R"(, "response_deadline_s": 3)"));
   person_.at_question = [&](int question, const Trial&) -> Reply {
     // Wished for 0.15 s after the question was put, heard 0.05 s later.
-    if (question == 1) return {{}, 1, rig_->clock().now_ns() - 50'000'000};
-    if (question == 2) return {{}, 1};
-    return {{0}, {}};
+    if (question == 1) return feels_again(1, rig_->clock().now_ns() - 50'000'000);
+    if (question == 2) return feels_again(1);
+    return chooses(0);
   };
   run();
   ASSERT_GE(person_.deadlines_s.size(), 4U);

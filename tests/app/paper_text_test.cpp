@@ -16,6 +16,7 @@
 #include "app/report/text/study_report.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/library_protocols.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -320,14 +321,16 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
 
 /// Every test that a study can report has words, and every work that is cited an entry.
 TEST(PaperText, HasWordsForEveryTestAndEntriesForEverySource) {
-  for (const TestName& name : test_names()) {
-    StudyTests::Test test{
-        .name = std::string(name.name), .about = "a|b", .made_by = test_method("p")};
-    test.n = 7;
-    for (const double p : {0.01, 0.5}) {
-      test.p = p;
-      EXPECT_THAT(sentence_of_test(test, name.kind).text, Not(StartsWith(":")))
-          << name.kind << ' ' << name.name;
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    for (const KindTest& named : kind->tests) {
+      StudyTests::Test test{
+          .name = std::string(named.name), .about = "a|b", .made_by = test_method("p")};
+      test.n = 7;
+      for (const double p : {0.01, 0.5}) {
+        test.p = p;
+        EXPECT_THAT(sentence_of_test(test, kind->id).text, Not(StartsWith(":")))
+            << kind->id << ' ' << named.name;
+      }
     }
   }
   for (const TestMethod& method : test_methods()) {

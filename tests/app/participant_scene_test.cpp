@@ -90,7 +90,7 @@ TEST(SceneOfQuestion, PutsDigitsOnPicturesAndLettersOnSurfaces) {
   EXPECT_EQ(pictures.choices[0].key, "1");
   EXPECT_EQ(pictures.choices[3].key, "4");
   EXPECT_TRUE(pictures.choices[0].picture);
-  EXPECT_TRUE(pictures.is_assignment);
+  EXPECT_TRUE(pictures.is_answered_by<AssignmentForm>());
   EXPECT_EQ(pictures.assigning, std::optional<std::size_t>(0));
   EXPECT_TRUE(pictures.response_open);
 

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/replies.h"
 #include "tests/support/scripted_sound.h"
 
 namespace asperity {
@@ -42,7 +43,7 @@ Trial selection() {
 /// Three surfaces to as many pictures; nothing is felt again.
 Trial matching() {
   Trial trial = selection();
-  trial.question.form = TrialQuestion::Form::assignment;
+  trial.question.form = AssignmentForm{};
   trial.question.options.clear();
   for (int place = 1; place <= 3; ++place) {
     trial.question.options.push_back({"texture", std::to_string(place), "stimuli/picture.png"});
@@ -157,7 +158,7 @@ class ANumber : public PersonAtWindowTest {
   ANumber() {
     trial_.presentations.resize(1);
     trial_.question = {};
-    trial_.question.form = TrialQuestion::Form::number;
+    trial_.question.form = NumberForm{};
     trial_.question.prompt = "How rough did it feel?";
     trial_.question.allow_revisit = false;
   }
@@ -179,9 +180,9 @@ TEST_F(ANumber, IsTakenWithAPointAndWithAComma) {
   feel_all(trial_);
   type(0.5, "12,5");
   const Reply reply = ask(trial_);
-  EXPECT_EQ(reply.estimate, 12.5);
-  EXPECT_TRUE(reply.options.empty());
-  EXPECT_TRUE(reply.is_answer());
+  EXPECT_EQ(reply.number(), 12.5);
+  EXPECT_TRUE(options_of(reply).empty());
+  EXPECT_NE(reply.answer(), nullptr);
   EXPECT_EQ(reply.answered_ns, nanoseconds(kBegin_s + 1.5));
 }
 
@@ -191,7 +192,7 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
   press(0.8, Kind::confirm);
   hold_button(1.0, 1, 0.2);
   type(2.0, "3");
-  EXPECT_EQ(ask(trial_).estimate, 3.0);
+  EXPECT_EQ(ask(trial_).number(), 3.0);
   const std::vector<EventRow> refused = events("refused");
   ASSERT_EQ(refused.size(), 3U);
   for (const EventRow& event : refused) {
@@ -203,11 +204,11 @@ TEST_F(ANumber, AsksToFeelTheSurfaceAgainWhereThatIsAllowed) {
   trial_.question.allow_revisit = true;
   feel_all(trial_);
   press(0.5, Kind::next);
-  EXPECT_EQ(ask(trial_).feel_again, 1);
+  EXPECT_EQ(felt_again(ask(trial_)), 1);
 }
 
 TEST_F(ANumber, IsLeftOutWhenTheTimeIsOver) {
-  EXPECT_FALSE(feel_all_and_ask(trial_, 2.0).is_answer());
+  EXPECT_EQ(feel_all_and_ask(trial_, 2.0).answer(), nullptr);
 }
 
 // --- a choice ------------------------------------------------------------------------------------
@@ -226,7 +227,7 @@ TEST_F(AChoice, IsMadeByNumberAndAnsweredByAConfirmation) {
   press(2.0, Kind::confirm);
   const std::int64_t confirmed_ns = now_ns_ + nanoseconds(2.0);
   const Reply reply = ask(selection());
-  EXPECT_EQ(reply.options, Options{1});
+  EXPECT_EQ(options_of(reply), Options{1});
   EXPECT_EQ(reply.answered_ns, confirmed_ns);
   EXPECT_EQ(person_.source(), "keyboard");
 }
@@ -236,7 +237,7 @@ TEST_F(AChoice, ChangesWithAnotherNumberUntilItIsConfirmed) {
   press(1.0, Kind::option, 2);
   press(1.1, Kind::option, 3);
   press(1.2, Kind::confirm);
-  EXPECT_EQ(ask(selection()).options, Options{2});
+  EXPECT_EQ(options_of(ask(selection())), Options{2});
 }
 
 TEST_F(AChoice, IsNotConfirmedBeforeItIsMade) {
@@ -251,7 +252,7 @@ TEST_F(AChoice, IsNotConfirmedBeforeItIsMade) {
   press(2.0, Kind::option, 1);
   look(2.5, [](const ParticipantScene& scene) { EXPECT_EQ(scene.cue, ""); });
   press(3.0, Kind::confirm);
-  EXPECT_EQ(ask(selection()).options, Options{0});
+  EXPECT_EQ(options_of(ask(selection())), Options{0});
   EXPECT_EQ(sound_.count(Cue::refused), 1);
   ASSERT_EQ(events("refused").size(), 1U);
   EXPECT_EQ(events("refused").front().text, "Please choose first.");
@@ -261,7 +262,7 @@ TEST_F(AChoice, MayBeThatOneCannotTell) {
   feel_all(selection());
   press(1.0, Kind::option, 4);
   press(2.0, Kind::confirm);
-  EXPECT_EQ(ask(selection()).options, Options{3});
+  EXPECT_EQ(options_of(ask(selection())), Options{3});
 }
 
 TEST_F(AChoice, HasNoUseForNumbersThatAreNoOption) {
@@ -273,7 +274,7 @@ TEST_F(AChoice, HasNoUseForNumbersThatAreNoOption) {
   press(1.4, Kind::assign, 2, 1);
   type(1.5, "2");
   press(2.0, Kind::confirm);
-  EXPECT_EQ(ask(selection()).options, Options{0});
+  EXPECT_EQ(options_of(ask(selection())), Options{0});
   EXPECT_TRUE(events("refused").empty());
 }
 
@@ -290,8 +291,8 @@ TEST_F(AChoice, IsLeftWithoutAnAnswerWhenTheTimeIsOver) {
   press(1.0, Kind::option, 1);
   const std::int64_t asked_ns = now_ns_;
   const Reply reply = ask(selection(), 4.0);
-  EXPECT_TRUE(reply.options.empty());
-  EXPECT_FALSE(reply.feel_again);
+  EXPECT_TRUE(options_of(reply).empty());
+  EXPECT_EQ(reply.feel_again(), nullptr);
   EXPECT_EQ(now_ns_, asked_ns + nanoseconds(4.05)) << "a window may hand on what came in time";
 }
 
@@ -299,7 +300,7 @@ TEST_F(AChoice, CountsWhenItIsConfirmedJustInTime) {
   feel_all(selection());
   press(1.0, Kind::option, 1);
   press(3.995, Kind::confirm);
-  EXPECT_EQ(ask(selection(), 4.0).options, Options{0});
+  EXPECT_EQ(options_of(ask(selection(), 4.0)), Options{0});
 }
 
 // On a real clock every wait takes a little longer than was asked for.
@@ -309,7 +310,7 @@ TEST_F(AChoice, IsOverAtTheDeadlineHoweverLongTheWaitsTake) {
   press(4.05, Kind::confirm);
   const std::int64_t asked_ns = now_ns_;
   wait_ = [this](double duration_s) { pass(duration_s + 0.002); };
-  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 4.0)).empty());
   EXPECT_LT(now_ns_, asked_ns + nanoseconds(4.05 + 0.01));
 }
 
@@ -321,7 +322,7 @@ TEST_F(AChoice, CountsWhenItWasConfirmedInTimeAndIsHeardALittleLater) {
   script_.emplace(now_ns_ + nanoseconds(4.045),
                   ParticipantInput{.kind = Kind::confirm, .time_ns = confirmed_ns});
   const Reply reply = ask(selection(), 4.0);
-  EXPECT_EQ(reply.options, Options{0});
+  EXPECT_EQ(options_of(reply), Options{0});
   EXPECT_EQ(reply.answered_ns, confirmed_ns);
 }
 
@@ -330,7 +331,7 @@ TEST_F(AChoice, IsNotConfirmedAfterTheDeadlineBetweenTwoLooks) {
   press(1.0, Kind::option, 1);
   press(4.001, Kind::confirm);
   wait_ = [this](double duration_s) { pass(duration_s + 0.007); };
-  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 4.0)).empty());
   EXPECT_NE(events("input").back().data_json.find("after_the_deadline"), std::string::npos);
 }
 
@@ -340,7 +341,7 @@ TEST_F(AChoice, IsNotMadeByWhatWasPressedBeforeTheQuestion) {
   ParticipantInput late{.kind = Kind::option, .number = 1, .time_ns = now_ns_ - nanoseconds(0.2)};
   script_.emplace(now_ns_ + nanoseconds(0.5), late);
   press(1.0, Kind::confirm);
-  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 2.0)).empty());
   const auto inputs = events("input");
   ASSERT_EQ(inputs.size(), 2U);
   EXPECT_NE(inputs[0].data_json.find("meant_for_an_earlier_scene"), std::string::npos);
@@ -355,7 +356,7 @@ TEST_F(AChoice, GoesByTheTimeThatTheSceneSaysItWasShownAt) {
   scene.shown_ns = pressed_ns - nanoseconds(PersonAtWindow::kTooSoon_s);
   monitor_.show(std::move(scene));
   press(1.0, Kind::confirm);
-  EXPECT_EQ(person_.ask(selection(), {}, 2.0, wait_).options, Options{0});
+  EXPECT_EQ(options_of(person_.ask(selection(), {}, 2.0, wait_)), Options{0});
 }
 
 // A pause or a fault is shown in the middle of a question.
@@ -368,7 +369,7 @@ TEST_F(AChoice, LeavesNoMarksOnAnotherScene) {
   });
   press(1.0, Kind::confirm);
   press(1.5, Kind::option, 2);
-  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 2.0)).empty());
   EXPECT_EQ(scene()->cue, "");
   EXPECT_FALSE(scene()->choices.at(1).chosen);
 }
@@ -379,9 +380,9 @@ TEST_F(AChoice, TakesOneAnswerPerKey) {
   press(2.0, Kind::confirm);
   press(2.001, Kind::confirm);  // bounces: heard together with the first
   press(2.002, Kind::option, 3);
-  EXPECT_EQ(ask(selection()).options, Options{0});
+  EXPECT_EQ(options_of(ask(selection())), Options{0});
   feel_all(selection());
-  EXPECT_TRUE(ask(selection(), 3.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 3.0)).empty());
   EXPECT_TRUE(events("refused").empty());
 }
 
@@ -434,7 +435,7 @@ TEST_F(PressedTwice, SpaceDoesNotAskForASurfaceAgain) {
   press(1.15, Kind::next);
   pass(1.0);
   EXPECT_TRUE(person_.wants_next(true));
-  EXPECT_FALSE(ask(trial, 2.0).feel_again);
+  EXPECT_EQ(ask(trial, 2.0).feel_again(), nullptr);
 }
 
 // Feeling has ended by itself while a finger was on its way to say that it is enough.
@@ -446,7 +447,7 @@ TEST_F(PressedTwice, SpaceThatComesALittleTooLateAsksForNothing) {
   press(0.3, Kind::next);  // the question is there
   pass(0.2);
   person_.refuse_answers();
-  EXPECT_FALSE(ask(trial, 2.0).feel_again);
+  EXPECT_EQ(ask(trial, 2.0).feel_again(), nullptr);
   EXPECT_TRUE(events("refused").empty());
 }
 
@@ -454,7 +455,7 @@ TEST_F(PressedTwice, KeysOfOneQuestionFollowAsFastAsFingersAre) {
   feel_all(selection());
   press(1.0, Kind::option, 2);
   press(1.04, Kind::confirm);
-  EXPECT_EQ(ask(selection()).options, Options{1});
+  EXPECT_EQ(options_of(ask(selection())), Options{1});
 }
 
 TEST_F(PressedTwice, TheSecondButtonDoesNotConfirmTheWholeWithItsLastSurface) {
@@ -468,7 +469,7 @@ TEST_F(PressedTwice, TheSecondButtonDoesNotConfirmTheWholeWithItsLastSurface) {
   hold_button(at_s + 0.4, 2, 0.05);
   const std::int64_t answered_ns = now_ns_ + nanoseconds(at_s + 0.4);
   const Reply reply = ask(matching());
-  EXPECT_EQ(reply.options, (Options{0, 1, 2}));
+  EXPECT_EQ(options_of(reply), (Options{0, 1, 2}));
   EXPECT_EQ(reply.answered_ns, answered_ns);
 }
 
@@ -494,9 +495,9 @@ TEST_F(FeelingAgain, GoesRoundTheSurfaces) {
   for (const int expected : {1, 2, 3, 1}) {
     press(1.0, Kind::next);
     const Reply reply = ask(trial);
-    EXPECT_TRUE(reply.options.empty());
-    ASSERT_EQ(reply.feel_again, expected);
-    feel(trial, *reply.feel_again);
+    EXPECT_TRUE(options_of(reply).empty());
+    ASSERT_EQ(felt_again(reply), expected);
+    feel(trial, felt_again(reply));
   }
 }
 
@@ -506,7 +507,7 @@ TEST_F(FeelingAgain, MayNameTheSurface) {
   press(1.0, Kind::surface, 2);
   const std::int64_t wished_ns = now_ns_ + nanoseconds(1.0);
   const Reply reply = ask(selection());
-  EXPECT_EQ(reply.feel_again, 2);
+  EXPECT_EQ(felt_again(reply), 2);
   EXPECT_EQ(reply.answered_ns, wished_ns);
 }
 
@@ -515,11 +516,11 @@ TEST_F(FeelingAgain, LeavesTheChoiceAsItWas) {
   feel_all(trial);
   press(1.0, Kind::option, 2);
   press(2.0, Kind::next);
-  ASSERT_EQ(ask(trial).feel_again, 1);
+  ASSERT_EQ(felt_again(ask(trial)), 1);
   feel(trial, 1);
   look(0.5, [](const ParticipantScene& scene) { EXPECT_TRUE(scene.choices.at(1).chosen); });
   press(1.0, Kind::confirm);
-  EXPECT_EQ(ask(trial).options, Options{1});
+  EXPECT_EQ(options_of(ask(trial)), Options{1});
 }
 
 TEST_F(FeelingAgain, IsRefusedWhereTheProtocolDoesNotAllowIt) {
@@ -533,7 +534,7 @@ TEST_F(FeelingAgain, IsRefusedWhereTheProtocolDoesNotAllowIt) {
     EXPECT_EQ(scene.cue_number, 2U);
   });
   const Reply reply = ask(trial, 2.0);
-  EXPECT_FALSE(reply.feel_again);
+  EXPECT_EQ(reply.feel_again(), nullptr);
   EXPECT_EQ(events("refused").size(), 2U);
 }
 
@@ -541,10 +542,10 @@ TEST_F(FeelingAgain, StartsAnewWithEveryAttempt) {
   const Trial trial = selection();
   feel_all(trial);
   press(1.0, Kind::option, 2);
-  EXPECT_TRUE(ask(trial, 2.0).options.empty());
+  EXPECT_TRUE(options_of(ask(trial, 2.0)).empty());
   feel_all(trial);
   press(1.0, Kind::confirm);
-  EXPECT_TRUE(ask(trial, 2.0).options.empty()) << "the choice is that of the attempt before";
+  EXPECT_TRUE(options_of(ask(trial, 2.0)).empty()) << "the choice is that of the attempt before";
 }
 
 // --- an assignment -------------------------------------------------------------------------------
@@ -566,7 +567,7 @@ TEST_F(AnAssignment, GivesPicturesToOneSurfaceAfterTheOther) {
   press(3.0, Kind::option, 2);
   look(3.5, [](const ParticipantScene& scene) { EXPECT_TRUE(scene.can_confirm); });
   press(4.0, Kind::confirm);
-  EXPECT_EQ(ask(matching()).options, (Options{2, 0, 1}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{2, 0, 1}));
 }
 
 TEST_F(AnAssignment, GivesEachPictureOnce) {
@@ -584,7 +585,7 @@ TEST_F(AnAssignment, GivesEachPictureOnce) {
   });
   press(4.0, Kind::option, 3);  // to A
   press(5.0, Kind::confirm);
-  EXPECT_EQ(ask(matching()).options, (Options{2, 0, 1}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{2, 0, 1}));
 }
 
 TEST_F(AnAssignment, IsNotConfirmedBeforeEverySurfaceHasAPicture) {
@@ -598,7 +599,7 @@ TEST_F(AnAssignment, IsNotConfirmedBeforeEverySurfaceHasAPicture) {
   });
   press(4.0, Kind::option, 3);
   press(5.0, Kind::confirm);
-  EXPECT_EQ(ask(matching()).options, (Options{0, 1, 2}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{0, 1, 2}));
 }
 
 TEST_F(AnAssignment, ChangesUntilItIsConfirmed) {
@@ -613,7 +614,7 @@ TEST_F(AnAssignment, ChangesUntilItIsConfirmed) {
   });
   press(3.0, Kind::option, 1);
   press(4.0, Kind::confirm);
-  EXPECT_EQ(ask(matching()).options, (Options{1, 0, 2}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{1, 0, 2}));
 }
 
 TEST_F(AnAssignment, IsMadeByDraggingInAnyOrder) {
@@ -632,7 +633,7 @@ TEST_F(AnAssignment, IsMadeByDraggingInAnyOrder) {
   press(2.0, Kind::assign, 1, 2);
   press(2.1, Kind::assign, 2, 1);
   press(3.0, {.kind = Kind::confirm, .source = "mouse"});
-  EXPECT_EQ(ask(matching()).options, (Options{1, 0, 2}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{1, 0, 2}));
   EXPECT_EQ(person_.source(), "mouse");
 }
 
@@ -646,7 +647,7 @@ TEST_F(AnAssignment, LetsAnotherSurfaceHaveItsTurn) {
   press(3.0, Kind::option, 2);
   press(4.0, Kind::option, 3);
   press(5.0, Kind::confirm);
-  EXPECT_EQ(ask(matching()).options, (Options{1, 2, 0}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{1, 2, 0}));
 }
 
 // --- while a surface is felt ---------------------------------------------------------------------
@@ -681,7 +682,7 @@ TEST_F(WhileFeeling, AnAnswerIsRefusedUntilAllWasFelt) {
   EXPECT_EQ(scene()->cue, "Please feel surface C first.");
   EXPECT_EQ(sound_.count(Cue::refused), 3);
   // None of it is the answer.
-  EXPECT_TRUE(ask(trial, 1.0).options.empty());
+  EXPECT_TRUE(options_of(ask(trial, 1.0)).empty());
 }
 
 TEST_F(WhileFeeling, NextGoesOnOnceTheSurfaceWasFeltLongEnough) {
@@ -769,7 +770,7 @@ TEST_F(WhileFeeling, AnAnswerIsRefusedOnceWhileTheHandLifts) {
   person_.refuse_answers();
   EXPECT_EQ(sound_.count(Cue::refused), 6);
   EXPECT_EQ(scene()->cue, "Please wait for the question.");
-  EXPECT_TRUE(ask(trial, 1.0).options.empty()) << "none of it is the answer";
+  EXPECT_TRUE(options_of(ask(trial, 1.0)).empty()) << "none of it is the answer";
   EXPECT_EQ(events("refused").size(), 6U);
 }
 
@@ -873,7 +874,7 @@ TEST_F(HeldAcross, TheDeadlineItAnswersNothingThatComesAfter) {
   feel_all(selection());
   press(0.5, Kind::option, 2);
   hold_button(3.5, 1, 1.0);  // a confirmation, let go 0.5 s too late
-  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 4.0)).empty());
   const std::int64_t told_ns = now_ns_;
   monitor_.show(scene_of_feedback(false, ""));
   person_.tell("Incorrect.", wait_);
@@ -888,10 +889,10 @@ TEST_F(HeldAcross, TheDeadlineItAnswersNotTheNextQuestion) {
   feel_all(selection());
   press(0.5, Kind::option, 2);
   hold_button(3.5, 1, 1.0);
-  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 4.0)).empty());
   feel_all(selection());
   press(0.5, Kind::option, 2);
-  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 2.0)).empty());
 }
 
 TEST_F(HeldAcross, TheOpeningOfTheQuestionItAnswersNothing) {
@@ -900,7 +901,7 @@ TEST_F(HeldAcross, TheOpeningOfTheQuestionItAnswersNothing) {
   pass(0.0);  // down, then the question is shown
   pass(0.3);
   press(1.0, Kind::option, 2);
-  EXPECT_TRUE(ask(selection(), 3.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 3.0)).empty());
 }
 
 TEST_F(HeldAcross, TheEndOfTheShortestBreakItDoesNotGoOn) {
@@ -929,7 +930,7 @@ TEST_F(HeldAcross, TheLastPictureItsNextPressIsNotTheConfirmationOfTheWhole) {
   hold_button(at_s + 3.0, 2, 0.05);
   const std::int64_t answered_ns = now_ns_ + nanoseconds(at_s + 3.0);
   const Reply reply = ask(matching());
-  EXPECT_EQ(reply.options, (Options{0, 1, 2}));
+  EXPECT_EQ(options_of(reply), (Options{0, 1, 2}));
   EXPECT_EQ(reply.answered_ns, answered_ns);
 }
 
@@ -1028,7 +1029,7 @@ TEST_F(DeviceButtons, StepThroughTheOptionsByToneAndConfirmWithTheSecond) {
   hold_button(3.0, 2, 0.1);
   const std::int64_t confirmed_ns = now_ns_ + nanoseconds(3.0);
   const Reply reply = ask(selection());
-  EXPECT_EQ(reply.options, Options{1});
+  EXPECT_EQ(options_of(reply), Options{1});
   EXPECT_EQ(reply.answered_ns, confirmed_ns);
   EXPECT_EQ(person_.source(), "device_button");
   EXPECT_THAT(sound_.cues(), testing::ElementsAre("option 1", "option 2"));
@@ -1038,7 +1039,7 @@ TEST_F(DeviceButtons, ConfirmWithTheFirstWhenItIsHeld) {
   feel_all(selection());
   hold_button(1.0, 1, 0.79);
   hold_button(3.0, 1, 0.8);
-  EXPECT_EQ(ask(selection()).options, Options{0});
+  EXPECT_EQ(options_of(ask(selection())), Options{0});
 }
 
 TEST_F(DeviceButtons, BeginAnewAfterTheLastOption) {
@@ -1047,7 +1048,7 @@ TEST_F(DeviceButtons, BeginAnewAfterTheLastOption) {
   feel_all(trial);
   for (int step = 0; step < 5; ++step) hold_button(1.0 + step, 1, 0.1);
   hold_button(7.0, 2, 0.1);
-  EXPECT_EQ(ask(trial).options, Options{0});
+  EXPECT_EQ(options_of(ask(trial)), Options{0});
 }
 
 TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
@@ -1062,8 +1063,8 @@ TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
   hold_button(7.0, 1, 0.9);
   const std::int64_t wished_ns = now_ns_ + nanoseconds(7.0);
   Reply reply = ask(trial);
-  EXPECT_TRUE(reply.options.empty());
-  EXPECT_EQ(reply.feel_again, 1);
+  EXPECT_TRUE(options_of(reply).empty());
+  EXPECT_EQ(felt_again(reply), 1);
   EXPECT_EQ(reply.answered_ns, wished_ns);
   EXPECT_THAT(sound_.cues(),
               testing::ElementsAre("option 1", "option 2", "option 3", "option 4", "surface 1"));
@@ -1073,12 +1074,12 @@ TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
   for (int step = 0; step < 5; ++step) hold_button(2.0 + step, 1, 0.1);
   hold_button(8.0, 2, 0.1);
   reply = ask(trial);
-  EXPECT_EQ(reply.feel_again, 2) << "it goes round the surfaces";
+  EXPECT_EQ(felt_again(reply), 2) << "it goes round the surfaces";
   EXPECT_EQ(events("refused").size(), 1U);
   feel(trial, 2);
   for (int step = 0; step < 6; ++step) hold_button(1.0 + step, 1, 0.1);
   hold_button(8.0, 2, 0.1);
-  EXPECT_EQ(ask(trial).options, Options{0}) << "one step further is the first option";
+  EXPECT_EQ(options_of(ask(trial)), Options{0}) << "one step further is the first option";
 }
 
 TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
@@ -1089,12 +1090,12 @@ TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
   hold_button(2.0, 2, 0.1);  // A gets 1
   for (int step = 0; step < 4; ++step) hold_button(3.0 + step, 1, 0.1);
   hold_button(8.0, 2, 0.1);
-  EXPECT_EQ(ask(trial).feel_again, 1);
+  EXPECT_EQ(felt_again(ask(trial)), 1);
   feel(trial, 1);
   look(0.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.choices.at(0).assigned_to, "A") << "what is given stays";
   });
-  EXPECT_TRUE(ask(trial, 1.0).options.empty());
+  EXPECT_TRUE(options_of(ask(trial, 1.0)).empty());
 }
 
 TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
@@ -1114,7 +1115,7 @@ TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
   });
   press(7.0, Kind::confirm);
   const Reply reply = ask(trial, 8.0);
-  EXPECT_FALSE(reply.feel_again);
+  EXPECT_EQ(reply.feel_again(), nullptr);
   ASSERT_EQ(events("refused").size(), 1U);
 }
 
@@ -1136,7 +1137,7 @@ TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
   step(3);
   confirm();  // C gets 3
   confirm();  // and that is the answer
-  EXPECT_EQ(ask(matching()).options, (Options{1, 0, 2}));
+  EXPECT_EQ(options_of(ask(matching())), (Options{1, 0, 2}));
   EXPECT_THAT(sound_.cues(), testing::ElementsAre("option 1", "option 2", "surface 2", "option 1",
                                                   "surface 3", "option 1", "option 2", "option 3",
                                                   "question"));
@@ -1158,7 +1159,7 @@ TEST_F(DeviceButtons, DoNothingWhenTheyWereDownBefore) {
   feel_all(selection());
   person_.button_changed({1, false, now_ns_ + nanoseconds(0.1)});
   hold_button(1.0, 2, 0.1);
-  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+  EXPECT_TRUE(options_of(ask(selection(), 2.0)).empty());
   EXPECT_EQ(events("refused").front().text, "Please choose first.");
 }
 
@@ -1220,7 +1221,7 @@ TEST(PersonAtWindowThreads, HearWhatIsPostedFromAnother) {
     person.post({.kind = Kind::confirm, .time_ns = nanoseconds(3.0)});
   });
   const Reply reply = person.ask(trial, {}, {}, [](double) { std::this_thread::yield(); });
-  EXPECT_EQ(reply.options, Options{2});
+  EXPECT_EQ(options_of(reply), Options{2});
   EXPECT_EQ(reply.answered_ns, nanoseconds(3.0));
 }
 

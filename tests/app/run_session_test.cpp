@@ -117,7 +117,7 @@ TEST_F(RunSession, StoresThatNothingSounded) {
 TEST_F(RunSession, StatesAndStoresThatASessionIsResumedOnAnotherDevice) {
   person_.at_question = [this](int, const Trial&) -> Reply {
     requests_.stop_after(StopAfter::trial);
-    return {{0}, {}};
+    return chooses(0);
   };
   std::string text = small_protocol();
   write_file(inputs_.protocol, text, Overwrite::allow);
@@ -357,7 +357,7 @@ class ResumedSession : public RunSession {
     write_file(inputs_.protocol, protocol, Overwrite::allow);
     person_.at_question = [this](int, const Trial&) -> Reply {
       requests_.stop_after(StopAfter::trial);
-      return {{0}, {}};
+      return chooses(0);
     };
     requests_.note("a note of the first stretch");
     ASSERT_EQ(run().state, SessionState::stopped);

@@ -83,7 +83,7 @@ TEST_F(Standstill, IsShownToTheExperimenterWhoHasNothingToDo) {
     const SessionSnapshot now = monitor_.snapshot();
     if (now.trouble) shown = now.trouble->what.english();
     waited = waited || now.phase == SessionPhase::fault;
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_FALSE(waited);
@@ -141,7 +141,7 @@ TEST_F(Standstill, WhileNothingIsFeltIsNone) {
   begin(small_protocol());
   person_.at_question = [&](int, const Trial&) -> Reply {
     rig_->move_clock_to(rig_->clock().now_ns() + 4'000'000'000);
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_EQ(attempts().size(), 3U);

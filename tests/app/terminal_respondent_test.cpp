@@ -19,6 +19,7 @@
 #include <termios.h>
 
 #include "app/study_files/height_field_files.h"
+#include "tests/support/replies.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -109,7 +110,7 @@ ColorPlanes sheet_of_a_question(bool in_grey) {
   trial.question.options = {{.label = "1", .picture = "red.png"},
                             {.label = "2", .picture = "blue.png"}};
   const auto type_when_asked = [&](double) { EXPECT_EQ(write(ends[1], "2\n", 2), 2); };
-  EXPECT_EQ(person.ask(trial, {}, {}, type_when_asked).options, std::vector<std::size_t>{1});
+  EXPECT_EQ(options_of(person.ask(trial, {}, {}, type_when_asked)), std::vector<std::size_t>{1});
   close(ends[0]);
   close(ends[1]);
   return load_color_picture(folder.path() / "sheet.png");
@@ -248,7 +249,7 @@ TEST(TerminalInContact, TakesTheAnswerThatIsTypedWhileThePicturesAreRead) {
     ADD_FAILURE() << "the answer was discarded";
     terminal.type("1\n");
   };
-  EXPECT_EQ(person.ask(trial, {}, {}, type_again).options, std::vector<std::size_t>{1});
+  EXPECT_EQ(options_of(person.ask(trial, {}, {}, type_again)), std::vector<std::size_t>{1});
 }
 
 TEST(PictureSheet, HasTheColoursOfThePictures) {

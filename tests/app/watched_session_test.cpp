@@ -127,7 +127,7 @@ TEST_F(WatchedSession, ShowsScenesInTheLanguageOfTheProtocol) {
   begin(with(one_trial(), "\"textures\"", R"("language": "de", )"));
   person_.at_question = [&](int, const Trial&) -> Reply {
     EXPECT_EQ(monitor_.snapshot().scene->language, "de");
-    return {{1}, {}};
+    return chooses(1);
   };
   run();
   EXPECT_EQ(monitor_.snapshot().scene->language, "de");
@@ -150,7 +150,7 @@ TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
     EXPECT_EQ(now.now_ns, rig_->clock().now_ns());
     EXPECT_EQ(now.scene->kind, ParticipantScene::Kind::question);
     EXPECT_EQ(now.scene->block, 1);
-    return {{1}, {}};
+    return chooses(1);
   };
   run();
   EXPECT_THAT(left_s, ElementsAre(std::nullopt, std::nullopt, std::nullopt));  // too few trials
@@ -327,7 +327,7 @@ TEST_F(WatchedSession, ExpectsTheTrialsThatAreLeftToTakeAsLongAsThoseThatWereDon
     left_s.push_back(monitor_.snapshot().expected_left_s);
     rig_->move_clock_to(rig_->clock().now_ns() + 20'000'000'000);  // slower than any plan expects
     if (trial.ordinal == 5) requests_.stop_after(StopAfter::trial);
-    return {{1}, {}};
+    return chooses(1);
   };
   const auto expected_s = [&](int done) {
     const std::vector<AttemptRow> made = attempts();
@@ -352,7 +352,7 @@ TEST_F(WatchedSession, PausesBetweenTrialsUntilItIsResumed) {
   begin(small_protocol());
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   once_in(SessionPhase::paused, [&] {
     EXPECT_EQ(attempts().size(), 1U);
@@ -375,7 +375,7 @@ TEST_F(WatchedSession, PausesBeforeAQuestionToo) {
   begin(one_trial());
   person_.at_question = [&](int, const Trial&) -> Reply {
     requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   once_in(SessionPhase::paused, [&] {
     EXPECT_TRUE(study_->session_answers(session_.row.id).empty());
@@ -389,7 +389,7 @@ TEST_F(WatchedSession, StopsFromAPause) {
   begin(small_protocol());
   person_.at_question = [&](int, const Trial&) -> Reply {
     requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   once_in(SessionPhase::paused, [&] { requests_.stop_after(StopAfter::trial); });
   EXPECT_EQ(run().state, SessionState::stopped);
@@ -405,7 +405,7 @@ TEST_F(WatchedSession, StoresRemarksWithTheTimeAtWhichTheyWereMade) {
   person_.at_question = [&](int, const Trial&) -> Reply {
     made_ns = rig_->clock().now_ns();
     requests_.remark("unblinded", "the participant asked");
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   ASSERT_EQ(events_of("unblinded").size(), 1U);
@@ -429,7 +429,7 @@ TEST_F(WatchedSession, AsksTheLastTrialAgainWhenWanted) {
       requests_.repeat_last("somebody came in");
       EXPECT_TRUE(requests_.pending().repeat_last);
     }
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   std::vector<std::pair<int, int>> asked{};
@@ -451,7 +451,7 @@ TEST_F(WatchedSession, AsksTheVeryLastTrialAgainAsWell) {
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.repeat_last("");
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   ASSERT_EQ(attempts().size(), 2U);
@@ -461,10 +461,10 @@ TEST_F(WatchedSession, AsksTheVeryLastTrialAgainAsWell) {
 TEST_F(WatchedSession, AsksASkippedTrialAgainWhenWanted) {
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {
-    if (question > 1) return {{0}, {}};
+    if (question > 1) return chooses(0);
     requests_.skip("the wrong sample lay there");
     requests_.repeat_last("the right sample lies there now");
-    return {{}, 1};
+    return feels_again(1);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   const auto rows = attempts();
@@ -486,7 +486,7 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
     } else if (question == 2) {
       requests_.abort("the fire alarm rang");
     }
-    return {{}, 1};
+    return feels_again(1);
   };
   EXPECT_EQ(run().state, SessionState::stopped);
   EXPECT_EQ(unfinished_sessions(*study_, protocol_).at(0).trials_done, 0);  // skipped, set aside
@@ -513,7 +513,7 @@ TEST_F(WatchedSession, AsksARepeatedTrialUntilItCountsAlsoWhenItsBlockIsOver) {
   begin(blocks_of_one_trial(R"(, "on_failure": "requeue_at_end_of_block", "maximum_repeats": 2)"));
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.repeat_last("somebody came in");
-    return {{0}, {}};
+    return chooses(0);
   };
   // In the second attempt the first touch is too short.
   rig_->at_pass = [&] {
@@ -538,13 +538,13 @@ TEST_F(WatchedSession, AsksARepeatedTrialOfAnEarlierBlockAgainAfterAResume) {
       EXPECT_EQ(trial.ordinal, 2);
       requests_.repeat_last("the hand had slipped");
       requests_.emergency_stop();
-      return {{}, 1};
+      return feels_again(1);
     } else if (question == 3) {
       EXPECT_EQ(trial.ordinal, 1);
       requests_.abort("the fire alarm rang");
-      return {{}, 1};
+      return feels_again(1);
     }
-    return {{0}, {}};
+    return chooses(0);
   };
   once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
   EXPECT_EQ(run().state, SessionState::stopped);
@@ -564,7 +564,7 @@ TEST_F(WatchedSession, PausesAfterARepeatedTrialToo) {
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.repeat_last("somebody came in");
     if (question == 2) requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   std::size_t stored = 0;
   once_in(SessionPhase::paused, [&] {
@@ -581,7 +581,7 @@ TEST_F(WatchedSession, IsInTheBlockOfTheNextTrialAfterARepeatedOne) {
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.repeat_last("somebody came in");
     blocks.push_back(monitor_.snapshot().scene->block);
-    return {{0}, {}};
+    return chooses(0);
   };
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_THAT(blocks, ElementsAre(1, 1, 2));
@@ -600,9 +600,9 @@ TEST_F(WatchedSession, SaysThatThereIsNothingToRepeat) {
 TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {
-    if (question > 1) return {{0}, {}};
+    if (question > 1) return chooses(0);
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   once_in(SessionPhase::fault, [&] {
     const SessionSnapshot now = monitor_.snapshot();
@@ -636,9 +636,9 @@ TEST_F(WatchedSession, GoesOnAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
   begin(one_trial());
   links_.monitor = nullptr;  // as on a terminal
   person_.at_question = [&](int question, const Trial&) -> Reply {
-    if (question > 1) return {{0}, {}};
+    if (question > 1) return chooses(0);
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   int asked = 0;
   person_.at_fault = [&] {
@@ -705,9 +705,9 @@ TEST_F(WatchedSession, TellsWhatTheDeviceComplainsOfUntilItIsWell) {
 TEST_F(WatchedSession, AnEmergencyStopIsNotLiftedByWhatWasAskedForBeforeIt) {
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {
-    if (question > 1) return {{0}, {}};
+    if (question > 1) return chooses(0);
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   int slices = 0;
   once_in(SessionPhase::fault, [&] {
@@ -728,7 +728,7 @@ TEST_F(WatchedSession, ShowsThePauseAgainAfterAFaultInIt) {
   begin(small_protocol());
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   enum class Step { pause, fault, pause_again } step = Step::pause;
   std::vector<ParticipantScene::Kind> kinds{};
@@ -755,9 +755,9 @@ TEST_F(WatchedSession, IsHeardToPauseInAFault) {
   play_sound();
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {
-    if (question > 1) return {{0}, {}};
+    if (question > 1) return chooses(0);
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
   run();
@@ -813,7 +813,7 @@ TEST_F(WatchedSession, SaysThatTheEmergencyStopWasPressedWhileTheDeviceWasChecke
   begin(one_trial());
   person_.at_question = [&](int, const Trial&) -> Reply {
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   enum class Step { stopped, checked, told } step = Step::stopped;
   rig_->at_pass = [&] {
@@ -837,7 +837,7 @@ TEST_F(WatchedSession, EndsFromAFaultWhenAskedToStop) {
   begin(one_trial());
   person_.at_question = [&](int, const Trial&) -> Reply {
     requests_.emergency_stop();
-    return {{}, 1};
+    return feels_again(1);
   };
   once_in(SessionPhase::fault, [&] { requests_.stop_after(StopAfter::block); });
   const SessionEnd end = run();
@@ -867,7 +867,7 @@ TEST_F(WatchedSession, AnEmergencyStopFromAPauseIsAFaultAtOnce) {
   bool stopped = false;
   person_.at_question = [&](int question, const Trial&) -> Reply {
     if (question == 1) requests_.pause();
-    return {{0}, {}};
+    return chooses(0);
   };
   rig_->at_pass = [&] {
     const SessionPhase phase = monitor_.snapshot().phase;
@@ -930,7 +930,7 @@ TEST_F(WatchedSession, TellsTheHandByTonesUntilItHasEnoughOfTheSurface) {
   };
   person_.at_question = [this](int, const Trial&) -> Reply {
     EXPECT_EQ(sound_.guide(), GuideTone::none);
-    return {{0}, {}};
+    return chooses(0);
   };
   run();
   // The force rises on each of six surfaces, and is then enough.
@@ -1242,7 +1242,7 @@ class TalkativeSession : public WatchedSession {
       const std::int64_t cue_ns = rig_->clock().now_ns();
       wait(0.5);
       person_.events.push_back({cue_ns + 150'000'000, "input", "option 1", "null"});
-      return {{0}, {}, cue_ns + 200'000'000};
+      return {Answer(ChosenOption{0}), cue_ns + 200'000'000};
     };
     person_.at_form = [this](const Question& question, const Wait& wait) {
       person_.form_answered_ns = rig_->clock().now_ns() + 300'000'000;

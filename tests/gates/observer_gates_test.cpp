@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
-#include "app/findings/study/families.h"
+#include "app/findings/study/kinds/magnitude_analysis.h"
 #include "protocols/observer/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
 

@@ -21,6 +21,7 @@
 #include "renderers/offline/roughness_stroke.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "tests/gates/simulated_study.h"
+#include "tests/support/replies.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -52,7 +53,7 @@ std::vector<std::size_t> answer_to(VirtualParticipant& participant, const Trial&
                                    int attempt) {
   participant.begin_attempt(trial.ordinal, attempt);
   const std::vector<ForceFeatures> felt(trial.presentations.size(), features_at(-4.6));
-  return participant.ask(trial, felt, {}, kNobodyWaits).options;
+  return options_of(participant.ask(trial, felt, {}, kNobodyWaits));
 }
 
 Protocol noisy(std::string_view name) {

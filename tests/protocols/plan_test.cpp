@@ -55,7 +55,7 @@ TEST(Plan, BeginsEveryRunOfABlockWithItsAnchorAndHoldsTheConditionWithinIt) {
         tips.insert(text_of(trial.factors.at("tip")));
       }
       EXPECT_EQ(trial.factors.at("tip"), plan.trials[i - (i - 6) % 22].factors.at("tip"));
-      EXPECT_EQ(trial.question.form, TrialQuestion::Form::number);
+      EXPECT_EQ(name_of(trial.question.form), "number");
       EXPECT_TRUE(trial.question.options.empty());
     }
     EXPECT_EQ(tips.size(), 3U);
@@ -208,7 +208,7 @@ TEST(Plan, DrawsLevelsEquallyOftenAsFarAsItGoes) {
 TEST(Plan, MatchingAssignsEveryPictureOnceAndKnowsTheTruth) {
   const Plan plan = make_plan(library("chapter_matching"), {3, 0});
   for (const Trial& trial : plan.trials) {
-    EXPECT_EQ(trial.question.form, TrialQuestion::Form::assignment);
+    EXPECT_EQ(name_of(trial.question.form), "assignment");
     EXPECT_TRUE(trial.question.pictures_after_feeling);
     EXPECT_FALSE(trial.question.allow_revisit);
     ASSERT_EQ(trial.question.correct.size(), 4U);

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "app/session/respondents/respondent.h"
+#include "tests/support/replies.h"
 
 namespace asperity {
 
 /// The first option that is correct, or the first that is not.
 inline Reply reply_that_is(const Trial& trial, bool correct) {
   for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
-    if ((trial.question.options[i].value == trial.question.correct[0]) == correct) return {{i}, {}};
+    if ((trial.question.options[i].value == trial.question.correct[0]) == correct)
+      return chooses(i);
   }
   return {};
 }
@@ -76,7 +78,7 @@ class ScriptedPerson final : public Respondent {
     ++questions;
     if (at_ask) return at_ask(wait);
     wait(pace_.answering_s);
-    return at_question ? at_question(questions, trial) : Reply{{0}, {}};
+    return at_question ? at_question(questions, trial) : chooses(0);
   }
   void tell(const std::string& text, const Wait&) override {
     calls.push_back("tell");

@@ -45,7 +45,7 @@ struct AnsweredQuestion {
 
 struct TestMethod;
 
-/// The test of women and men; see test_names().
+/// The test of women and men; see KindTest.
 inline constexpr const char* kSexesTest = "sexes";
 
 /// What was specified of a test in advance.
@@ -57,7 +57,7 @@ enum class TestRole {
 
 /// What a test found, in English, as a paper prints it.
 struct TestSentence {
-  std::string test{};  ///< one of test_names()
+  std::string test{};  ///< the name of a KindTest
   TestRole role = TestRole::exploratory;
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the CI of a mean proportion

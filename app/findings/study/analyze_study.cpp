@@ -7,26 +7,15 @@
 #include <set>
 #include <utility>
 
-#include "app/findings/study/families.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/learning.h"
 #include "app/findings/study/response_times.h"
+#include "app/findings/study/study_analysis.h"
 #include "app/study_files/study_condition.h"
 
 namespace asperity {
 
 namespace {
-
-using Family = void (*)(const GatheredAnswers&, AnalysisOutcome&);
-
-Family family_of(const std::string& kind) {
-  static const std::map<std::string, Family> kByKind{{"selection", analyze_selection},
-                                                     {"matching", analyze_matching},
-                                                     {"recognition", analyze_recognition},
-                                                     {"magnitude", analyze_magnitude}};
-  const auto found = kByKind.find(kind);
-  return found == kByKind.end() ? nullptr : found->second;
-}
 
 /// With a place for how many. `what` as AnswerCount has it.
 Phrase attempts_that_were(const std::string& what) {
@@ -135,8 +124,8 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     remark_on_counts(gathered, outcome);
     if (gathered.answers.empty()) {
       outcome.remarks.push_back(phrase("Analysis", "There are no responses yet."));
-    } else if (const Family analyze = family_of(gathered.kind)) {
-      analyze(gathered, outcome);
+    } else if (const StudyAnalysis* const analysis = find_analysis(gathered.kind)) {
+      analysis->analyze(gathered, outcome);
       // Next to results; without any there is nothing that they could stand next to.
       if (!outcome.tables.empty()) {
         add_response_times(gathered, outcome);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/study/study_analysis.h"
 
 namespace asperity {
 
@@ -46,6 +47,8 @@ std::string all_estimates(const std::vector<const Finding*>& estimates, const st
   return text + ", N = " + reading_count(estimates.front()->n);
 }
 
+}  // namespace
+
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");
   if (means.size() < 2) return {};
@@ -69,12 +72,10 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
                   '.'};
 }
 
-}  // namespace
-
 EstimateSentence estimate_sentence(const AnalysisOutcome& outcome) {
-  if (outcome.kind == "selection") return choices_sentence(outcome);
-  if (outcome.kind == "magnitude") return exponents_sentence(outcome);
-  return {};
+  const StudyAnalysis* const analysis = find_analysis(outcome.kind);
+  if (analysis == nullptr || analysis->estimates == nullptr) return {};
+  return analysis->estimates(outcome);
 }
 
 }  // namespace asperity

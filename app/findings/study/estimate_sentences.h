@@ -14,8 +14,13 @@ struct EstimateSentence {
   bool has_mean_interval = false;  ///< the CI of a mean proportion
 };
 
-/// Of a selection "Mean proportions of choices were 83 % (95 % CI [49 %, 96 %]) for height_map and 17 % (…) for sinusoid, N =
-/// 6; the chance level was 50 %.", where every trial presented every item; of magnitudes the mean exponents.
+/// Of a selection: "Mean proportions of choices were 83 % (95 % CI [49 %, 96 %]) for height_map and 17 % (…) for sinusoid, N =
+/// 6; the chance level was 50 %.", where every trial presented every item.
+EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
+/// Of a magnitude: the mean exponents.
+EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
+
+/// That of the kind of the outcome.
 EstimateSentence estimate_sentence(const AnalysisOutcome& outcome);
 
 }  // namespace asperity

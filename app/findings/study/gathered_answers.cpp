@@ -14,6 +14,7 @@
 #include "app/records/session_conditions.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -27,14 +28,14 @@ std::string factor_level(const std::string& factors_json, std::string_view facto
   return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
 }
 
-constexpr const char* kMagnitude = "magnitude";
-
 /// Whether the observer's answers are guesses by declaration. Numbers need no expectation.
 bool is_guessing(const SessionRow& session, const std::string& kind) {
   const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
   if (!observer.is_object()) return false;
+  const ExperimentKind* const known = find_kind(kind);
+  const bool needs_expectation = known == nullptr || known->has_expectations;
   return observer.value("deaf", false) ||
-         (kind != kMagnitude && observer.value("expectation", "") == "none");
+         (needs_expectation && observer.value("expectation", "") == "none");
 }
 
 /// Whether the record of the device shows that no participant could feel the surfaces.
@@ -147,11 +148,11 @@ class Gathering {
     if (!own) {
       own = static_cast<std::uint32_t>(levels_.size());
       const std::string& text = session.answers.words[factors_json];
-      const bool is_magnitude = gathered.kind == kMagnitude;
-      const std::string_view column =
-          is_magnitude ? std::string_view(gathered.estimation.condition) : kColumnFactor;
+      const std::string_view column = gathered.has_estimates()
+                                          ? std::string_view(gathered.estimation.condition)
+                                          : kColumnFactor;
       levels_.push_back({.column = gathered.words.place(factor_level(text, column))});
-      if (is_magnitude) {
+      if (gathered.has_estimates()) {
         levels_.back().spacing =
             gathered.words.place(factor_level(text, gathered.estimation.spacing));
       }

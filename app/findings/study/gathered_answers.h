@@ -127,6 +127,8 @@ struct GatheredAnswers {
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
 
+  /// Whether responses are numbers that are analysed by the protocol's key `estimation`.
+  bool has_estimates() const noexcept { return !estimation.spacing.empty(); }
   /// By position.
   std::span<const FeltSurface> surfaces_of(const GatheredAnswer& answer) const {
     return std::span(surfaces).subspan(answer.first_surface, answer.surface_count);

@@ -10,11 +10,17 @@
 #include "analysis/learning.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_findings.h"
 
 namespace asperity {
 
 namespace {
+
+bool scores_items(std::string_view kind) {
+  const StudyAnalysis* const analysis = find_analysis(kind);
+  return analysis != nullptr && analysis->scores_items;
+}
 
 constexpr const char* kLearningFamily = "learning";
 
@@ -152,7 +158,7 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
   if (has_cells(course, "share")) {
-    add(kind == "matching" ? phrase("Analysis", "Proportions: of correctly matched items.")
+    add(scores_items(kind) ? phrase("Analysis", "Proportions: of correctly matched items.")
                            : phrase("Analysis", "Proportions: of correct responses."));
   }
   if (has_cells(course, "share_low")) {
@@ -194,7 +200,7 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   add_change({"time_of_halves", "half.ratio"}, times, changes.table);
   add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
   add_change(
-      {gathered.kind == "matching" ? "items_of_halves" : "correct_of_halves", "half.difference"},
+      {scores_items(gathered.kind) ? "items_of_halves" : "correct_of_halves", "half.difference"},
       correct, changes.table);
   if (changes.table.rows.empty()) return;
   changes.note = note_on_changes(changes.table, !of_correct.empty());

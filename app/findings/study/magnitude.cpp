@@ -14,7 +14,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
-#include "app/findings/study/families.h"
+#include "app/findings/study/kinds/magnitude_analysis.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"

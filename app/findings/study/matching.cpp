@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/findings/study/crossed_textures.h"
-#include "app/findings/study/families.h"
 #include "app/findings/study/group_equivalence.h"
+#include "app/findings/study/kinds/matching_analysis.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/tally.h"

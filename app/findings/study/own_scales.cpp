@@ -5,8 +5,7 @@
 #include <variant>
 
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/families.h"
-#include "protocols/design/protocol.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -15,8 +14,9 @@ OwnScales::OwnScales(const Study& study, const std::stop_token& stop) {
   for (const SessionRow& session : study.sessions()) with_sessions.insert(session.protocol_id);
   std::set<std::string> names{};
   for (const ProtocolRow& protocol : study.protocols()) {
-    const bool is_magnitude = protocol.kind == text_of(ProtocolKind::magnitude);
-    if (is_magnitude && with_sessions.contains(protocol.id)) names.insert(protocol.name);
+    const ExperimentKind* const kind = find_kind(protocol.kind);
+    const bool has_estimates = kind != nullptr && std::holds_alternative<NumberForm>(kind->form);
+    if (has_estimates && with_sessions.contains(protocol.id)) names.insert(protocol.name);
   }
   for (const std::string& name : names) {
     for (const AnalysisOutcome& outcome : analyze_study(study, name, stop)) {

@@ -11,8 +11,8 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/study/crossed_textures.h"
-#include "app/findings/study/families.h"
 #include "app/findings/study/group_equivalence.h"
+#include "app/findings/study/kinds/recognition_analysis.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/tally.h"

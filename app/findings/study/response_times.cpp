@@ -79,7 +79,7 @@ std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
     return gathered.word(answer.column);
   };
   std::vector<TrialFactor> factors{};
-  if (gathered.kind == "magnitude") {
+  if (gathered.has_estimates()) {
     factors.push_back(trial_factor("condition", gathered, gathered.estimation.conditions, column));
     factors.push_back(
         trial_factor("spacing_m", gathered, {}, [&gathered](const GatheredAnswer& answer) {

@@ -6,7 +6,7 @@
 
 #include "analysis/conditional_logit.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/families.h"
+#include "app/findings/study/kinds/selection_analysis.h"
 #include "app/findings/study/selection_choices.h"
 #include "app/findings/study/selection_questions.h"
 #include "app/findings/study/study_findings.h"

@@ -8,6 +8,7 @@
 
 #include "analysis/conditional_logit.h"
 #include "analysis/number_text.h"
+#include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 
 namespace asperity {

@@ -12,6 +12,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/test_sentences.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -205,9 +206,8 @@ void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
 StudyTests::StudyTests(const GatheredAnswers& gathered)
     : kind_(gathered.kind), people_(gathered.people.size()), family_(gathered.declared.family) {
   is_declared_ = !family_.empty();
-  for (const TestName& test : test_names()) {
-    if (family_.empty() && test.kind == gathered.kind) family_.emplace_back(test.name);
-  }
+  const ExperimentKind* const kind = find_kind(gathered.kind);
+  if (family_.empty() && kind != nullptr) family_.emplace_back(kind->tests.front().name);
   for (const std::string& name : family_) name_ += (name_.empty() ? "" : ", ") + name;
 }
 

@@ -27,7 +27,7 @@ class StudyTests final {
   explicit StudyTests(const GatheredAnswers& gathered);
 
   struct Test {
-    std::string name{};   ///< one of test_names()
+    std::string name{};   ///< the name of a KindTest
     std::string about{};  ///< what of several is tested; may be empty
     const TestMethod* made_by = nullptr;
     std::string method{};

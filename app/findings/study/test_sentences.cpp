@@ -1,119 +1,35 @@
 #include "app/findings/study/test_sentences.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_analysis.h"
 
 namespace asperity {
 
 namespace {
 
-/// What a test of protocols of a kind found. %1 and %2: what it is about.
-struct Claim {
-  std::string_view kind{};
-  std::string_view test{};
-  std::string_view method{};  ///< of a single one: its code; empty of every other
-  std::string_view higher{};  ///< significant, the statistic positive or without a sign
-  std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
-  std::string_view nothing{};
-};
-
-constexpr std::array kClaims{
-    Claim{"selection", "pairs", "", "%1 was chosen significantly more often than %2",
-          "%1 was chosen significantly less often than %2",
-          "The numbers of choices of %1 and %2 were not significantly different"},
-    Claim{"selection", "target_pairs", "", "%1 was chosen significantly more often than %2",
-          "%1 was chosen significantly less often than %2",
-          "The numbers of choices of %1 and %2 were not significantly different"},
-    Claim{"selection", "preference", "",
-          "The numbers of choices of the items were significantly different", "",
-          "The numbers of choices of the items were not significantly different"},
-    Claim{"selection", "position", "",
-          "The numbers of choices of the positions in a trial were significantly different", "",
-          "The numbers of choices of the positions in a trial were not significantly different"},
-    Claim{"selection", "textures", "",
-          "The proportion of choices of the target differed significantly between the textures", "",
-          "The proportion of choices of the target did not differ significantly between the "
-          "textures"},
-    Claim{"matching", "items", "",
-          "The proportion of correctly matched items was significantly above the chance level", "",
-          "The proportion of correctly matched items was not significantly above the chance level"},
-    Claim{
-        "matching", "whole", "",
-        "The proportion of trials with all items correct was significantly above the chance level",
-        "",
-        "The proportion of trials with all items correct was not significantly above the chance "
-        "level"},
-    Claim{"matching", "textures", "",
-          "The proportion of correct matches of %1 was significantly above the chance level", "",
-          "The proportion of correct matches of %1 was not significantly above the chance level"},
-    Claim{"matching", "sexes", "", "Women matched significantly more items correctly than men",
-          "Women matched significantly fewer items correctly than men",
-          "The numbers of correctly matched items of women and men were not significantly "
-          "different"},
-    Claim{"recognition", "right", "binomial",
-          "The proportion of correct responses was significantly above the chance level", "",
-          "The proportion of correct responses was not significantly above the chance level"},
-    Claim{"recognition", "right", "",
-          "The mean proportion correct was significantly above the chance level",
-          "The mean proportion correct was significantly below the chance level",
-          "The mean proportion correct was not significantly different from the chance level"},
-    Claim{"recognition", "textures", "",
-          "The proportion of correct responses to %1 was significantly above the chance level", "",
-          "The proportion of correct responses to %1 was not significantly above the chance level"},
-    Claim{"recognition", "information", "",
-          "The responses were significantly associated with the stimulus", "",
-          "The responses were not significantly associated with the stimulus"},
-    Claim{"recognition", "sexes", "",
-          "The mean proportion correct of women was significantly higher than that of men",
-          "The mean proportion correct of women was significantly lower than that of men",
-          "The mean proportions correct of women and men were not significantly different"},
-    Claim{"magnitude", "spacing", "",
-          "The roughness estimates differed significantly between the spacings", "",
-          "The roughness estimates did not differ significantly between the spacings"},
-    Claim{"magnitude", "interaction", "",
-          "The effect of spacing on the roughness estimates differed significantly between the "
-          "conditions",
-          "",
-          "The effect of spacing on the roughness estimates did not differ significantly between "
-          "the conditions"},
-    Claim{"magnitude", "condition", "",
-          "The roughness estimates differed significantly between the conditions", "",
-          "The roughness estimates did not differ significantly between the conditions"},
-    Claim{"magnitude", "peaks", "",
-          "The peak of %1 was at a significantly larger spacing than that of %2",
-          "The peak of %1 was at a significantly smaller spacing than that of %2",
-          "The spacings of the peaks of %1 and %2 were not significantly different"}};
-
-std::string with_places_filled(std::string_view words, std::string_view about) {
+std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
+  const StudyAnalysis* const analysis = find_analysis(kind);
+  if (analysis == nullptr) return {};
+  const auto claim = std::find_if(
+      analysis->claims.begin(), analysis->claims.end(), [&test](const TestClaim& each) {
+        return each.test == test.name && (each.method.empty() || each.method == test.made_by->code);
+      });
+  if (claim == analysis->claims.end()) return {};
+  const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
+  const std::string_view words = !test.is_significant() ? claim->nothing
+                                 : is_negative          ? claim->lower
+                                                        : claim->higher;
+  const std::string_view about = test.about;
   const std::size_t bar = about.find('|');
   const std::string first(about.substr(0, bar));
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
-  return Phrase(std::string(words)).with(first, second).english();
-}
-
-std::string claim_of(const StudyTests::Test& test, std::string_view kind) {
-  // Those of a single method stand first.
-  const auto* const claim = std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& each) {
-    return each.kind == kind && each.test == test.name &&
-           (each.method.empty() || each.method == test.made_by->code);
-  });
-  if (claim == kClaims.end()) return {};
-  const bool is_negative = test.statistic.value_or(0.0) < 0.0 && !claim->lower.empty();
-  std::string text = with_places_filled(!test.is_significant() ? claim->nothing
-                                        : is_negative          ? claim->lower
-                                                               : claim->higher,
-                                        test.about);
-  constexpr std::string_view kChance = "the chance level";
-  const std::size_t at = text.find(kChance);
-  if (test.chance && at != std::string::npos) {
-    text.insert(at + kChance.size(), " of " + reading_percent(*test.chance));
-  }
-  return text;
+  const std::string chance = test.chance ? " of " + reading_percent(*test.chance) : "";
+  return Phrase(std::string(words)).with(first, second, chance).english();
 }
 
 std::string size_text(const StudyTests::Test& test) {

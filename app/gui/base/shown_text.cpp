@@ -7,6 +7,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QLocale>
 
+#include "app/findings/study/study_analysis.h"
 #include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"
 
@@ -65,18 +66,9 @@ QString text_of_duration(double duration_s) {
       .arg(minutes % 60, 2, 10, QChar('0'));
 }
 
-QString text_of_kind(ProtocolKind kind) {
-  switch (kind) {
-    case ProtocolKind::selection:
-      return QCoreApplication::translate("asperity::ShownText", "selection");
-    case ProtocolKind::matching:
-      return QCoreApplication::translate("asperity::ShownText", "matching");
-    case ProtocolKind::magnitude:
-      return QCoreApplication::translate("asperity::ShownText", "magnitude estimation");
-    case ProtocolKind::recognition:
-      break;
-  }
-  return QCoreApplication::translate("asperity::ShownText", "recognition");
+QString text_of_kind(const std::string& kind) {
+  const StudyAnalysis* const analysis = find_analysis(kind);
+  return analysis == nullptr ? text(kind) : words_of(analysis->name);
 }
 
 QString text_of_vision(Vision vision) {

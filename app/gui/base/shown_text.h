@@ -27,7 +27,7 @@ QString order_of_start(const SessionRow& session);
 /// "42 min", "1 h 05 min", "18 s"
 QString text_of_duration(double duration_s);
 
-QString text_of_kind(ProtocolKind kind);
+QString text_of_kind(const std::string& kind);
 /// "hand hidden, screen visible"
 QString text_of_vision(Vision vision);
 /// "pink masking noise, 65 dB(A)"

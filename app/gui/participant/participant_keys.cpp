@@ -26,7 +26,7 @@ std::optional<Action> typed_into_number(int key, const QString& typed, const QSt
 }  // namespace
 
 bool takes_typed_number(const ParticipantScene& scene) {
-  if (scene.kind == Scene::Kind::question) return scene.takes_number;
+  if (scene.kind == Scene::Kind::question) return scene.is_answered_by<NumberForm>();
   return scene.kind == Scene::Kind::form && scene.question &&
          scene.question->form == Question::Form::number;
 }
@@ -75,7 +75,7 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
         return Action{.what = Action::What::confirm};
       }
       if (key == Qt::Key_Space) return Action{.what = Action::What::next};
-      if (scene.takes_number) {
+      if (scene.is_answered_by<NumberForm>()) {
         if (auto action = typed_into_number(key, typed, "0123456789.")) return action;
       }
       if (typed.isEmpty()) return {};
@@ -85,8 +85,8 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
         }
       }
       for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        const bool can_be_meant =
-            scene.is_assignment || scene.surfaces[i].can_go || scene.kind != Scene::Kind::question;
+        const bool can_be_meant = scene.is_answered_by<AssignmentForm>() ||
+                                  scene.surfaces[i].can_go || scene.kind != Scene::Kind::question;
         if (can_be_meant && upper(scene.surfaces[i].code) == typed) {
           return Action{.what = Action::What::surface, .number = static_cast<int>(i) + 1};
         }

@@ -173,10 +173,11 @@ void ParticipantPage::controls() {
                   false);
       break;
     case Scene::Kind::question:
-      add_control(said(phrase("ParticipantLayout", "Confirm")), return_key, confirm,
-                  scene_.takes_number ? !inputs_.draft.number.isEmpty() &&
-                                            !is_no_number(scene_, inputs_.draft.number)
-                                      : scene_.can_confirm);
+      add_control(
+          said(phrase("ParticipantLayout", "Confirm")), return_key, confirm,
+          scene_.is_answered_by<NumberForm>()
+              ? !inputs_.draft.number.isEmpty() && !is_no_number(scene_, inputs_.draft.number)
+              : scene_.can_confirm);
       if (scene_.can_switch) add_control(again_text(), space_key, next, false);
       if (shows_pictures()) answers_in_words_as_controls();
       break;

@@ -429,10 +429,11 @@ void ParticipantPage::feel() {
 /// letters that can be pressed.
 bool ParticipantPage::is_enough_for_question(double height) const {
   if (shows_pictures()) {
-    const double width = body_.width() - (scene_.is_assignment ? em(136.0) + px(2 * kGap) : 0.0);
+    const double width =
+        body_.width() - (scene_.is_answered_by<AssignmentForm>() ? em(136.0) + px(2 * kGap) : 0.0);
     const double alone = picture_side({width, body_.height()});
     const double chips =
-        scene_.is_assignment
+        scene_.is_answered_by<AssignmentForm>()
             ? static_cast<double>((scene_.surfaces.size() + 1) / 2) * (em(40.0) + px(kGap) / 2.0)
             : 0.0;
     return height >= chips && picture_side({width, height}) >= std::min(0.5 * alone, em(128.0));
@@ -452,7 +453,7 @@ bool ParticipantPage::is_enough_for_question(double height) const {
 }
 
 void ParticipantPage::question() {
-  if (scene_.takes_number) {
+  if (scene_.is_answered_by<NumberForm>()) {
     const bool is_answered_here =
         question_over(scene_text(), [this](double height) { return is_enough_for_number(height); });
     pages_ = std::max(pages_, question_pages_ + 1);
@@ -464,7 +465,7 @@ void ParticipantPage::question() {
       question_over(scene_text(), [this](double height) { return is_enough_for_question(height); });
   pages_ = std::max(pages_, question_pages_ + 1);
   if (!answers) return;
-  if (scene_.is_assignment) chips_to_pair();
+  if (scene_.is_answered_by<AssignmentForm>()) chips_to_pair();
   if (shows_pictures()) {
     pictures(body_);
     return;

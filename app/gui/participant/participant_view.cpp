@@ -38,7 +38,8 @@ bool same_question(const Scene& one, const Scene& other) {
     return scene.question ? scene.question->name : std::string();
   };
   // A number that is to be checked stays in its field under other words.
-  const bool same_text = one.text == other.text || (one.takes_number && other.takes_number);
+  const bool same_text = one.text == other.text ||
+                         (one.is_answered_by<NumberForm>() && other.is_answered_by<NumberForm>());
   return one.kind == other.kind && same_text && name(one) == name(other);
 }
 
@@ -431,7 +432,7 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   if (const std::optional<std::size_t> item = item_at(at)) {
     const Item& pressed = items_[*item];
     press_ = Press{.item = pressed, .at = at, .time_ns = time_ns};
-    if (!scene_->is_assignment || scene_->kind != Scene::Kind::question) return;
+    if (!scene_->is_answered_by<AssignmentForm>() || scene_->kind != Scene::Kind::question) return;
     press_->letter = pressed.kind == Item::Kind::chip ? pressed.text : pressed.given_to;
   }
 }
@@ -532,7 +533,8 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
     return true;
   }
   // The second digit of a key of two ("12") corrects the choice that the first one made.
-  const bool is_choice = action->what == Action::What::choose && !scene_->is_assignment;
+  const bool is_choice =
+      action->what == Action::What::choose && !scene_->is_answered_by<AssignmentForm>();
   if (is_choice && pressed_ns - typed_ns_ < kTwoDigits_ns) {
     const std::string both = (typed_ + sign).toStdString();
     for (std::size_t i = 0; i < scene_->choices.size(); ++i) {
@@ -551,7 +553,7 @@ bool ParticipantView::holds_no_number() const {
 
 bool ParticipantView::is_typed() const {
   return scene_->kind == Scene::Kind::form ||
-         (scene_->kind == Scene::Kind::question && scene_->takes_number);
+         (scene_->kind == Scene::Kind::question && scene_->is_answered_by<NumberForm>());
 }
 
 // What is typed into a form may be private.
@@ -578,7 +580,8 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
     act_on_form(action, time_ns, source);
     return;
   }
-  const bool pairs = scene_->kind == Scene::Kind::question && scene_->is_assignment;
+  const bool pairs =
+      scene_->kind == Scene::Kind::question && scene_->is_answered_by<AssignmentForm>();
   switch (action.what) {
     case Action::What::choose:
       if (pairs && draft_.surface) {

@@ -17,6 +17,7 @@
 #include "app/gui/participant/event_clock.h"
 #include "app/gui/participant/participant_layout.h"
 #include "app/gui/participant/picture_shelf.h"
+#include "app/session/respondents/participant_input.h"
 #include "app/session/session_monitor.h"
 
 class QInputMethodEvent;

@@ -1299,6 +1299,22 @@
         <source>For this participant only: %1 of the responses were correct (%2), compared with a chance level of %3; %4. More participants are needed.</source>
         <translation>Nur für diese Versuchsperson: %1 der Antworten waren richtig (%2), bei einem Zufallsniveau von %3; %4. Es werden mehr Versuchspersonen benötigt.</translation>
     </message>
+    <message>
+        <source>magnitude estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>recognition</source>
+        <translation>Wiedererkennung</translation>
+    </message>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -9186,18 +9202,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 h %2 min</translation>
     </message>
     <message>
-        <source>selection</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
-        <source>matching</source>
-        <translation>Zuordnung</translation>
-    </message>
-    <message>
-        <source>recognition</source>
-        <translation>Wiedererkennung</translation>
-    </message>
-    <message>
         <source>hand and screen visible</source>
         <translation>Hand und Bildschirm sichtbar</translation>
     </message>
@@ -9232,10 +9236,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>simulated clock</source>
         <translation>simulierte Uhr</translation>
-    </message>
-    <message>
-        <source>magnitude estimation</source>
-        <translation>Größenschätzung</translation>
     </message>
 </context>
 <context>

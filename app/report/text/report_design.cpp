@@ -6,6 +6,8 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_analysis.h"
+#include "app/findings/study/task_words.h"
 #include "app/report/text/report_sections.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/plan.h"
@@ -13,44 +15,6 @@
 namespace asperity {
 
 namespace {
-
-std::string quoted(const std::string& text) { return "“" + text + "”"; }
-
-/// What the protocol specifies, whatever became of it.
-std::string task_text(const Protocol& protocol) {
-  switch (protocol.kind) {
-    case ProtocolKind::selection: {
-      if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
-        return "Task: in each trial, surfaces are presented that differ in " +
-               words_of_parameter(*parameter) + " only, and one of them is to be chosen.";
-      }
-      std::string text =
-          "Task: in each trial, several surfaces are presented, and one is to be chosen";
-      const std::vector<std::string> questions = main_questions(protocol);
-      if (!questions.empty()) text += ": " + listed(questions);
-      if (!protocol.realism_standard) return text + '.';
-      switch (*protocol.realism_standard) {
-        case RealismStandard::photograph:
-          return text + "; the standard is the texture’s picture.";
-        case RealismStandard::physical_sample:
-          return text + "; the standard is a physical sample.";
-        case RealismStandard::memory:
-          return text + "; the standard is the participant’s own idea of the material.";
-      }
-      return text + '.';
-    }
-    case ProtocolKind::matching:
-      return "Task: in each trial, several textures are presented, and each is to be assigned to "
-             "one of as many pictures.";
-    case ProtocolKind::recognition:
-      return "Task: in each trial, one texture is presented, and its picture is to be chosen from "
-             "several.";
-    case ProtocolKind::magnitude:
-      return "Task: in each trial, one surface is presented, and its roughness is to be given a "
-             "number (absolute magnitude estimation with free modulus).";
-  }
-  return {};
-}
 
 std::string factors_text(const Protocol& protocol) {
   std::vector<std::string> factors{};
@@ -340,16 +304,6 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
 
 }  // namespace
 
-std::vector<std::string> main_questions(const Protocol& protocol) {
-  std::vector<std::string> questions{};
-  for (const auto& [name, block] : protocol.blocks) {
-    const std::string question = quoted(block.question.prompt);
-    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
-    if (block.phase == Phase::main && is_new) questions.push_back(question);
-  }
-  return questions;
-}
-
 std::string factor_text(const std::string& name, const Factor& factor) {
   std::vector<std::string> levels{};
   for (const Level& level : factor.levels) {
@@ -454,8 +408,8 @@ ReportSection design_section(const ReportFacts& facts) {
   if (!protocol.description.empty())
     section.parts.emplace_back(
         ReportText{"The protocol’s own description: " + protocol.description});
-  section.parts.emplace_back(ReportText{task_text(protocol) + ' ' + planned_trials_text(facts) +
-                                        surfaces_text(facts) +
+  section.parts.emplace_back(ReportText{find_analysis(protocol.kind)->task(protocol) + ' ' +
+                                        planned_trials_text(facts) + surfaces_text(facts) +
                                         counterbalance_text(protocol, facts)});
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});

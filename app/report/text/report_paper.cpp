@@ -10,6 +10,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/references.h"
+#include "app/findings/study/study_analysis.h"
 #include "app/findings/study/test_methods.h"
 #include "app/study_files/program.h"
 
@@ -147,10 +148,8 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
     sentences.emplace_back("The level of significance was .05.");
   }
-  if (outcome.kind == "magnitude") {
-    sentences.emplace_back(
-        "Estimates were analysed as logarithms. For means, curves and exponents each participant's "
-        "estimates were normalised by the geometric mean of that participant's cells.");
+  if (const StudyAnalysis* const analysis = find_analysis(outcome.kind)) {
+    sentences.emplace_back(analysis->transformation);
   }
   if (estimate_sentence(outcome).has_mean_interval ||
       is_any([](const TestSentence& each) { return each.has_mean_interval; })) {

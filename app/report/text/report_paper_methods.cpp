@@ -7,9 +7,10 @@
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_analysis.h"
+#include "app/findings/study/task_words.h"
 #include "app/report/text/report_paper.h"
 #include "app/words/coded_phrases.h"
-#include "protocols/file/stored_protocol.h"
 
 namespace asperity {
 
@@ -207,35 +208,9 @@ std::string presented_text(const ReportFacts& facts) {
 }
 
 /// " among six"; of pictures whose number differs between the blocks " among several".
-std::string among_pictures(const Protocol& protocol) {
-  std::set<std::size_t> numbers{};
-  for (const auto& [name, block] : protocol.blocks) {
-    if (block.phase == Phase::main) numbers.insert(block.question.pictures.size());
-  }
-  return " among " + (numbers.size() == 1 && *numbers.begin() > 1 ? count_in_words(*numbers.begin())
-                                                                  : std::string("several"));
-}
-
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
-  switch (protocol.kind) {
-    case ProtocolKind::selection: {
-      const auto parameter = stored_protocol(protocol.source).compared_parameter;
-      return presented_text(facts) +
-             (parameter ? "; they differed in " + words_of_parameter(*parameter) + " alone" : "") +
-             ", and one was to be chosen.";
-    }
-    case ProtocolKind::matching:
-      return presented_text(facts) + ", and each was to be assigned to one of as many pictures.";
-    case ProtocolKind::recognition:
-      return presented_text(facts) + ", and its picture was to be chosen" +
-             among_pictures(protocol) + '.';
-    case ProtocolKind::magnitude:
-      return presented_text(facts) +
-             ", and its roughness was to be given a number above 0 (absolute magnitude estimation "
-             "with free modulus).";
-  }
-  return {};
+  return presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);
 }
 
 std::string paper_questions(const Protocol& protocol) {

@@ -226,15 +226,6 @@ std::string participants_text(AnswerGroup group, std::size_t count) {
   return number + (count == 1 ? " participant" : " participants");
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 std::string capitalised(std::string text) {
   if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
     text.front() = static_cast<char>(text.front() - 'a' + 'A');

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/task_words.h"
 #include "app/report/text/report.h"
 #include "app/report/text/report_facts.h"
 
@@ -65,8 +66,6 @@ std::string devices_in(const ReportFacts& facts);
 std::string unfelt_force_text(const ReportFacts& facts);
 /// What the rows support about masking noise, without what the protocol requests.
 std::string recorded_noise_text(const ReportFacts& facts);
-/// The questions of the main phase, quoted, each once.
-std::vector<std::string> main_questions(const Protocol& protocol);
 /// "speed (slow and fast)", "spacing (500 µm and 1 mm)": a factor by its name without the unit, with its levels.
 std::string factor_text(const std::string& name, const Factor& factor);
 /// "A session was planned with 42 experimental trials, and with 54 in total including anchors and practice."; empty where
@@ -100,9 +99,6 @@ bool gives_no_force(const RecordedStretch& stretch);
 
 /// "24 participants", "one virtual participant": the members of a group.
 std::string participants_text(AnswerGroup group, std::size_t count);
-
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& words);
 
 /// With a capital letter. Not for what a study has named.
 std::string capitalised(std::string text);

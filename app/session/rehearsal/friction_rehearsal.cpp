@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/session/attempt_measures.h"
+#include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
 #include "renderers/offline/sampled_loop.h"

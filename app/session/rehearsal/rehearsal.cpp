@@ -19,6 +19,7 @@
 #include "app/session/session_setup.h"
 #include "app/study_files/parameter_json.h"
 #include "device/drivers.h"
+#include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
 #include "renderers/offline/composed_relief.h"

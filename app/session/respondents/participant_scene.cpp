@@ -214,9 +214,7 @@ ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& f
       std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                   [](const ParticipantScene::Surface& surface) { return surface.felt; });
   if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
-  scene.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
-  if (scene.is_assignment) scene.assigning = 0;
-  scene.takes_number = trial.question.form == TrialQuestion::Form::number;
+  scene.form = trial.question.form;
   scene.standard_picture = trial.question.standard_picture;
   scene.response_open = true;
   return scene;

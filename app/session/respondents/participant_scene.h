@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/words/phrase.h"
@@ -116,8 +117,7 @@ struct ParticipantScene {
 
   std::vector<Surface> surfaces{};
   std::vector<Choice> choices{};
-  bool is_assignment = false;
-  bool takes_number = false;  ///< the answer is typed: a number above 0
+  AnswerForm form{};  ///< of the question: how it is answered
   /// Of an assignment: the surface (index in `surfaces`) that the next picture is given to.
   std::optional<std::size_t> assigning{};
   bool can_confirm = false;                       ///< the answer is complete
@@ -136,35 +136,12 @@ struct ParticipantScene {
   int pages_turned = 0;
   /// A response of the trial is open: keys of any window belong to it.
   bool response_open = false;
-};
 
-/// Something that the participant did, stamped when it happened.
-struct ParticipantInput {
-  enum class Kind {
-    option,  ///< option `number` (place in `choices`, from 1): chosen, or given to the present surface
-    /// Option `number` given to surface `surface` (both from 1), by click or drag; surface 0: taken
-    /// back.
-    assign,
-    /// Surface `number` (from 1) requested under the hand; in an assignment without feeling again, the
-    /// surface that the next option is given to.
-    surface,
-    next,     ///< "enough of this surface"; on the question: the next surface to feel again
-    confirm,  ///< goes on; confirms an answer that is complete
-    click,    ///< of the mouse, on the empty ground between two surfaces
-    text,     ///< the answer to a form, or a number, as text; empty where optional and left out
-    /// A button of the device, `number` from 1, pressed for `held_s`.
-    device_button,
-    /// The key or button `text`, pressed at `time_ns`, was released `held_s` later: stored, answers
-    /// nothing.
-    released,
-  };
-  Kind kind = Kind::confirm;
-  int number = 0;
-  int surface = 0;
-  std::string text{};
-  std::int64_t time_ns = 0;  ///< on the session's clock: when it was pressed, not when it was heard
-  double held_s = 0.0;
-  std::string source = "keyboard";  ///< "keyboard", "mouse", "device_button", "experimenter"
+  /// A question of this form.
+  template <class Form>
+  bool is_answered_by() const noexcept {
+    return std::holds_alternative<Form>(form);
+  }
 };
 
 /// The scenes of a session; the conductor shows them to every kind of respondent.

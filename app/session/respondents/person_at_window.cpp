@@ -9,11 +9,12 @@
 #include <mutex>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/respondents/answer_sheet.h"
 #include "app/session/respondents/form_answer.h"
+#include "app/session/respondents/sheets/answer_sheet.h"
 
 namespace asperity {
 
@@ -24,56 +25,10 @@ using Kind = ParticipantInput::Kind;
 constexpr double kLongestPoll_s = 0.01;
 constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
 constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
-constexpr double kHeld_s = 0.8;
 // From a key to here: nothing keeps a window's thread for longer.
 constexpr double kHandedOn_s = 0.05;
 // Nobody means more than this between two looks; a key is stuck.
 constexpr std::size_t kMostWaiting = 1000;
-
-/// What an input asked for, as it is stored.
-std::string description_of(const ParticipantInput& input) {
-  switch (input.kind) {
-    case Kind::option:
-      return "option " + std::to_string(input.number);
-    case Kind::assign:
-      return "option " + std::to_string(input.number) + " to surface " +
-             std::to_string(input.surface);
-    case Kind::surface:
-      return "surface " + std::to_string(input.number);
-    case Kind::next:
-      return "next";
-    case Kind::confirm:
-      return "confirm";
-    case Kind::click:
-      return "click";
-    case Kind::text:
-      return "text";  // what it says is an answer, and may be private
-    case Kind::device_button:
-      return "device button " + std::to_string(input.number);
-    case Kind::released:
-      return input.text;
-  }
-  return {};
-}
-
-/// Index of what an input counts from 1; nothing where there is no such thing.
-std::optional<std::size_t> index_of(int number, std::size_t count) {
-  if (number < 1 || static_cast<std::size_t>(number) > count) return {};
-  return static_cast<std::size_t>(number - 1);
-}
-
-bool confirms_by_button(const ParticipantInput& input) {
-  return input.kind == Kind::device_button && (input.number != 1 || input.held_s >= kHeld_s);
-}
-
-bool steps_by_button(const ParticipantInput& input) {
-  return input.kind == Kind::device_button && !confirms_by_button(input);
-}
-
-/// Where there is nothing to answer.
-bool goes_on(const ParticipantInput& input) {
-  return input.kind == Kind::confirm || input.kind == Kind::device_button;
-}
 
 }  // namespace
 
@@ -100,7 +55,7 @@ struct PersonAtWindow::Desk {
   std::set<int> felt{};              ///< positions, of this attempt
   int now = 0;                       ///< position under the hand; 0 between surfaces
   int last_felt = 0;
-  std::optional<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
+  std::unique_ptr<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
 
   std::map<int, std::int64_t> buttons_down{};
   std::map<int, std::int64_t> buttons_let_go{};
@@ -152,10 +107,8 @@ struct PersonAtWindow::Desk {
     return codes.at(static_cast<std::size_t>(position - 1));
   }
 
-  /// The rules of the trial's question; a reply once there is one.
+  /// What an input makes of the answer to the trial; a reply once there is one.
   std::optional<Reply> hear_answer(const Trial& trial, const ParticipantInput& input);
-  std::optional<Reply> hear_number(const Trial& trial, const ParticipantInput& input);
-  std::optional<Reply> hear_confirmation(const Trial& trial, const ParticipantInput& input);
   std::optional<Reply> hear_wish(const Trial& trial, const ParticipantInput& input);
   void show_sheet();
 };
@@ -266,7 +219,7 @@ bool PersonAtWindow::Desk::turned_page(const ParticipantInput& input) {
 void PersonAtWindow::Desk::wait_for_confirmation(const Wait& wait) {
   change([](ParticipantScene& scene) { scene.can_confirm = true; });
   listen(wait, {},
-         [this](const ParticipantInput& input) { return !turned_page(input) && goes_on(input); });
+         [this](const ParticipantInput& input) { return !turned_page(input) && continues(input); });
 }
 
 void PersonAtWindow::Desk::leave_surface() {
@@ -295,110 +248,25 @@ void PersonAtWindow::Desk::show_sheet() {
 
 std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
                                                        const ParticipantInput& input) {
-  if (trial.question.form == TrialQuestion::Form::number) return hear_number(trial, input);
-  const std::optional<std::size_t> option = index_of(input.number, sheet->options());
-  switch (input.kind) {
-    case Kind::option:
-      if (!option) return {};
-      sheet->choose(*option);
-      break;
-    case Kind::assign: {
-      if (!option || !sheet->is_assignment()) return {};
-      const std::optional<std::size_t> surface = index_of(input.surface, sheet->surfaces());
-      if (surface) {
-        sheet->assign(*option, *surface);
-      } else if (input.surface == 0) {
-        sheet->take_back(*option);
-      } else {
-        return {};
-      }
-      break;
-    }
-    case Kind::surface: {
-      const std::optional<std::size_t> surface = index_of(input.number, trial.presentations.size());
-      if (!surface) return {};
-      if (!sheet->is_assignment() || trial.question.allow_revisit) return hear_wish(trial, input);
-      sheet->turn_to(*surface);
-      break;
-    }
-    case Kind::next:
-      return hear_wish(trial, input);
-    case Kind::confirm:
-      return hear_confirmation(trial, input);
-    case Kind::device_button:
-      if (confirms_by_button(input)) return hear_confirmation(trial, input);
-      if (const std::optional<std::size_t> pointed = sheet->point()) {
-        play(Cue::option, static_cast<int>(*pointed) + 1);
-        break;
-      }
-      show_sheet();
-      remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
-      play(Cue::surface, next_again(trial));
-      return {};
-    case Kind::click:
-    case Kind::text:
-    case Kind::released:
-      return {};
-  }
-  show_sheet();
-  return {};
-}
-
-std::optional<Reply> PersonAtWindow::Desk::hear_number(const Trial& trial,
-                                                       const ParticipantInput& input) {
-  switch (input.kind) {
-    case Kind::surface:
-      if (!index_of(input.number, trial.presentations.size())) return {};
-      return hear_wish(trial, input);
-    case Kind::next:
-      return hear_wish(trial, input);
-    case Kind::text:
-      if (const std::optional<double> estimate = estimate_in(input.text)) {
-        source = input.source;
-        return Reply{.answered_ns = input.time_ns, .estimate = estimate};
-      }
-      if (is_unclear_estimate(input.text)) {
-        refuse(input, {.what = Saying::What::estimate_unclear, .code = trimmed(input.text)});
-        return {};
-      }
-      break;
-    case Kind::confirm:
-    case Kind::device_button:  // it cannot say a number
-      break;
-    case Kind::option:
-    case Kind::assign:
-    case Kind::click:
-    case Kind::released:
-      return {};
-  }
-  refuse(input, {.what = Saying::What::estimate_needed});
-  return {};
-}
-
-std::optional<Reply> PersonAtWindow::Desk::hear_confirmation(const Trial& trial,
-                                                             const ParticipantInput& input) {
-  if (sheet->points_at_feeling_again()) return hear_wish(trial, input);
-  if (sheet->take_pointed()) {
-    // A button that is held means it from when it is let go.
-    change_meaning(input.time_ns + std::llround(1e9 * input.held_s));
-    show_sheet();
-    // What comes next: the surface whose turn it is, or the confirmation of the whole.
-    if (sheet->is_complete()) {
-      play(Cue::question);
-    } else {
-      play(Cue::surface, static_cast<int>(sheet->turn()) + 1);
-    }
-    return {};
-  }
-  if (sheet->is_complete()) {
+  const SheetResult result = sheet->take(input);
+  if (const auto* const answer = std::get_if<Answer>(&result)) {
     source = input.source;
-    return Reply{.options = sheet->answer(), .answered_ns = input.time_ns};
+    return Reply{*answer, input.time_ns};
   }
-  if (sheet->is_assignment()) {
-    refuse(input, {.what = Saying::What::assign_first,
-                   .code = trial.presentations.at(*sheet->free_surface()).code});
-  } else {
-    refuse(input, {.what = Saying::What::choose_first});
+  if (std::holds_alternative<WishToFeelAgain>(result)) return hear_wish(trial, input);
+  if (const auto* const refused = std::get_if<SheetRefused>(&result)) {
+    refuse(input, refused->saying);
+  } else if (const auto* const changed = std::get_if<SheetChanged>(&result)) {
+    // A held button takes effect when it is released.
+    if (changed->needs_new_reading) {
+      change_meaning(input.time_ns + std::llround(1e9 * input.held_s));
+    }
+    show_sheet();
+    if (changed->cue) play(*changed->cue, changed->number);
+  } else if (std::holds_alternative<PointedAtFeelingAgain>(result)) {
+    show_sheet();
+    remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
+    play(Cue::surface, next_again(trial));
   }
   return {};
 }
@@ -411,8 +279,8 @@ std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
     return {};
   }
   sheet->forget_feeling_again();
-  return Reply{.feel_again = input.kind == Kind::surface ? input.number : next_again(trial),
-               .answered_ns = input.time_ns};
+  const int position = input.kind == Kind::surface ? input.number : next_again(trial);
+  return Reply{FeelAgain{position}, input.time_ns};
 }
 
 // --- the person ----------------------------------------------------------------------------------
@@ -435,7 +303,7 @@ void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait&
     const std::int64_t until_ns =
         desk_->monitor.snapshot().scene->rest_until_ns.value_or(desk_->after_shown_ns(minimum_s));
     const bool is_over = desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
-      if (desk_->turned_page(input) || !goes_on(input)) return false;
+      if (desk_->turned_page(input) || !continues(input)) return false;
       if (input.time_ns >= until_ns) return true;
       const double left_s = 1e-9 * static_cast<double>(until_ns - input.time_ns);
       desk_->refuse(input,
@@ -534,7 +402,7 @@ void PersonAtWindow::refuse_answers() {
 Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,
                           std::optional<double> deadline_s, const Wait& wait) {
   desk_->leave_surface();
-  if (!desk_->sheet) desk_->sheet.emplace(trial);
+  if (!desk_->sheet) desk_->sheet = sheet_for(trial);
   desk_->face({ParticipantScene::Kind::question},
               scene_of_question(trial, desk_->felt_positions()));
   desk_->show_sheet();
@@ -556,7 +424,7 @@ void PersonAtWindow::tell(const std::string& text, const Wait& wait) {
   plain.kind = ParticipantScene::Kind::feedback;
   plain.text = text;
   desk_->face({ParticipantScene::Kind::feedback}, std::move(plain));
-  desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), goes_on);
+  desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), continues);
 }
 
 std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
@@ -577,7 +445,7 @@ std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
       const std::optional<std::size_t> option = index_of(input.number, question.options.size());
       if (!option) return false;
       text = question.options[*option];
-    } else if (goes_on(input)) {
+    } else if (continues(input)) {
       if (pointed) text = question.options[*pointed];
     } else {
       return false;

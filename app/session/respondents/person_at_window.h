@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/respondents/participant_input.h"
 #include "app/session/respondents/respondent.h"
 #include "app/session/session_monitor.h"
 #include "app/session/sound/sound.h"

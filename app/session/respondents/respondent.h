@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "analysis/force_features.h"
@@ -21,20 +22,30 @@ namespace asperity {
 /// Lets time go by while the participant thinks: seconds to wait. The servo ticks on meanwhile.
 using Wait = std::function<void(double)>;
 
-/// What came back from the question of a trial.
+/// The time was over before an answer was given.
+struct NoAnswer {};
+/// The participant wishes to feel a surface again.
+struct FeelAgain {
+  int position = 0;
+};
+
+/// The result of asking the question of a trial.
 struct Reply {
-  /// Chosen options by index, one per item of the question (see TrialQuestion); empty when the time
-  /// was over or the participant chose to feel a surface again.
-  std::vector<std::size_t> options{};
-  std::optional<int> feel_again{};  ///< position of the surface to be felt again
+  std::variant<NoAnswer, FeelAgain, Answer> what{};
   /// When the answer was given or the wish to feel again was made, on the session's clock: the time
   /// stamp of the key or button itself. Absent where nothing better is known than the time at which `ask`
   /// returns.
   std::optional<std::int64_t> answered_ns{};
-  /// The number that was given, where one is asked for (TrialQuestion::Form::number); above 0.
-  std::optional<double> estimate{};
 
-  bool is_answer() const noexcept { return !options.empty() || estimate; }
+  /// Null where there is none.
+  const Answer* answer() const noexcept { return std::get_if<Answer>(&what); }
+  const FeelAgain* feel_again() const noexcept { return std::get_if<FeelAgain>(&what); }
+  /// The number that was given; nothing of any other reply.
+  std::optional<double> number() const noexcept {
+    const Answer* const given = answer();
+    const auto* const of_number = given == nullptr ? nullptr : std::get_if<GivenNumber>(given);
+    return of_number == nullptr ? std::nullopt : std::optional(of_number->number);
+  }
 };
 
 /// A button of the device went down or up, seen in the servo's records.

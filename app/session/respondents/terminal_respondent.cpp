@@ -8,10 +8,12 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 #include <poll.h>
 #include <termios.h>
 
+#include "app/session/respondents/dialogues/answer_dialogue.h"
 #include "app/session/respondents/form_answer.h"
 #include "app/study_files/height_field_files.h"
 #include "app/words/reason.h"
@@ -141,7 +143,6 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
   unechoed_.reset();
   forget_typed();
   const TrialQuestion& question = trial.question;
-  const bool assignment = question.form == TrialQuestion::Form::assignment;
   output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
   std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
@@ -164,52 +165,22 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     wait(duration_s);
     if (left_s) left_s = std::max(0.0, *left_s - duration_s);
   };
-  if (question.form == TrialQuestion::Form::number) return ask_for_number(trial, timed, left_s);
-  Reply reply{};
-  const std::size_t items = assignment ? trial.presentations.size() : 1;
-  while (reply.options.size() < items) {
-    if (assignment) {
-      output_ << "Surface " << trial.presentations[reply.options.size()].code << " is picture: ";
-    } else {
-      output_ << "Your answer: ";
-    }
-    output_ << std::flush;
+  const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial);
+  for (;;) {
+    output_ << dialogue->prompt() << std::flush;
     const std::optional<std::string> typed = line(timed, left_s);
     if (!typed) return {};
     bool is_wish = false;
     if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
-      if (!reply.options.empty()) output_ << "After that, please assign all pictures again.\n";
-      return {{}, again};
+      const std::string note = dialogue->note_on_discarding();
+      if (!note.empty()) output_ << note << '\n';
+      return {FeelAgain{*again}};
     }
     if (is_wish) continue;
-    const std::optional<std::size_t> number = whole_number(*typed);
-    if (!number || *number < 1 || *number > question.options.size()) {
-      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
-      continue;
-    }
-    if (std::find(reply.options.begin(), reply.options.end(), *number - 1) != reply.options.end()) {
-      output_ << "That picture is already assigned; each picture belongs to one surface.\n";
-      continue;
-    }
-    reply.options.push_back(*number - 1);
-  }
-  return reply;
-}
-
-Reply TerminalRespondent::ask_for_number(const Trial& trial, const Wait& wait,
-                                         const std::optional<double>& left_s) {
-  for (;;) {
-    output_ << "Your number: " << std::flush;
-    const std::optional<std::string> typed = line(wait, left_s);
-    if (!typed) return {};
-    bool is_wish = false;
-    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) return {{}, again};
-    if (is_wish) continue;
-    if (const std::optional<double> estimate = estimate_in(*typed)) return {.estimate = estimate};
-    output_ << text_of(is_unclear_estimate(*typed)
-                           ? Saying{.what = Saying::What::estimate_unclear, .code = trimmed(*typed)}
-                           : Saying{.what = Saying::What::estimate_needed})
-            << '\n';
+    std::variant<NextLine, Answer> taken = dialogue->take(*typed);
+    if (auto* const answer = std::get_if<Answer>(&taken)) return {std::move(*answer)};
+    const std::string& complaint = std::get<NextLine>(taken).complaint;
+    if (!complaint.empty()) output_ << complaint << '\n';
   }
 }
 

@@ -48,7 +48,6 @@ class TerminalRespondent final : public Respondent {
 
  private:
   /// The answer that is a number, or the wish to feel again.
-  Reply ask_for_number(const Trial& trial, const Wait& wait, const std::optional<double>& left_s);
   /// The wish to feel a surface again, where the line is one of a surface that is there; where it is
   /// of another, `said` is true.
   std::optional<int> wish_in(const std::string& typed, const Trial& trial, bool& said);

@@ -1,7 +1,6 @@
 #include "app/session/respondents/virtual_participant.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/rig/recorder.h"
 #include "app/session/rig/rig.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "renderers/offline/recorded_force.h"
 
 namespace asperity {
@@ -43,17 +43,6 @@ ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
   const Recorder::Attempt attempt = recorder.finish(rig.records());
   return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
 }
-
-std::size_t option_with(const TrialQuestion& question, const std::string& value) {
-  for (std::size_t option = 0; option < question.options.size(); ++option) {
-    if (question.options[option].value == value) return option;
-  }
-  throw std::logic_error("no option has the value " + value);
-}
-
-}  // namespace
-
-namespace {
 
 /// What is felt of a texture where its heights are known: a plate that has them.
 struct Sample {
@@ -151,20 +140,6 @@ void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& 
 
 void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
 
-std::vector<std::size_t> VirtualParticipant::open_options(const Trial& trial) const {
-  std::vector<std::size_t> open{};
-  if (protocol_.kind == ProtocolKind::selection) {
-    for (const PlannedPresentation& surface : trial.presentations) {
-      open.push_back(option_with(trial.question, surface.item));
-    }
-    return open;
-  }
-  for (std::size_t option = 0; option < trial.question.options.size(); ++option) {
-    if (protocol_.textures.contains(trial.question.options[option].value)) open.push_back(option);
-  }
-  return open;
-}
-
 Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures> felt,
                               std::optional<double> deadline_s, const Wait& wait) {
   VirtualObserver observer(protocol_.observer, attempt_random_);
@@ -174,49 +149,15 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures>
     return {};
   }
   wait(thinking_s);
-  if (trial.question.form == TrialQuestion::Form::number) {
-    source_ = protocol_.observer.deaf ? "virtual_guess" : "virtual";
-    return {.estimate = observer.estimate(felt.front(), number_habit_of(random_.split("numbers")))};
-  }
-  return choose(trial, felt, observer);
-}
-
-Reply VirtualParticipant::choose(const Trial& trial, std::span<const ForceFeatures> felt,
-                                 VirtualObserver& observer) {
-  const bool selects = protocol_.kind == ProtocolKind::selection;
-  const std::vector<std::size_t> open = open_options(trial);
-  std::vector<ForceFeatures> expected{};
-  const auto expect = [&](const std::string& texture) {
-    const auto found = expectations_.find(texture);
-    if (found != expectations_.end()) expected.push_back(found->second);
-  };
-  if (selects) {
-    expect(trial.presentations.front().stimulus.texture);
-  } else {
-    for (const std::size_t option : open) expect(trial.question.options[option].value);
-  }
-  const bool knows = expected.size() == (selects ? 1 : open.size());
-  source_ = knows && !protocol_.observer.deaf ? "virtual" : "virtual_guess";
-
-  const bool assigns = trial.question.form == TrialQuestion::Form::assignment;
-  std::vector<std::size_t> chosen{};
-  if (!knows && assigns) {
-    chosen.resize(felt.size());
-    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-    Random guessing = attempt_random_.split("assignment");
-    guessing.shuffle(std::span<std::size_t>(chosen));
-  } else if (!knows) {
-    chosen = {observer.guess(open.size())};
-  } else if (selects) {
-    chosen = {observer.select(felt, expected.front())};
-  } else if (assigns) {
-    chosen = observer.match(felt, expected);
-  } else {
-    chosen = {observer.recognise(felt.front(), expected)};
-  }
-  Reply reply{};
-  for (const std::size_t index : chosen) reply.options.push_back(open[index]);
-  return reply;
+  VirtualResponse judged = kind_of(protocol_).judge({.protocol = protocol_,
+                                                     .trial = trial,
+                                                     .felt = felt,
+                                                     .expectations = expectations_,
+                                                     .observer = observer,
+                                                     .of_attempt = attempt_random_,
+                                                     .of_participant = random_});
+  source_ = judged.is_guess || protocol_.observer.deaf ? "virtual_guess" : "virtual";
+  return {std::move(judged.answer)};
 }
 
 std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {

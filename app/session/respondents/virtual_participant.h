@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,6 @@
 #include "protocols/observer/virtual_observer.h"
 
 namespace asperity {
-
-/// What a texture is expected to feel like, by texture. Empty where nothing is expected.
-using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 
 /// Expectations of one virtual participant under a protocol's declaration.
 ///
@@ -60,10 +56,6 @@ class VirtualParticipant final : public Respondent {
   void begin_attempt(int trial, int attempt) override;
 
  private:
-  Reply choose(const Trial& trial, std::span<const ForceFeatures> felt, VirtualObserver& observer);
-  /// The options that stand for surfaces (by position) or pictures, by index.
-  std::vector<std::size_t> open_options(const Trial& trial) const;
-
   const Protocol& protocol_;
   Expectations expectations_{};
   ParticipantRow person_{};

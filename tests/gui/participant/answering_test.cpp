@@ -14,6 +14,7 @@
 #include "renderers/force/force_model.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/replies.h"
 
 namespace asperity {
 namespace {
@@ -100,7 +101,7 @@ TEST(Answering, RecognisesByKeysAfterARefusalAndAChange) {
   room.key(Qt::Key_5);
   ASSERT_TRUE(room.sees([](const ParticipantScene& scene) { return scene.choices[4].chosen; }));
   room.key(Qt::Key_Return);
-  EXPECT_EQ(reply.get().options, std::vector<std::size_t>{4});
+  EXPECT_EQ(options_of(reply.get()), std::vector<std::size_t>{4});
 }
 
 TEST(Answering, MatchesByMouseAlone) {
@@ -132,7 +133,7 @@ TEST(Answering, MatchesByMouseAlone) {
   click(Item::Kind::picture, "3");
   ASSERT_TRUE(given(2, "A"));
   click(Item::Kind::control, "Return");
-  EXPECT_EQ(reply.get().options, (std::vector<std::size_t>{2, 0, 1}));
+  EXPECT_EQ(options_of(reply.get()), (std::vector<std::size_t>{2, 0, 1}));
 }
 
 TEST(Answering, FeelsTheNextSurfaceAgainBySpace) {
@@ -144,7 +145,7 @@ TEST(Answering, FeelsTheNextSurfaceAgainBySpace) {
   });
   ASSERT_TRUE(room.sees_question());
   room.key(Qt::Key_Space);
-  EXPECT_EQ(reply.get().feel_again, 1);
+  EXPECT_EQ(felt_again(reply.get()), 1);
 }
 
 TEST(Answering, RefusesAnAnswerBeforeAllWasFelt) {

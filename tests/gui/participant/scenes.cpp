@@ -81,7 +81,7 @@ ParticipantScene matching(int count) {
   for (int i = 1; i <= count; ++i) {
     scene.choices.push_back({.key = std::to_string(i), .picture = picture(i)});
   }
-  scene.is_assignment = true;
+  scene.form = AssignmentForm{};
   scene.assigning = 0;
   scene.response_open = true;
   return scene;
@@ -105,7 +105,7 @@ ParticipantScene magnitude() {
   ParticipantScene scene =
       in_block(ParticipantScene::Kind::question, "How rough did this surface feel?");
   scene.surfaces = surfaces(1);
-  scene.takes_number = true;
+  scene.form = NumberForm{};
   scene.response_open = true;
   return scene;
 }

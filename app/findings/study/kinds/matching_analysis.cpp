@@ -1,0 +1,53 @@
+#include "app/findings/study/kinds/matching_analysis.h"
+
+#include <array>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kMatchingClaims{
+    TestClaim{
+        "items", "",
+        "The proportion of correctly matched items was significantly above the chance level%3", "",
+        "The proportion of correctly matched items was not significantly above the chance level%3"},
+    TestClaim{
+        "whole", "",
+        "The proportion of trials with all items correct was significantly above the chance "
+        "level%3",
+        "",
+        "The proportion of trials with all items correct was not significantly above the chance "
+        "level"},
+    TestClaim{
+        "textures", "",
+        "The proportion of correct matches of %1 was significantly above the chance level%3", "",
+        "The proportion of correct matches of %1 was not significantly above the chance level%3"},
+    TestClaim{"sexes", "", "Women matched significantly more items correctly than men",
+              "Women matched significantly fewer items correctly than men",
+              "The numbers of correctly matched items of women and men were not significantly "
+              "different"}};
+
+std::string task_of_matching(const Protocol&) {
+  return "Task: in each trial, several textures are presented, and each is to be assigned to one "
+         "of "
+         "as many pictures.";
+}
+
+std::string paper_task_of_matching(const Protocol&) {
+  return ", and each was to be assigned to one of as many pictures.";
+}
+
+}  // namespace
+
+const StudyAnalysis& matching_analysis() {
+  static const StudyAnalysis kAnalysis{.kind = "matching",
+                                       .name = phrase("Analysis", "matching"),
+                                       .scores_items = true,
+                                       .claims = kMatchingClaims,
+                                       .task = task_of_matching,
+                                       .task_for_paper = paper_task_of_matching,
+                                       .analyze = analyze_matching};
+  return kAnalysis;
+}
+
+}  // namespace asperity

@@ -1,0 +1,16 @@
+// The analysis of the kind "selection".
+
+#pragma once
+
+#include "app/findings/study/study_analysis.h"
+
+namespace asperity {
+
+/// Which rendering was chosen as the most realistic: counts and proportions of each item (chance 1 of as
+/// many as were felt), and each pair of items among the choices of either. "Cannot tell" is counted and
+/// is not part of the proportions.
+void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+const StudyAnalysis& selection_analysis();
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+// The one list of the analyses of kinds; a new kind adds its include and its line.
+
+#include <algorithm>
+#include <array>
+
+#include "app/findings/study/kinds/magnitude_analysis.h"
+#include "app/findings/study/kinds/matching_analysis.h"
+#include "app/findings/study/kinds/recognition_analysis.h"
+#include "app/findings/study/kinds/selection_analysis.h"
+#include "app/findings/study/study_analysis.h"
+
+namespace asperity {
+
+std::span<const StudyAnalysis* const> study_analyses() {
+  static const std::array kAnalyses{&selection_analysis(), &matching_analysis(),
+                                    &recognition_analysis(), &magnitude_analysis()};
+  return kAnalyses;
+}
+
+const StudyAnalysis* find_analysis(std::string_view kind) noexcept {
+  const auto analyses = study_analyses();
+  const auto found =
+      std::find_if(analyses.begin(), analyses.end(),
+                   [kind](const StudyAnalysis* analysis) { return analysis->kind == kind; });
+  return found == analyses.end() ? nullptr : *found;
+}
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+// The analysis of one kind of experiment, as a value, and the registry of all of them.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/study/gathered_answers.h"
+#include "app/words/phrase.h"
+#include "protocols/design/protocol.h"
+
+namespace asperity {
+
+/// What a test of a kind found, as a clause of English. %1 and %2 are what the test is about, %3 is
+/// " of 25 %" after the chance level, where the test has one.
+struct TestClaim {
+  std::string_view test{};    ///< a KindTest of the kind
+  std::string_view method{};  ///< for a single method of it: its code; these stand first
+  std::string_view higher{};  ///< significant, the statistic positive or without a sign
+  std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
+  std::string_view nothing{};
+};
+
+/// Everything that differs between kinds once there are responses: tables, findings and sentences. The
+/// counterpart before is ExperimentKind (protocols/kinds/experiment_kind.h); a test walks both registries.
+struct StudyAnalysis {
+  std::string_view kind{};    ///< the id of the ExperimentKind
+  Phrase name{};              ///< "magnitude estimation"
+  bool scores_items = false;  ///< a response has several items, each correct or incorrect
+  std::span<const TestClaim> claims{};
+
+  /// The task in a sentence of a report: "Task: in each trial, …"
+  std::string (*task)(const Protocol& protocol) = nullptr;
+  /// The end of the sentence "In each trial, two stimuli were presented" of a text for a paper.
+  std::string (*task_for_paper)(const Protocol& protocol) = nullptr;
+  /// How responses were transformed before the analysis, as a sentence of a text for a paper; or empty.
+  std::string_view transformation{};
+
+  /// Tables, findings and questions of the responses of one group.
+  void (*analyze)(const GatheredAnswers& gathered, AnalysisOutcome& outcome) = nullptr;
+  /// The estimates in a sentence; null where the tests state them.
+  EstimateSentence (*estimates)(const AnalysisOutcome& outcome) = nullptr;
+};
+
+/// All of them, in the order of experiment_kinds().
+std::span<const StudyAnalysis* const> study_analyses();
+
+/// Null for a kind that this program does not have.
+const StudyAnalysis* find_analysis(std::string_view kind) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,29 @@
+#include "app/findings/study/task_words.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace asperity {
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string quoted(const std::string& text) { return "“" + text + "”"; }
+
+std::vector<std::string> main_questions(const Protocol& protocol) {
+  std::vector<std::string> questions{};
+  for (const auto& [name, block] : protocol.blocks) {
+    const std::string question = quoted(block.question.prompt);
+    const bool is_new = std::find(questions.begin(), questions.end(), question) == questions.end();
+    if (block.phase == Phase::main && is_new) questions.push_back(question);
+  }
+  return questions;
+}
+
+}  // namespace asperity

@@ -1,0 +1,21 @@
+// Words for the task of a protocol.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocols/design/protocol.h"
+
+namespace asperity {
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& words);
+
+/// In typographic quotation marks.
+std::string quoted(const std::string& text);
+
+/// The questions of the main blocks in quotation marks, each once.
+std::vector<std::string> main_questions(const Protocol& protocol);
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// The dialogues that are answered by the numbers of options: a choice, and an assignment.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "app/session/respondents/dialogues/answer_dialogue.h"
+
+namespace asperity {
+
+class ChoiceDialogue final : public AnswerDialogue {
+ public:
+  explicit ChoiceDialogue(const Trial& trial) : options_(trial.question.options.size()) {}
+
+  std::string prompt() const override { return "Your answer: "; }
+  std::variant<NextLine, Answer> take(const std::string& typed) override;
+
+ private:
+  std::size_t options_ = 0;
+};
+
+/// One surface after the other.
+class AssignmentDialogue final : public AnswerDialogue {
+ public:
+  explicit AssignmentDialogue(const Trial& trial) : trial_(trial) {}
+
+  std::string prompt() const override;
+  std::variant<NextLine, Answer> take(const std::string& typed) override;
+  std::string note_on_discarding() const override;
+
+ private:
+  const Trial& trial_;
+  AssignedOptions assigned_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+#include "app/session/respondents/sheets/choice_sheet.h"
+
+namespace asperity {
+
+ChoiceSheet::ChoiceSheet(const Trial& trial)
+    : options_(trial.question.options.size()),
+      surfaces_(trial.presentations.size()),
+      may_feel_again_(trial.question.allow_revisit) {}
+
+SheetResult ChoiceSheet::take(const ParticipantInput& input) {
+  switch (input.kind) {
+    case ParticipantInput::Kind::option: {
+      const std::optional<std::size_t> option = index_of(input.number, options_);
+      if (!option) return SheetUnchanged{};
+      chosen_ = option;
+      points_at_feeling_again_ = false;
+      return SheetChanged{};
+    }
+    case ParticipantInput::Kind::surface:
+      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
+      return WishToFeelAgain{};
+    case ParticipantInput::Kind::next:
+      return WishToFeelAgain{};
+    case ParticipantInput::Kind::confirm:
+      return confirm();
+    case ParticipantInput::Kind::device_button:
+      return confirms_by_button(input) ? confirm() : point();
+    case ParticipantInput::Kind::assign:
+    case ParticipantInput::Kind::click:
+    case ParticipantInput::Kind::text:
+    case ParticipantInput::Kind::released:
+      break;
+  }
+  return SheetUnchanged{};
+}
+
+SheetResult ChoiceSheet::point() {
+  if (options_ == 0) return SheetUnchanged{};
+  points_at_feeling_again_ = may_feel_again_ && chosen_ == options_ - 1;
+  if (points_at_feeling_again_) {
+    chosen_.reset();
+    return PointedAtFeelingAgain{};
+  }
+  chosen_ = chosen_ ? (*chosen_ + 1) % options_ : 0;
+  return SheetChanged{.cue = Cue::option, .number = static_cast<int>(*chosen_) + 1};
+}
+
+SheetResult ChoiceSheet::confirm() const {
+  if (points_at_feeling_again_) return WishToFeelAgain{};
+  if (chosen_) return Answer(ChosenOption{*chosen_});
+  return SheetRefused{{.what = Saying::What::choose_first}};
+}
+
+void ChoiceSheet::mark(ParticipantScene& scene) const {
+  scene.can_confirm = chosen_ || points_at_feeling_again_;
+  for (std::size_t option = 0; option < scene.choices.size(); ++option) {
+    scene.choices[option].chosen = chosen_ == option;
+    scene.choices[option].assigned_to.clear();
+  }
+}
+
+}  // namespace asperity

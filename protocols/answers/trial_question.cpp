@@ -1,0 +1,53 @@
+#include "protocols/answers/trial_question.h"
+
+#include <stdexcept>
+#include <type_traits>
+
+namespace asperity {
+
+namespace {
+
+/// Whether an answer belongs to a form: there is an `items_of` for the two.
+template <typename Form, typename Given>
+constexpr bool belongs_to() {
+  return requires(const TrialQuestion& question, const Form& form, const Given& given) {
+    items_of(question, form, given);
+  };
+}
+
+}  // namespace
+
+std::string_view name_of(const AnswerForm& form) {
+  return std::visit([](const auto& each) { return each.kName; }, form);
+}
+
+int items_of(const AnswerForm& form, int surfaces) {
+  return std::visit([surfaces](const auto& each) { return items_of(each, surfaces); }, form);
+}
+
+std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& answer) {
+  return std::visit(
+      [&question](const auto& form, const auto& given) -> std::vector<AnsweredItem> {
+        using Form = std::decay_t<decltype(form)>;
+        using Given = std::decay_t<decltype(given)>;
+        if constexpr (belongs_to<Form, Given>()) {
+          return items_of(question, form, given);
+        } else {
+          throw std::logic_error("the question " + question.name +
+                                 " got an answer of another form");
+        }
+      },
+      question.form, answer);
+}
+
+std::string label_of(const TrialQuestion& question, const std::string& stored) {
+  return std::visit([&](const auto& form) { return label_of(question, form, stored); },
+                    question.form);
+}
+
+std::vector<std::string> problems_with(const TrialQuestion& question, const AnsweredItem& stored) {
+  return std::visit([&](const auto& form) { return problems_with(question, form, stored); },
+                    question.form);
+}
+
+}  // namespace asperity

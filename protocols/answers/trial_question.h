@@ -1,0 +1,74 @@
+// The question of a trial, the forms in which it can be answered, and what an answer amounts to.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "protocols/answers/assignment_form.h"
+#include "protocols/answers/choice_form.h"
+#include "protocols/answers/number_form.h"
+
+namespace asperity {
+
+/// How a question is answered. A form is a type with its parameters, in a file with its answer.
+using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm>;
+
+/// What was answered: the alternative that belongs to the question's form.
+using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber>;
+
+/// One option of a question, in the order in which it is shown.
+struct Option {
+  std::string value{};  ///< stored as the response: an item, a texture, "cannot_tell"
+  std::string
+      label{};  ///< shown, never a name: a presentation's code, or a picture's place from "1"
+  std::optional<std::string> picture{};  ///< study-relative
+};
+
+/// The question of a trial.
+struct TrialQuestion {
+  std::string name{};
+  std::string prompt{};
+  std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
+  /// Study-relative picture of the texture that realism is measured against, where it is shown.
+  std::optional<std::string> standard_picture{};
+  AnswerForm form{};
+  std::vector<Option>
+      options{};  ///< what the form lets a participant choose from; a number has none
+  bool allow_revisit = true;
+  bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
+  /// The correct responses, one per item of the answer; empty where no response is correct or incorrect.
+  std::vector<std::string> correct{};
+};
+
+/// One item of an answer: a row of the table `response`.
+struct AnsweredItem {
+  int item = 1;          ///< 1, or the position of the surface that an assignment's item belongs to
+  std::string answer{};  ///< the value of an option, or a number as text
+  std::optional<double> number{};
+  std::optional<bool> correct{};
+};
+
+/// "choice", "assignment", "number": as it is stored in the plan of a session.
+std::string_view name_of(const AnswerForm& form);
+
+/// How many responses an answer to this form has when `surfaces` were felt.
+int items_of(const AnswerForm& form, int surfaces);
+
+/// The items of an answer, in order, marked as correct or incorrect where the question determines it.
+///
+/// Errors: std::logic_error for an answer of another form; std::out_of_range for an option that the
+/// question does not have.
+std::vector<AnsweredItem> items_of(const TrialQuestion& question, const Answer& answer);
+
+/// A stored answer in short, without names: the label of the option, or the number.
+std::string label_of(const TrialQuestion& question, const std::string& stored);
+
+/// What contradicts the question in one stored item, as clauses of English for `verify`; empty when
+/// nothing does.
+std::vector<std::string> problems_with(const TrialQuestion& question, const AnsweredItem& stored);
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+#include "protocols/design/block_factors.h"
+
+#include <variant>
+
+namespace asperity {
+
+std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protocol::Block& block) {
+  std::vector<const Protocol::Run*> runs{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* const run = std::get_if<Protocol::Run>(&step);
+    if (run != nullptr && run->block == block.name) runs.push_back(run);
+  }
+  return runs;
+}
+
+std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run) {
+  std::set<std::string> names(block.crossed.begin(), block.crossed.end());
+  names.insert(block.drawn.begin(), block.drawn.end());
+  for (const auto& row : block.listed) {
+    for (const auto& [name, level] : row) names.insert(name);
+  }
+  if (run != nullptr && !run->for_each.empty()) names.insert(run->for_each);
+  return names;
+}
+
+}  // namespace asperity

@@ -1,0 +1,19 @@
+// Which factors the trials of a block have, and the runs that set them.
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "protocols/design/protocol.h"
+
+namespace asperity {
+
+/// The runs of a block in the flow of its protocol, in order. They live as long as the protocol.
+std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protocol::Block& block);
+
+/// The factors that a block crosses, lists or draws, and the one that `run` iterates (null: no run).
+std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run);
+
+}  // namespace asperity

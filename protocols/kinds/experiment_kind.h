@@ -1,0 +1,104 @@
+// What distinguishes one kind of experiment from another, as a value, and the registry of all kinds.
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/force_features.h"
+#include "analysis/random.h"
+#include "protocols/answers/trial_question.h"
+#include "protocols/design/problem_sink.h"
+#include "protocols/design/protocol.h"
+#include "protocols/design/trial.h"
+#include "protocols/observer/virtual_observer.h"
+
+namespace asperity {
+
+/// A group of tests of a kind, by the name under which a protocol can take it into its family.
+struct KindTest {
+  std::string_view name{};
+  std::string_view meaning{};  ///< the question that it answers, without a question mark
+  /// Only with a declared target (AnalysisDeclaration::target).
+  bool needs_target = false;
+};
+
+/// A key at the root of a protocol that one kind requires and no other kind has.
+struct KindKey {
+  std::string_view name{};
+  std::string_view if_missing{};  ///< the problem, reported at "kind"
+  std::string_view
+      if_foreign{};  ///< the problem in a protocol of another kind, reported at the key
+};
+
+/// One block whose question is being checked.
+struct BlockOfKind {
+  const Protocol& protocol;
+  const Protocol::Block& block;
+  std::string pointer{};  ///< "/blocks/NAME"
+};
+
+/// What a virtual participant has to judge, and on what basis.
+struct Judgement {
+  const Protocol& protocol;
+  const Trial& trial;
+  std::span<const ForceFeatures> felt{};  ///< by position
+  const Expectations& expectations;       ///< by texture
+  VirtualObserver& observer;
+  Random of_attempt;      ///< for guesses
+  Random of_participant;  ///< for the habits of a participant, the same in all trials
+};
+struct VirtualResponse {
+  Answer answer{};
+  bool is_guess = false;  ///< made without an expectation
+};
+
+/// A kind of experiment. Everything that differs between kinds before the data are analysed is here;
+/// the counterpart for the analysis is StudyAnalysis (app/findings/study/study_analysis.h).
+///
+/// A function that is null does nothing. Functions report problems, and do not throw.
+struct ExperimentKind {
+  std::string_view id{};    ///< as in protocols and in the store; also its name in messages
+  std::string_view role{};  ///< of every surface of a trial: "target"
+  AnswerForm form{};        ///< how its question is answered
+  bool has_correct_responses = false;
+  bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
+  bool has_target = false;   ///< one item may be declared whose superiority is in question
+  bool has_expectations = false;      ///< a virtual observer judges by what it expects of textures
+  std::span<const KindTest> tests{};  ///< the first is the family where a protocol declares none
+  std::span<const KindKey> keys{};
+
+  /// What a surface counts as in the responses, unless the protocol names it.
+  std::string (*item_of)(const StimulusDescription& stimulus) = nullptr;
+  /// The correct responses to the trial, one per item of the answer.
+  std::vector<std::string> (*correct_of)(const Protocol::TrialQuestionTemplate& question,
+                                         const Trial& trial) = nullptr;
+
+  /// The whole protocol, once its factors, textures and blocks have been checked.
+  void (*check)(const Protocol& protocol, ProblemSink& problems) = nullptr;
+  /// One block and its question.
+  void (*check_block)(const BlockOfKind& checked, ProblemSink& problems) = nullptr;
+  /// One of the trials that can occur.
+  void (*check_trial)(const BlockOfKind& checked, const Trial& trial,
+                      ProblemSink& problems) = nullptr;
+
+  /// The response of a virtual participant.
+  VirtualResponse (*judge)(const Judgement& judgement) = nullptr;
+};
+
+/// All kinds, in the order in which documents list them.
+std::span<const ExperimentKind* const> experiment_kinds();
+
+/// Null where there is no such kind.
+const ExperimentKind* find_kind(std::string_view id) noexcept;
+
+/// Errors: std::logic_error where there is no such kind; a protocol that was read has one.
+const ExperimentKind& kind_named(std::string_view id);
+
+/// The kind of a protocol.
+const ExperimentKind& kind_of(const Protocol& protocol);
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+// The one list of the kinds of experiment; a new kind adds its include and its line.
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/magnitude.h"
+#include "protocols/kinds/matching.h"
+#include "protocols/kinds/recognition.h"
+#include "protocols/kinds/selection.h"
+
+namespace asperity {
+
+std::span<const ExperimentKind* const> experiment_kinds() {
+  static const std::array kKinds{&selection_kind(), &matching_kind(), &recognition_kind(),
+                                 &magnitude_kind()};
+  return kKinds;
+}
+
+const ExperimentKind* find_kind(std::string_view id) noexcept {
+  const auto kinds = experiment_kinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [id](const ExperimentKind* kind) { return kind->id == id; });
+  return found == kinds.end() ? nullptr : *found;
+}
+
+const ExperimentKind& kind_named(std::string_view id) {
+  if (const ExperimentKind* const kind = find_kind(id)) return *kind;
+  throw std::logic_error("there is no kind of experiment \"" + std::string(id) + "\"");
+}
+
+const ExperimentKind& kind_of(const Protocol& protocol) { return kind_named(protocol.kind); }
+
+}  // namespace asperity

@@ -1,0 +1,89 @@
+#include "protocols/kinds/matching.h"
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+#include "protocols/kinds/expected_textures.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kMatchingTests{
+    KindTest{"items", "are more items matched correctly than under guessing"},
+    KindTest{"whole", "are more trials completely correct than under guessing"},
+    KindTest{"textures",
+             "of every texture: is it matched correctly more often than under guessing"},
+    KindTest{"sexes", "do women and men differ"}};
+
+std::string item_of_matching(const StimulusDescription& stimulus) { return stimulus.texture; }
+
+std::vector<std::string> correct_of_matching(const Protocol::TrialQuestionTemplate&,
+                                             const Trial& trial) {
+  std::vector<std::string> correct{};
+  for (const PlannedPresentation& planned : trial.presentations) correct.push_back(planned.item);
+  return correct;
+}
+
+void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) {
+  const Protocol::TrialQuestionTemplate& question = checked.block.question;
+  const std::string place = checked.pointer + "/question";
+  if (checked.block.presented.size() < 2) {
+    problems.report(checked.pointer + "/presented",
+                    "a matching needs at least two surfaces to assign");
+  }
+  if (question.pictures.size() != checked.block.presented.size()) {
+    problems.report(place + (question.pictures.empty() ? "" : "/pictures"),
+                    "a matching needs as many pictures as surfaces, but there are " +
+                        std::to_string(question.pictures.size()) + " and " +
+                        std::to_string(checked.block.presented.size()));
+  }
+  if (question.allow_cannot_tell) {
+    problems.report(place + "/allow_cannot_tell",
+                    "in a matching every surface gets a picture, and there is no \"cannot tell\"; "
+                    "set this to false");
+  }
+  if (!question.correct_factor.empty()) {
+    problems.report(place + "/correct_factor",
+                    "in a matching the correct responses are the textures felt; remove this key");
+  }
+}
+
+VirtualResponse judge_matching(const Judgement& judgement) {
+  const TrialQuestion& question = judgement.trial.question;
+  const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
+  const std::vector<ForceFeatures> expected =
+      expected_of(judgement.expectations, textures_of(question, open));
+  const bool is_guess = expected.size() != open.size();
+  std::vector<std::size_t> places{};
+  if (is_guess) {
+    places.resize(judgement.felt.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    Random guessing = judgement.of_attempt.split("assignment");
+    guessing.shuffle(std::span<std::size_t>(places));
+  } else {
+    places = judgement.observer.match(judgement.felt, expected);
+  }
+  AssignedOptions assigned{};
+  for (const std::size_t place : places) assigned.options.push_back(open.at(place));
+  return {std::move(assigned), is_guess};
+}
+
+}  // namespace
+
+const ExperimentKind& matching_kind() {
+  static const ExperimentKind kKind{.id = "matching",
+                                    .role = "target",
+                                    .form = AssignmentForm{},
+                                    .has_correct_responses = true,
+                                    .has_expectations = true,
+                                    .tests = kMatchingTests,
+                                    .item_of = item_of_matching,
+                                    .correct_of = correct_of_matching,
+                                    .check_block = check_block_of_matching,
+                                    .judge = judge_matching};
+  return kKind;
+}
+
+}  // namespace asperity

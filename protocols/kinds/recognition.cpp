@@ -1,0 +1,96 @@
+#include "protocols/kinds/recognition.h"
+
+#include <array>
+#include <cstddef>
+
+#include "protocols/design/block_factors.h"
+#include "protocols/design/wording.h"
+#include "protocols/kinds/expected_textures.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array kRecognitionTests{
+    KindTest{"right", "is the proportion correct above the chance level"},
+    KindTest{"textures", "of every texture: is it recognised more often than under guessing"},
+    KindTest{"information", "do the responses depend on the stimulus"},
+    KindTest{"sexes", "do women and men differ"}};
+
+std::string item_of_recognition(const StimulusDescription& stimulus) { return stimulus.texture; }
+
+std::vector<std::string> correct_of_recognition(const Protocol::TrialQuestionTemplate& question,
+                                                const Trial& trial) {
+  return {text_of(trial.factors.at(question.correct_factor))};
+}
+
+void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problems) {
+  const Protocol::TrialQuestionTemplate& question = checked.block.question;
+  const std::string place = checked.pointer + "/question";
+  if (checked.block.presented.size() != 1) {
+    problems.report(checked.pointer + "/presented",
+                    "a recognition presents exactly one surface per trial");
+  }
+  if (question.pictures.empty()) {
+    problems.report(place, "a recognition needs \"pictures\" to choose from");
+  }
+  if (question.correct_factor.empty()) {
+    problems.report(place,
+                    "a recognition needs \"correct_factor\": the factor whose level is the correct "
+                    "picture");
+    return;
+  }
+  if (!checked.protocol.factors.contains(question.correct_factor)) {
+    problems.report(place + "/correct_factor",
+                    unknown_name("factor", question.correct_factor, checked.protocol.factors));
+    return;
+  }
+  for (const Protocol::Run* const run : runs_of(checked.protocol, checked.block)) {
+    if (factors_set_by(checked.block, run).contains(question.correct_factor)) continue;
+    problems.report(place + "/correct_factor",
+                    "nothing sets the factor " + in_quotes(question.correct_factor) +
+                        " in the trials of this block: cross, list or draw it, or run the block "
+                        "for_each of its levels");
+  }
+}
+
+void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
+                                ProblemSink& problems) {
+  const std::string& texture = trial.presentations.front().stimulus.texture;
+  const std::string& correct = trial.question.correct.front();
+  if (texture.empty() || correct == texture) return;
+  problems.report(checked.pointer + "/question/correct_factor",
+                  "the correct response would be " + in_quotes(correct) + ", but what is felt is " +
+                      in_quotes(texture));
+}
+
+VirtualResponse judge_recognition(const Judgement& judgement) {
+  const TrialQuestion& question = judgement.trial.question;
+  const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
+  const std::vector<ForceFeatures> expected =
+      expected_of(judgement.expectations, textures_of(question, open));
+  if (expected.size() != open.size()) {
+    return {ChosenOption{open.at(judgement.observer.guess(open.size()))}, true};
+  }
+  return {ChosenOption{open.at(judgement.observer.recognise(judgement.felt.front(), expected))},
+          false};
+}
+
+}  // namespace
+
+const ExperimentKind& recognition_kind() {
+  static const ExperimentKind kKind{.id = "recognition",
+                                    .role = "target",
+                                    .form = ChoiceForm{},
+                                    .has_correct_responses = true,
+                                    .has_expectations = true,
+                                    .tests = kRecognitionTests,
+                                    .item_of = item_of_recognition,
+                                    .correct_of = correct_of_recognition,
+                                    .check_block = check_block_of_recognition,
+                                    .check_trial = check_trial_of_recognition,
+                                    .judge = judge_recognition};
+  return kKind;
+}
+
+}  // namespace asperity
