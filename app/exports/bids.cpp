@@ -301,8 +301,8 @@ std::string BidsDataset::readme() const {
   return text +
          "Responses to haptic textures by session (_beh.tsv), and presentations and events "
          "(_events.tsv), with the meaning of every column in the .json file next to it. Onsets are "
-         "relative to the beginning of the session.\n\nAn analysis counts the rows of _beh.tsv "
-         "with counts_in_analyses 1; one with flagged 1 should be inspected.\nA text that a "
+         "relative to the beginning of the session.\n\nAnalyses include the rows of _beh.tsv with "
+         "counts_in_analyses 1; rows with flagged 1 should be inspected.\nA text that a "
          "spreadsheet would read as a formula is preceded by an apostrophe; the same applies to a "
          "text that begins with an apostrophe. Remove one apostrophe to restore the text.\n";
 }

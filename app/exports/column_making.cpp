@@ -102,7 +102,7 @@ Columns keys_to(Key last) {
   }
   columns.push_back(
       column("virtual", "boolean", "",
-             "1: a simulated participant, whose rows are not data of human participants",
+             "1: a virtual participant, whose rows are not data of human participants",
              [](const ExportPlace& at) { return boolean(at.participant->is_virtual); }));
   columns.push_back(with_levels(column("mode", "text", "", "mode of the session",
                                        [](const ExportPlace& at) -> Cell {

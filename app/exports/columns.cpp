@@ -257,14 +257,15 @@ Columns attempt_columns() {
                      [](const Place& at) { return text_cell_of(at.attempt->invalid_reason); }))));
   add(codes_column(
       "invalid_code", "the attempt is valid",
-      "the same as codes, separated by semicolons; \"typed\" where the experimenter typed it",
+      "the reasons as codes, separated by semicolons; \"typed\" where the experimenter typed one",
       &AttemptRow::invalid_reason));
-  add(column("excluded", "boolean", "", "1: it or its session was excluded: leave it out",
+  add(column("excluded", "boolean", "",
+             "1: the attempt or its session was excluded; the attempt does not count",
              [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
   add(dropped(missing("not excluded",
-                      column("exclusion_reason", "text", "", "reason, as it was entered",
+                      column("exclusion_reason", "text", "", "reason, as entered",
                              [](const Place& at) { return text_cell_of(at.attempt->excluded); }))));
-  add(codes_column("exclusion_code", "not excluded", "the same as codes, as in invalid_code",
+  add(codes_column("exclusion_code", "not excluded", "the reasons as codes, as in invalid_code",
                    &AttemptRow::excluded));
   add(column("counts_in_analyses", "boolean", "",
              "1: the attempt counts in analyses: the trial belongs to the main phase and is not an "
@@ -279,7 +280,7 @@ Columns attempt_columns() {
               column("flag_reason", "text", "",
                      "what to inspect, in the words of the program or of the experimenter",
                      [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
-  add(codes_column("flag_code", "not flagged", "the same as codes, as in invalid_code",
+  add(codes_column("flag_code", "not flagged", "the reasons as codes, as in invalid_code",
                    &AttemptRow::flag_reason));
   add(column("onset_s", "number", "s", "beginning, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
@@ -315,7 +316,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                          [](const Place& at) { return integer(at.presentation->position); })));
   text("role", "role of the surface in the trial", &PresentationRow::role);
   columns.back().levels = {"alternative", "target", "anchor"};
-  text("item", "name of the surface in the answers", &PresentationRow::item);
+  text("item", "name of the surface in the responses", &PresentationRow::item);
   text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
   text("model", "force model", &PresentationRow::model);
   text("model_version", "version of the force model", &PresentationRow::model_version);
@@ -375,7 +376,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     add(missing("the model does not monitor this limit",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
                                    "ticks in which the force model exceeded this limit of valid "
-                                   "rendering (docs/models.md); of: " +
+                                   "rendering (docs/models.md); models: " +
                                        listed(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {
@@ -393,7 +394,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
         missing("the model does not have this parameter",
                 column("parameter_" + name, numeric ? "number" : "text",
                        numeric ? parameter.unit.value_or(unit_at_end_of(name).value_or("1")) : "",
-                       meaning + "parameter of the force model as rendered; of: " + of,
+                       meaning + "parameter of the force model as rendered; models: " + of,
                        [name = name](const Place& at) { return member_of(at.parameters, name); }));
     made.source = parameter.meanings.empty() ? "what was rendered" : "force model";
     made.minimum = parameter.minimum;
@@ -427,13 +428,13 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
     }
     if (!options.empty()) questions += options + ")";
   }
-  add(column("answer", "text", "", "the answer, by its name in the protocol" + questions,
+  add(column("answer", "text", "", "the response, by its name in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
   columns.back().missing = "never, except for answers to questionnaires in a public export";
   add(missing(
-      "the answer is not a number, or is an answer to a questionnaire in a public export",
-      column("answer_number", "number", "", "the answer as a number: the estimate of a magnitude",
+      "the response is not a number, or is an answer to a questionnaire in a public export",
+      column("answer_number", "number", "", "the response as a number: the estimate of a magnitude",
              [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
   add(missing("no response is correct or incorrect",
@@ -441,11 +442,11 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                      [](const Place& at) { return optional_boolean(at.response->correct); })));
   add(column("options_json", "json", "", "the options in the order in which they were shown",
              [](const Place& at) { return at.response->options_json; }));
-  add(column("time_s", "number", "s", "when it was answered, since the session began",
+  add(column("time_s", "number", "s", "time of the response, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
   add(missing("there was no contact before",
               at_least(0, column("from_contact_s", "number", "s",
-                                 "time from the first contact of the attempt to the answer",
+                                 "time from the first contact of the attempt to the response",
                                  [](const Place& at) {
                                    return optional_cell(at.response->from_contact_s);
                                  }))));
@@ -455,17 +456,17 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                          "time from the cue, when the question was first asked, to the response",
                          [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
   add(column("source", "text", "",
-             "how the answer was given: keyboard; virtual, by a simulated observer; virtual_guess, "
-             "by one that ignores the surface or expects nothing",
+             "how the response was given: keyboard; virtual, by a virtual participant; "
+             "virtual_guess, by one that ignores the surface or has no expectation",
              [](const Place& at) { return at.response->source; }));
   add(missing("the estimate was not re-elicited",
               column("doubted_estimate", "number", "",
                      "the first estimate, where the magnitude was re-elicited because the estimate "
                      "was at least ten times, or at most a tenth of, an earlier one for the same "
-                     "stimulus; the answer is the second estimate",
+                     "stimulus; the response is the second estimate",
                      [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   add(missing(
-      "the answer is not an estimate of a magnitude, or the participant has none in some cell",
+      "the response is not an estimate of a magnitude, or the participant has none in some cell",
       column("normalised_estimate", "number", "",
              "the estimate of a magnitude with the participant's own scale removed: multiplied by "
              "the geometric mean of all participants and divided by that of the participant; both "
@@ -672,8 +673,8 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
   Columns answers = response_columns(vocabulary);
   for (std::size_t i = keys_of_attempt; i < answers.size(); ++i) {
     ExportColumn& made = answers[i];
-    made.missing = made.missing == "never" ? "the attempt has no answer"
-                                           : "the attempt has no answer, or " + made.missing;
+    made.missing = made.missing == "never" ? "the attempt has no response"
+                                           : "the attempt has no response, or " + made.missing;
     made.cell = [of_answer = std::move(made.cell)](const Place& at) {
       return at.response == nullptr ? Cell{} : of_answer(at);
     };

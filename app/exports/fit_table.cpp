@@ -44,14 +44,14 @@ Columns FitTable::columns() {
       "the levels of all factors but x and the repetition (column)");
   add("x", "number", "level of the numeric factor that the column factor names, in its unit");
   add("k", "integer",
-      "responses at this level that the column counted names, of completed sessions: sessions that "
-      "were not completed are left out, since they have a selection of the conditions");
+      "responses at this level that the column counted names, of completed sessions; the other "
+      "sessions contain only some of the conditions");
   add("n", "integer", "responses at this level, of completed sessions");
   add("participant", "text", "label of the participant");
   add("protocol", "text", "name of the protocol");
   add("protocol_version", "text", "version of the protocol");
   add("question", "text", "name of the question");
-  add("factor", "text", "the numeric factor whose level x is");
+  add("factor", "text", "name of the numeric factor; x is its level");
   add("counted", "text", "what k counts: correct responses, or those with this answer");
   columns[2].minimum = 0.0;
   columns[3].minimum = 1.0;

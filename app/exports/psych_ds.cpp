@@ -65,7 +65,7 @@ void PsychDataset::finish() {
       {"description",
        (made_by_.sentence.empty() ? "" : made_by_.sentence + " ") +
            "Responses to haptic textures, one file per session, one row per response. Empty cells "
-           "are missing values; an analysis counts the rows with counts_in_analyses 1. A text that "
+           "are missing values; analyses include the rows with counts_in_analyses 1. A text that "
            "a spreadsheet would read as a formula is preceded by an apostrophe; the same applies "
            "to a text that begins with one."},
       {"variableMeasured", std::move(variables)}};

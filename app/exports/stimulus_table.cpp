@@ -44,10 +44,10 @@ Columns StimulusTable::columns() {
   };
   constexpr const char* kNoField = "no height field is involved";
   constexpr const char* kNoFile =
-      "no height field is involved, or its file is no longer in the study as it was used";
+      "no height field is involved, or its file in the study is missing or changed";
   add("protocol", "text", "", "name of the protocol");
   add("protocol_version", "text", "", "version of the protocol");
-  add("virtual", "boolean", "", "1: presented to simulated participants");
+  add("virtual", "boolean", "", "1: presented to virtual participants");
   add("mode", "text", "", "mode of the sessions");
   columns.back().levels = {"run", "pilot", "simulate"};
   add("stimulus", "text", "", "stimulus of the protocol");
@@ -58,13 +58,13 @@ Columns StimulusTable::columns() {
   add("height_field_sha256", "text", "",
       "SHA-256 of the height field's sidecar, as in presentations.tsv", kNoField);
   add("height_field_state", "text", "",
-      "complete: the study has the height field as the sessions used it; missing: the file or its "
+      "complete: the study has the height field that the sessions used; missing: the file or its "
       "sidecar is missing; changed: the file is a different one",
       kNoField);
   columns.back().levels = {name_of(FileState::complete), name_of(FileState::missing),
                            name_of(FileState::changed)};
   add("height_field", "text", "",
-      "file of the height field in the study, and in this folder where it holds stimuli/; the name "
+      "file of the height field in the study, and in this folder if it contains stimuli/; the name "
       "of its sidecar, which has the pitch and the range of the heights, ends with .json",
       kNoFile);
   add("height_field_width_m", "number", "m", "width of the height field", kNoFile);
@@ -73,8 +73,8 @@ Columns StimulusTable::columns() {
       "difference between the greatest and the smallest height", kNoFile);
   add("height_field_dominant_wavelength_m", "number", "m",
       "wavelength with the greatest power per third of an octave, in any direction",
-      "no height field is involved, its file is no longer in the study as it was used, or it is a "
-      "plane");
+      "no height field is involved, its file in the study is missing or changed, or the height "
+      "field is a plane");
   add("presentations", "integer", "1", "number of presentations");
   add("matched_texture_force_N", "number", "N",
       "intended RMS of the texture force on the prescribed path", "no equal force was requested");
@@ -85,7 +85,9 @@ Columns StimulusTable::columns() {
       "RMS of the texture force along the participants' own paths: mean over presentations",
       "no such presentation");
   add("achieved_texture_force_sd_N", "number", "N",
-      "the same: standard deviation over presentations", "fewer than two such presentations");
+      "RMS of the texture force along the participants' own paths: standard deviation over "
+      "presentations",
+      "fewer than two such presentations");
   for (ExportColumn& made : columns) {
     if (made.type == "number" || made.type == "integer") made.minimum = 0.0;
   }

@@ -146,8 +146,7 @@ WideTable::Made WideTable::make() const {
         [member](const Person& person) { return Cell{person.*member}; });
   };
   count("answers", "responses that are counted in the columns of conditions", &Person::answers);
-  count("answers_flagged", "those of the counted responses that are from flagged attempts",
-        &Person::flagged);
+  count("answers_flagged", "counted responses from flagged attempts", &Person::flagged);
   count("answers_left_out",
         "responses in main trials, without anchors, that are not counted because the attempt is "
         "not valid or was excluded",
@@ -161,14 +160,14 @@ WideTable::Made WideTable::make() const {
   });
   if (gives_numbers) {
     count("answers_doubted",
-          "of the counted responses: estimates that were re-elicited because they were at least "
+          "counted estimates that were re-elicited because they were at least "
           "ten times, or at most a tenth of, an earlier one for the same stimulus",
           &Person::doubted);
   }
 
   count("sessions_unfinished",
-        "sessions that were not completed, whose counted responses are in the columns of "
-        "conditions; fit.tsv leaves them out",
+        "sessions that were not completed; their counted responses are in the columns of "
+        "conditions but not in fit.tsv",
         &Person::unfinished);
 
   // Every condition that anybody met, and what its answers are.
@@ -256,13 +255,13 @@ WideTable::Made WideTable::make() const {
         return total;
       };
       add(number_column(name + "_correct", "number", "proportion correct" + of, 0.0, 1.0,
-                        "no such answer"),
+                        "no such response"),
           [&](const Person& person) {
             const Tally total = total_of(person);
             if (total.judged == 0) return Cell{};
             return Cell{static_cast<double>(total.right) / static_cast<double>(total.judged)};
           });
-      add(number_column(name + "_n", "integer", "number of answers" + of, 0.0, std::nullopt,
+      add(number_column(name + "_n", "integer", "number of responses" + of, 0.0, std::nullopt,
                         "never"),
           [&](const Person& person) { return Cell{total_of(person).answers}; });
     }
@@ -284,7 +283,7 @@ WideTable::Made WideTable::make() const {
       };
       const auto share = [&](std::string column, std::string description, const auto& part) {
         add(number_column(std::move(column), "number", std::move(description), 0.0, 1.0,
-                          "no such answer"),
+                          "no such response"),
             [&](const Person& person) {
               const Tally* const tally = tally_of(person);
               if (tally == nullptr) return Cell{};
@@ -293,8 +292,8 @@ WideTable::Made WideTable::make() const {
             });
       };
       if (numbers) {
-        add(number_column(name + "_mean", "number", "mean answer" + of, std::nullopt, std::nullopt,
-                          "no such answer"),
+        add(number_column(name + "_mean", "number", "mean response" + of, std::nullopt,
+                          std::nullopt, "no such response"),
             [&](const Person& person) {
               const Tally* const tally = tally_of(person);
               if (tally == nullptr) return Cell{};
@@ -305,14 +304,14 @@ WideTable::Made WideTable::make() const {
               [](const Tally& tally) { return std::pair(tally.right, tally.judged); });
       } else {
         for (const std::string& option : options) {
-          share(name + "_" + option, "proportion of answers \"" + option + "\"" + of,
+          share(name + "_" + option, "proportion of responses \"" + option + "\"" + of,
                 [&option](const Tally& tally) {
                   const auto found = tally.chosen.find(option);
                   return std::pair(found == tally.chosen.end() ? 0 : found->second, tally.answers);
                 });
         }
       }
-      add(number_column(name + "_n", "integer", "number of answers" + of, 0.0, std::nullopt,
+      add(number_column(name + "_n", "integer", "number of responses" + of, 0.0, std::nullopt,
                         "never"),
           [&](const Person& person) {
             const Tally* const tally = tally_of(person);

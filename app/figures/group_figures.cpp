@@ -122,7 +122,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   }
   if (less.y.places.empty()) {
     less.series.clear();
-    less.instead = phrase("Figures", "There is no difference of means.");
+    less.instead = phrase("Figures", "The difference of means was not computed.");
     return {both, less};
   }
   if (!has_interval(less)) {

@@ -341,8 +341,8 @@ TEST(WideExport, KeepsTheVersionsOfAProtocolApart) {
   EXPECT_TRUE(anna.contains("recognition_which_n")) << "a single version is not named";
   EXPECT_EQ(sav(made.beside("out") / "wide.sav").rows.at(0).at("sorting_9_9_9_which_n"), "2");
   const std::string codebook = read_file(made.beside("out") / "codebook.tsv");
-  EXPECT_THAT(codebook, HasSubstr("number of answers of sorting 9.9.9, "));
-  EXPECT_THAT(codebook, HasSubstr("number of answers of recognition 1, "));
+  EXPECT_THAT(codebook, HasSubstr("number of responses of sorting 9.9.9, "));
+  EXPECT_THAT(codebook, HasSubstr("number of responses of recognition 1, "));
 }
 
 TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
@@ -358,7 +358,7 @@ TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
   }
   EXPECT_THAT(counts, ElementsAre("1", "2"));
   EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"),
-              testing::ContainsRegex("answers of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
+              testing::ContainsRegex("responses of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
 }
 
 TEST(WideExport, CountsLanguagesOfOneVersionTogether) {

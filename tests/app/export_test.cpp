@@ -187,7 +187,8 @@ TEST(Export, GivesEachParameterOfAModelAColumn) {
         return cells[1] == Cell{"parameter_stiffness_N_per_m"};
       });
   ASSERT_NE(row, codebook.rows.end());
-  EXPECT_EQ((*row)[2], Cell{"parameter of the force model as rendered; of: height_map, sinusoid"});
+  EXPECT_EQ((*row)[2],
+            Cell{"parameter of the force model as rendered; models: height_map, sinusoid"});
   EXPECT_EQ((*row)[4], Cell{"N/m"});
 }
 

@@ -2572,8 +2572,8 @@
         <translation>alle Antworten zusammen</translation>
     </message>
     <message>
-        <source>There is no difference of means.</source>
-        <translation>Es gibt keinen Unterschied von Mittelwerten.</translation>
+        <source>The difference of means was not computed.</source>
+        <translation>Die Differenz der Mittelwerte wurde nicht berechnet.</translation>
     </message>
     <message>
         <source>no difference</source>
