@@ -27,7 +27,7 @@ ConfidenceInterval interval_of(const EstimatedDifference& difference, double alp
   refuse_unless_positive(difference.df, "degrees of freedom");
   if (!(alpha > 0.0 && alpha < 0.5)) {
     throw std::invalid_argument("alpha is " + number_text(alpha) +
-                                "; that of a one-sided test lies between 0 and 0.5");
+                                "; alpha of a one-sided test lies between 0 and 0.5");
   }
   const double half =
       *t_limit({.confidence = 1.0 - 2.0 * alpha, .df = difference.df}) * difference.standard_error;

@@ -833,8 +833,8 @@ TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
             "directions: 2.");
   EXPECT_EQ(
       answer_after({{"metal", "stone", "brick", "wood"}, {"stone", "metal", "wood", "brick"}}),
-      "No pair stands out: the number of confusions, counted in both directions, is 2 for 2 pairs, "
-      "and higher for none.");
+      "2 pairs are confused equally often, and none more often; number of confusions, counted in "
+      "both directions: 2.");
 }
 
 /// Thirteen women match all, thirteen men exchange two.
@@ -860,7 +860,7 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
   // No split of all is as far: of the random ones and the observed one only the latter.
   EXPECT_DOUBLE_EQ(number(tests.table, {"sexes", "F|M"}, "p"), 1.0 / 10001.0);
   EXPECT_THAT(finding_of(outcome, "tests", "p", "test=sexes about=F|M").method,
-              HasSubstr("random (10000 draws, seed 1) permutation of participants"));
+              HasSubstr("random (10000 draws, seed 1) permutation of the group labels"));
   const AnsweredQuestion& sexes = question_of(outcome, "sexes");
   EXPECT_THAT(
       sexes.answer.english(),

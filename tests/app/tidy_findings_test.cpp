@@ -234,7 +234,7 @@ TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));
             }),
-            "table.csv:2:4: winner is \"c\", which was not compared here");
+            "table.csv:2:4: winner is \"c\", which is not one of the two items compared");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
                                         R"({"items": ["a", "b"]})"));

@@ -125,8 +125,8 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
 TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
   const std::string pairs = "subject,a,b\nA,1,2\nB,2,4\n";
   EXPECT_EQ(family_refusal("equivalence", pairs, R"({"lower": -1})"),
-            "the option \"upper\" is missing: bounds of equivalence are two, \"lower\" and "
-            "\"upper\", or none");
+            "the option \"upper\" is missing: give both bounds of equivalence, \"lower\" and "
+            "\"upper\", or neither");
   EXPECT_THAT(family_refusal("equivalence", pairs, R"({"lower": 1, "upper": 1})"),
               HasSubstr("the lower bound must be less than the upper one"));
   EXPECT_THAT(family_refusal("equivalence", pairs, R"({"alpha": 0.5})"),
@@ -212,7 +212,7 @@ TEST(TidyRefusals, SayWhichOptionIsWrong) {
               HasSubstr("\"type\" is 1"));
   EXPECT_THAT(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a"]})"),
-      HasSubstr("it needs two"));
+      HasSubstr("must name two groups; it names 1"));
 }
 
 TEST(TidyRefusals, AreWordsWhereOnePersonOrNobodyAnswered) {
@@ -269,7 +269,7 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
             "NA: all items are tied in every row: there is no order to test");
   EXPECT_EQ(why(findings_of("recognition", "subject,stimulus,response\nA,y,y\nB,y,x\n", kLabels),
                 "recall"),
-            "NA: it was never presented");
+            "NA: this stimulus was never presented");
 }
 
 // Two columns of the same name in the options are two things with one name: every number of them is wrong.
@@ -407,7 +407,7 @@ TEST(TidyRefusals, SayThatAFixedLapseRateMovesTheThreshold) {
   EXPECT_THAT(family_refusal("psyfit", rows,
                              R"({"shape": "logistic", "gamma": 0, "lambda": 0, "pt": 0.5,
                                  "bootstrap": 2.5})"),
-              HasSubstr("\"bootstrap\" is 2.5; it is a number of draws"));
+              HasSubstr("\"bootstrap\" is 2.5; it must be a number of draws"));
 }
 
 // A threshold outside the levels rests on the form of the function alone.

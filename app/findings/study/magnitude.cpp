@@ -168,12 +168,13 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
             "serves to compare cells and does not include the differences between participants.")
             .with(curves.note);
   }
-  NamedTable persons{kEstimatesOfPersons,
-                     phrase("Analysis", "Estimates of each participant"),
-                     {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
-                     phrase("Analysis",
-                            "Geometric means over repetitions. Participants without an estimate in "
-                            "every cell are not normalised and are left out of curves and tests.")};
+  NamedTable persons{
+      kEstimatesOfPersons,
+      phrase("Analysis", "Estimates of each participant"),
+      {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
+      phrase("Analysis",
+             "Geometric means over repetitions. The estimates of participants with an empty cell "
+             "are not normalised and are left out of curves and tests.")};
   for (const std::string& condition : conditions) {
     for (const std::string& spacing : spacings) {
       std::vector<double> raw{};
@@ -447,7 +448,8 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
     } else if (status->word == "outside_range") {
       one = phrase("Analysis", "%1 outside the range of the tested spacings").with(condition);
     } else {
-      one = phrase("Analysis", "%1 nowhere, because the parabola opens upwards").with(condition);
+      one = phrase("Analysis", "%1 without a peak, because the parabola opens upwards")
+                .with(condition);
     }
     answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
   }
@@ -545,10 +547,10 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       incomplete != nullptr && incomplete->word != "none") {
     std::string names{};
     for (const char sign : incomplete->word) names += sign == ';' ? ", " : std::string(1, sign);
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "Participants without an estimate in every cell, who are left "
-                                     "out of curves and tests: %1.")
-                                  .with(names));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Participants with an empty cell, who are left out of curves and tests: %1.")
+            .with(names));
   }
   if (const Finding* replicates = found_anova.find("replicates");
       replicates != nullptr && replicates->word == "unequal") {

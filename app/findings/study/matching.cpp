@@ -497,10 +497,9 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
       times == 0 ? phrase("Analysis", "No texture was confused with another.")
       : as_often > 1
-          ? phrase(
-                "Analysis",
-                "No pair stands out: the number of confusions, counted in both directions, is %2 "
-                "for %1 pairs, and higher for none.")
+          ? phrase("Analysis",
+                   "%1 pairs are confused equally often, and none more often; number of "
+                   "confusions, counted in both directions: %2.")
                 .with(std::to_string(as_often), std::to_string(times))
           : phrase("Analysis",
                    "%1 and %2 are confused most often; number of confusions, counted in both "

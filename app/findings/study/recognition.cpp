@@ -216,7 +216,7 @@ void withhold_fit(std::vector<Finding>& likeness) {
     if (one.quantity != "scm.p" && one.quantity != "scm.G2" && one.quantity != "scm.X2") continue;
     one.value.reset();
     one.word = "too_few_confusions";
-    one.status = "half of the pairs or more were never confused: there is nothing to fit";
+    one.status = "at least half of the pairs were never confused: too few confusions for a fit";
   }
 }
 
@@ -526,7 +526,8 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
   finding.unit = "1";
   finding.n = first.answers;
   finding.method =
-      "responses that confuse one with the other, of the responses to either; n counts responses";
+      "proportion of confusions with each other among the responses to the two textures; n counts "
+      "responses";
   Phrase answer{};
   if (first.times == 0) {
     answer =
@@ -564,12 +565,12 @@ void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Jud
                with_larger_confusions(answer, most, largest_confusions(gathered, judged, pictures)),
                pictures.felt.size() == 2
                    ? phrase("Analysis",
-                            "Proportion of the responses to the two textures that name the other "
-                            "one, all participants pooled.")
+                            "Proportion of confusions among the responses to the two textures, all "
+                            "participants pooled.")
                    : phrase("Analysis",
-                            "Proportion of the responses to either of two textures that name the "
-                            "other one, all participants pooled. There is no CI, because the pair "
-                            "is selected as the most frequent of several."),
+                            "Proportion of confusions with each other among the responses to the "
+                            "two textures of a pair, all participants pooled. There is no CI, "
+                            "because the pair is selected as the one confused most often."),
                "confusion", &finding, CountedUnit::answers);
 }
 

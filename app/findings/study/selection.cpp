@@ -150,7 +150,7 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
     outcome.remarks.push_back(
         phrase("Analysis",
                "The models cannot be placed on a scale: one of them was always or never chosen "
-               "when it was offered, or was never offered with the others, so that the "
+               "when it was presented, or was never presented with the others, so that the "
                "best-fitting distance is not finite."));
     return;
   }

@@ -351,7 +351,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
   const GreatestMean most = greatest_mean(names, found);
   const Phrase question = phrase("Analysis", "Does the position in the trial matter?");
   const Phrase method =
-      phrase("Analysis", "As for the preference, with the positions in place of the models.");
+      phrase("Analysis", "The same test as for the preference, with positions instead of models.");
   if (is_of_one_participant(*test)) {
     add_question(outcome, "position", question,
                  phrase("Analysis", "This cannot be tested with one participant: %1.")

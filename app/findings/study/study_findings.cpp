@@ -125,10 +125,11 @@ Phrase method_of_sexes(const SexesComparison& sexes) {
   const Phrase means = phrase("Analysis", "Means of the participants' own results.");
   const Phrase intervals =
       sexes.difference->low
-          ? phrase("Analysis",
-                   "%1 The CIs of the means are t-based, for proportions on the logit scale; that "
-                   "of the difference is Welch's CI. p is computed by a different method: one may "
-                   "just exclude a difference of zero where the other does not.")
+          ? phrase(
+                "Analysis",
+                "%1 The CIs of the means are t-based, for proportions on the logit scale; that "
+                "of the difference is Welch's CI. p is computed by a different method: in "
+                "borderline cases p may be below .05 although the CI contains 0, or the reverse.")
                 .with(means)
           : means;
   return sexes.women->n + sexes.men->n <= kMostPermuted

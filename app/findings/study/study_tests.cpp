@@ -290,7 +290,7 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                  : phrase("Analysis",
                           "The protocol declares no family of tests, so that no test is "
                           "confirmatory. The usual family of this kind of protocol has one test "
-                          "(%1); there is nothing to correct for."))
+                          "(%1); no correction is needed."))
                 .with(family)
           : (is_declared_
                  ? phrase("Analysis",
@@ -303,14 +303,16 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
                        "p, Holm: Holm-corrected over the %1 tests of the usual family of this kind "
                        "of protocol (%2); a test that cannot be performed counts as p = 1."))
                 .with(std::to_string(tests), family);
-  note = (is_declared_
-              ? phrase("Analysis",
-                       "%1 All other tests are exploratory and uncorrected. Where n counts "
-                       "responses or trials, they are pooled as if they were independent. %2")
-              : phrase("Analysis",
-                       "%1 The p of all other tests are uncorrected. Where n counts responses or "
-                       "trials, they are pooled as if they were independent. %2"))
-             .with(note, note_on_columns(left_out));
+  note =
+      (is_declared_
+           ? phrase("Analysis",
+                    "%1 All other tests are exploratory and uncorrected. Where n counts "
+                    "responses or trials, they are pooled as if they were independent. %2")
+           : phrase(
+                 "Analysis",
+                 "%1 The p values of all other tests are uncorrected. Where n counts responses or "
+                 "trials, they are pooled as if they were independent. %2"))
+          .with(note, note_on_columns(left_out));
   for (const Test& test : tests_) {
     if (test.left_out == 0) continue;
     note = phrase("Analysis",
@@ -359,8 +361,9 @@ Phrase StudyTests::note_on_columns(std::string_view left_out) const {
     note = note.empty() ? sentence : phrase("Analysis", "%1 %2").with(note, sentence);
   };
   if (has_epsilon) {
-    add(phrase("Analysis",
-               "ε: by which both degrees of freedom are corrected (Greenhouse and Geisser)."));
+    add(phrase(
+        "Analysis",
+        "ε: factor by which both degrees of freedom are multiplied (Greenhouse and Geisser)."));
   }
   if (has_interval) add(phrase("Analysis", "Brackets: 95 % CI."));
   for (const Phrase& coverage : coverages) add(coverage);

@@ -81,8 +81,8 @@ ComparedMeans read_one_sample(const TidyTable& table, double confidence) {
       ++incomplete;
     }
   }
-  ComparedMeans made = one_sample(
-      sample, is_paired ? "a − b, participants in pairs" : "mean, against 0", confidence);
+  ComparedMeans made =
+      one_sample(sample, is_paired ? "a − b within participants" : "mean, against 0", confidence);
   made.comparison.incomplete = incomplete;
   return made;
 }
@@ -91,8 +91,8 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
                                double confidence) {
   const std::vector<std::string> names = options.texts("groups");
   if (names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" names " + std::to_string(names.size()) +
-                             " groups; equivalence compares two");
+    throw std::runtime_error("the option \"groups\" must name two groups; it names " +
+                             std::to_string(names.size()));
   }
   const LabelColumn groups = table.labels("group", names);
   const std::vector<std::optional<double>> values = table.numbers("value");
@@ -147,9 +147,9 @@ std::optional<EquivalenceBounds> bounds_of(const FamilyOptions& options, double 
   const std::optional<double> lower = options.number_if("lower");
   const std::optional<double> upper = options.number_if("upper");
   if (lower.has_value() != upper.has_value()) {
-    throw std::runtime_error(std::string("the option \"") + (lower ? "upper" : "lower") +
-                             "\" is missing: bounds of equivalence are two, \"lower\" and "
-                             "\"upper\", or none");
+    throw std::runtime_error(
+        std::string("the option \"") + (lower ? "upper" : "lower") +
+        "\" is missing: give both bounds of equivalence, \"lower\" and \"upper\", or neither");
   }
   if (!lower) return std::nullopt;
   if (!(*lower < *upper)) {
@@ -164,7 +164,7 @@ double alpha_of(const FamilyOptions& options) {
   const double alpha = options.number_or("alpha", 0.05);
   if (alpha > 0.0 && alpha < 0.5) return alpha;
   throw std::runtime_error("the option \"alpha\" is " + number_text(alpha) +
-                           "; that of a one-sided test must lie between 0 and 0.5");
+                           "; alpha of a one-sided test must lie between 0 and 0.5");
 }
 
 void add_bayes_factors(const MeanComparison& comparison, FindingList& findings) {
@@ -173,7 +173,7 @@ void add_bayes_factors(const MeanComparison& comparison, FindingList& findings) 
     question.scale = scale;
     findings.number("jzs.bf10", key, jzs_bayes_factor(question),
                     {.n = comparison.n,
-                     .method = "JZS Bayes factor of a difference against none, Cauchy prior of "
+                     .method = "JZS Bayes factor for a difference, Cauchy prior of "
                                "scale " +
                                std::string(key) + " on the standardised difference"});
   };
@@ -211,17 +211,16 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   }
   Basis basis{.n = comparison.n, .method = comparison.method};
   if (comparison.n == 0 || std::isnan(comparison.difference)) {
-    findings.word("diff", "", "no_data", "a mean has no participant: there is nothing to compare",
-                  basis);
+    findings.word("diff", "", "no_data",
+                  "a mean has no participants, so that no comparison is possible", basis);
     return findings.take();
   }
   if (!comparison.estimate) {
     findings.number("diff", "", comparison.difference, basis);
-    findings.word(
-        "tost.p", "", "undefined_zero_variance",
-        "the difference has no standard error: a mean is of one participant, or the participants "
-        "of each mean do not differ",
-        basis);
+    findings.word("tost.p", "", "undefined_zero_variance",
+                  "the difference has no standard error: a mean is based on one participant, or "
+                  "the participants of each mean do not differ",
+                  basis);
     return findings.take();
   }
   const MeanComparison::Estimate& estimate = *comparison.estimate;
@@ -241,7 +240,7 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   findings.number(
       "equivalence.margin", "", smallest_equivalence_margin(estimate.difference, alpha),
       {.n = comparison.n,
-       .method = "smallest Δ with which ±Δ would be equivalent; a description, no test"});
+       .method = "smallest Δ with which ±Δ would be equivalent; a description, not a test"});
   for (const StandardisedEffect& effect : compared.effects) {
     Basis effect_basis{.n = comparison.n,
                        .method = effect.method + "; interval by the noncentral t",

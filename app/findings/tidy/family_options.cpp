@@ -82,9 +82,10 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
   } catch (const Json::out_of_range& error) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
     const std::string what = error.what();
-    throw std::runtime_error(file_name + ": the options hold a number that is too large, " +
-                             what.substr(what.rfind(' ') + 1) +
-                             "; numbers reach to 1.8e308. Correct it, then analyse again");
+    throw std::runtime_error(
+        file_name + ": the options hold a number that is too large, " +
+        what.substr(what.rfind(' ') + 1) +
+        "; the largest possible number is 1.8e308. Correct it, then analyse again");
   }
   FamilyOptions options{};
   const OptionValue value = value_of(json);

@@ -118,15 +118,17 @@ void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
   };
   findings.number(std::move(quantity), std::move(key), cohen_h(count, of.chance),
                   {.n = count.trials,
-                   .method = "Cohen's h against chance; from the Wilson limits",
+                   .method = "Cohen's h against the chance level; interval from the Wilson limits",
                    .interval = ConfidenceInterval{.low = h(limits.low), .high = h(limits.high)},
                    .confidence = of.confidence});
 }
 
 void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
                 std::size_t n, FindingList& findings) {
-  findings.count(name + ".draws", key, test.exact ? 0 : kRandomSplits,
-                 {.n = n, .method = "random splits of the participants; 0 if all were enumerated"});
+  findings.count(
+      name + ".draws", key, test.exact ? 0 : kRandomSplits,
+      {.n = n,
+       .method = "permutations of the group labels drawn at random; 0 if all were enumerated"});
 }
 
 void add_mean_of_group(const std::string& quantity, const std::string& key,

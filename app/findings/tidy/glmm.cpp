@@ -283,7 +283,7 @@ std::vector<Finding> glmm_findings(const TidyInput& input) {
   const CrossedTable table = crossed_table(input);
   if (table.responses.empty()) {
     FindingList findings{};
-    findings.word("glmm.status", "", "no_data", "the table has no row: there are no responses");
+    findings.word("glmm.status", "", "no_data", "the table has no rows: there are no responses");
     return findings.take();
   }
   return CrossedFindings(input, table).findings();

@@ -33,8 +33,8 @@ struct Groups {
 Groups read_groups(const TidyInput& input) {
   Groups groups{.names = input.options.texts("groups")};
   if (groups.names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" names " + std::to_string(groups.names.size()) +
-                             " groups; it needs two");
+    throw std::runtime_error("the option \"groups\" must name two groups; it names " +
+                             std::to_string(groups.names.size()));
   }
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant, who is in one group");
@@ -142,11 +142,11 @@ class GroupComparison final {
     number("fisher.p.two", fisher.p_two_sided, "Fisher's exact test" + independent);
     number("fisher.p.greater", fisher.p_greater, "Fisher's exact test, one-sided" + independent);
     number("fisher.p.less", fisher.p_less, "Fisher's exact test, one-sided" + independent);
-    Basis ratio = basis(
-        "conditional maximum likelihood, exact limits" + independent +
-        (fisher.margins_decide
-             ? "; all responses are correct, or all incorrect: these carry no information on it"
-             : ""));
+    Basis ratio =
+        basis("conditional maximum likelihood, exact limits" + independent +
+              (fisher.margins_decide
+                   ? "; not estimable, because all responses are correct or all are incorrect"
+                   : ""));
     ratio.interval = fisher.interval;
     ratio.confidence = confidence_;
     list_.number("fisher.or.cond", "", fisher.odds_ratio, ratio);
@@ -213,7 +213,7 @@ class GroupComparison final {
     const SplitTest splits = permutation_test(samples);
     number("perm.p.two", splits.p,
            (splits.exact ? "all" : way_of_counting(kRandomSplits)) +
-               " splits of the participants, difference of means");
+               " permutations of the group labels, difference of means");
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U,

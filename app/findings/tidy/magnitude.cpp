@@ -407,10 +407,10 @@ class MagnitudeList final {
     list_.count("peak.subjects.concave", probe, fit.concave_participants,
                 basis("participants whose parabola opens downwards"));
     list_.count("peak.subjects.inrange", probe, fit.participant_peaks.size(),
-                basis("participants whose peak was tested"));
+                basis("participants whose own peak lies within the tested spacings"));
     if (!fit.participant_peaks.empty()) {
       number("peak.subjects.median", probe, std::pow(10.0, summary_of(fit.participant_peaks)->p50),
-             "median of the participants' tested peaks");
+             "median of the participants' own peaks within the tested spacings");
     }
   }
 
@@ -435,7 +435,7 @@ class MagnitudeList final {
         return;
       case PeakStatus::outside_range:
         list_.word("peak.status", probe, "outside_range",
-                   "the peak lies outside of the tested spacings: present wider ones",
+                   "the peak lies outside the tested spacings: present a wider range",
                    basis("peak"));
         break;
       case PeakStatus::inside:

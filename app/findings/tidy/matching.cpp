@@ -149,7 +149,8 @@ Matching matching_in(const TidyInput& input) {
   read.confidence = input.options.confidence();
   read_rows(table, felt, read);
   std::erase_if(read.trials, [](const TidyTrial& trial) { return trial.times == 0; });
-  if (read.trials.empty()) throw std::runtime_error(table.name() + " has no row: no trial");
+  if (read.trials.empty())
+    throw std::runtime_error(table.name() + " has no trials; add at least one");
   find_chances(read);
   read.items = read.trials.front().items;
   read.equal_size =
@@ -232,7 +233,7 @@ void add_totals(const Matching& read, FindingList& findings) {
   const std::vector<double> one = fixed_point_distribution(read.items);
   for (std::size_t k = 0; k < one.size(); ++k) {
     findings.number("null.pmf", "n=" + std::to_string(read.items) + ";k=" + std::to_string(k),
-                    one[k], {.n = n, .method = "chance of one permutation"});
+                    one[k], {.n = n, .method = "probability under guessing, one permutation"});
   }
   number("prop.correct", static_cast<double>(right) / static_cast<double>(items), "of all items");
 }
@@ -373,8 +374,8 @@ void add_relabelled_permutations(const Matching& read, FindingList& findings) {
                          findings);
   } else {
     findings.word("perfect.relabel.p.greater", "", "not_testable",
-                  "the trials of a participant present different items in common, which no "
-                  "relabelling of the pictures exchanges",
+                  "trials of a participant share some but not all items, so that no relabelling of "
+                  "the pictures exchanges all items of a trial",
                   {.n = participants.size()});
   }
   for (const std::size_t label : read.felt) {
@@ -411,10 +412,12 @@ void add_textures(const Matching& read, FindingList& findings) {
     }
     const double p = read.equal_size ? binomial_upper_tail(count, item_chance(read.items))
                                      : chance.upper_tail(static_cast<std::int64_t>(count.hits));
-    findings.number("texture.p.greater", name, p,
-                    {.n = count.trials,
-                     .method = "exact, one-sided against 1 of the trial's items; the tests of "
-                               "different textures depend on each other"});
+    findings.number(
+        "texture.p.greater", name, p,
+        {.n = count.trials,
+         .method =
+             "exact, one-sided against 1 divided by the number of items in the trial; the tests of "
+             "different textures depend on each other"});
     if (!read.equal_size) continue;
     add_cohen_h("texture.h", name, count,
                 {.chance = item_chance(read.items), .confidence = read.confidence}, findings);
@@ -502,7 +505,7 @@ void add_groups(const Matching& read, const std::vector<double>& means,
   findings.number("group.perm.p.two", key, test.p,
                   {.n = first.size() + second.size(),
                    .method = way_of_counting(test.exact ? 0 : kRandomSplits) +
-                             " permutation of participants, two-sided"});
+                             " permutation of the group labels, two-sided"});
   add_splits("group.perm", key, test, first.size() + second.size(), findings);
   if (const std::optional<WelchT> welch = welch_t(samples, read.confidence)) {
     Basis effect{

@@ -64,7 +64,8 @@ Paired paired_in(const TidyInput& input) {
       one.winner = winner.codes[row];
       if (*one.winner != one.first && *one.winner != one.second) {
         table.refuse(row, "winner",
-                     "winner is \"" + read.items[*one.winner] + "\", which was not compared here");
+                     "winner is \"" + read.items[*one.winner] +
+                         "\", which is not one of the two items compared");
       }
     }
     read.comparisons.push_back(one);
@@ -117,13 +118,13 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   number("bt.df", "", df, method);
   if (fit.df > 0) {
     number("bt.gof.p", "", *upper_tail(ChiSquaredStatistic{.value = fit.deviance, .df = df}),
-           "deviance against a probability for each pair");
+           "deviance against a separate probability for each pair");
   }
   const double equal_df = static_cast<double>(items - 1);
-  number("bt.lr.equal", "", fit.likelihood_ratio, "likelihood ratio against equal items");
+  number("bt.lr.equal", "", fit.likelihood_ratio, "likelihood ratio against equal abilities");
   number("bt.lr.equal.p", "",
          *upper_tail(ChiSquaredStatistic{.value = fit.likelihood_ratio, .df = equal_df}),
-         "likelihood ratio against equal items");
+         "likelihood ratio against equal abilities");
   for (Eigen::Index i = 0; i < items; ++i) {
     for (Eigen::Index j = i + 1; j < items; ++j) {
       if (read.counts.wins(i, j) + read.counts.wins(j, i) == 0.0) continue;
@@ -140,10 +141,11 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   if (fit.order) {
     number("bt.order.beta", "first", fit.order->advantage, order);
     number("bt.order.se", "first", fit.order->standard_error, order);
-    number("bt.order.lr", "first", fit.order->likelihood_ratio, "likelihood ratio against none");
+    number("bt.order.lr", "first", fit.order->likelihood_ratio,
+           "likelihood ratio against no order effect");
     number("bt.order.lr.p", "first",
            *upper_tail(ChiSquaredStatistic{.value = fit.order->likelihood_ratio, .df = 1.0}),
-           "likelihood ratio against none");
+           "likelihood ratio against no order effect");
   } else {
     findings.word("bt.order.status", "first", "not_estimable",
                   "the order of presentation is confounded with the items, or determines the "
@@ -234,7 +236,7 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
       findings.number(
           "wins",
           both(read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]),
-          read.counts.wins(i, j), {.n = n, .method = "first before second"});
+          read.counts.wins(i, j), {.n = n, .method = "wins of the first over the second item"});
     }
   }
   findings.number("ties", "", read.counts.ties.sum() / 2.0, {.n = n});

@@ -128,7 +128,7 @@ void forced_choice(const Scenario& plan, double error, PowerList& list) {
       "power",
       binomial_power({.trials = plan.whole("n"), .chance = chance, .truth = share, .error = error})
           .power,
-      "exact binomial, more than 1/m");
+      "exact binomial test, one-sided against 1/m");
 }
 
 void pooled(const Scenario& plan, double error, PowerList& list) {

@@ -25,7 +25,8 @@ void refuse_wrong(const TidyTable& table, std::size_t row, const HitCount& count
                      "; hits cannot exceed trials");
   }
   if (!(chance >= 0.0 && chance <= 1.0)) {
-    table.refuse(row, "p0", "p0 is " + number_text(chance) + "; a chance must lie between 0 and 1");
+    table.refuse(row, "p0",
+                 "p0 is " + number_text(chance) + "; a chance level must lie between 0 and 1");
   }
   if (!(confidence > 0.0 && confidence < 1.0)) {
     table.refuse(row, table.has("conf") ? "conf" : "n",
@@ -97,7 +98,7 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     findings.number(
         "cohen.h", id, cohen_h(count, chance),
         {.n = count.trials,
-         .method = "Cohen's h " + against + "; from the Wilson limits",
+         .method = "Cohen's h " + against + "; interval from the Wilson limits",
          .interval = ConfidenceInterval{.low = arcsine(wilson.low), .high = arcsine(wilson.high)},
          .confidence = confidence});
     keys.push_back(id);

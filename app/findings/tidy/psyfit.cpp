@@ -132,7 +132,7 @@ std::size_t draws_of(const FamilyOptions& options) {
     return static_cast<std::size_t>(draws);
   }
   throw std::runtime_error("the option \"bootstrap\" is " + number_text(draws) +
-                           "; it is a number of draws from 0 (none) to 1000000");
+                           "; it must be a number of draws from 0 (none) to 1000000");
 }
 
 class PsychometricList final {
@@ -157,8 +157,10 @@ class PsychometricList final {
     const auto [word, sentence] = word_of(status);
     list_.word("status", key_, word, sentence, basis("whether a function can be fitted"));
     if (judgement.bracket) {
-      number("threshold.bracket.lower", judgement.bracket->low, "the threshold is above it");
-      number("threshold.bracket.upper", judgement.bracket->high, "the threshold is below it");
+      number("threshold.bracket.lower", judgement.bracket->low,
+             "the threshold is above this level");
+      number("threshold.bracket.upper", judgement.bracket->high,
+             "the threshold is below this level");
     }
     if (!fit) return std::nullopt;
     parameters(*fit);
@@ -260,7 +262,8 @@ class PsychometricList final {
     number("lapse.free.alpha", free.alpha, method);
     number("lapse.free.threshold", free.threshold, method);
     number("lapse.free.shift", shift, method + "; threshold minus that with the fixed λ");
-    number("lapse.free.lr", free.likelihood_ratio, method + "; likelihood ratio against it");
+    number("lapse.free.lr", free.likelihood_ratio,
+           method + "; likelihood ratio against the fixed λ");
     if (!fit.precision) return;
     const bool moves = std::abs(shift) > fit.precision->threshold_se ||
                        std::abs(free.alpha - fit.function.alpha) > fit.precision->alpha_se;
@@ -336,8 +339,8 @@ class PsychometricList final {
       return;
     }
     list_.word(quantity, key_, "unbounded",
-               std::string("the likelihood ratio rejects no ") + side +
-                   " alpha, however far: a function that is constant over the levels fits nearly "
+               std::string("the likelihood ratio test does not reject any ") + side +
+                   " alpha: a function that is constant over the levels fits nearly "
                    "as well; present more trials, or levels on both sides of the threshold",
                basis("profile interval"));
   }

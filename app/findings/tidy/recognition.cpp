@@ -201,7 +201,7 @@ class Recognition final {
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
         Basis never = basis("correct of the trials with this stimulus");
-        never.undefined = "it was never presented";
+        never.undefined = "this stimulus was never presented";
         list_.number("recall", key, kUndefined, never);
         continue;
       }
@@ -258,7 +258,8 @@ class Recognition final {
     bits("H.stimulus", it.stimulus_bits, "entropy of the stimuli");
     bits("H.response", it.answer_bits, "entropy of the responses");
     bits("IT.plugin", it.plug_in_bits, "transmitted information, biased upwards in small samples");
-    number("IT.relative", "", it.relative.value_or(kUndefined), "of the stimuli's entropy");
+    number("IT.relative", "", it.relative.value_or(kUndefined),
+           "proportion of the entropy of the stimuli");
     number("IT.items", "", std::exp2(it.plug_in_bits),
            "discriminable items: 2 to the power of the transmitted bits");
     bits("IT.millermadow", it.miller_madow_bits, "Miller–Madow correction, occupied cells");
@@ -284,7 +285,8 @@ class Recognition final {
     permuted.undefined =
         "no participant has both two different stimuli and two different responses";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);
-    Basis smallest = of_trials("p of the largest G among the orders drawn");
+    Basis smallest =
+        of_trials("smallest attainable p: that of the largest G among the permutations");
     smallest.undefined = permuted.undefined;
     list_.number("G.perm.smallest", "", test ? test->smallest : kUndefined, smallest);
     list_.count("G.perm.draws", "", drawn,

@@ -37,14 +37,13 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
       [](const auto& one, const auto& other) { return one.second < other.second; });
   const Basis basis{
       .n = participants,
-      .method = "cells of the participants with that many values, which are averaged"};
+      .method = "cells of the participants with this number of values, which are averaged"};
   for (const auto& [rows, count] : cells_with) {
     findings.count("cells.with.k", std::to_string(rows), count, basis);
   }
-  const Basis told{.n = participants,
-                   .method =
-                       "whether a participant has several values in a cell; these are averaged "
-                       "before all else"};
+  const Basis told{
+      .n = participants,
+      .method = "whether a participant has several values in a cell; these are averaged first"};
   if (cells_with.size() == 1) {
     findings.word("replicates", "", most->first == 1 ? "none" : "equal", "ok", told);
     return;

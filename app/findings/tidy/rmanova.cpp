@@ -382,7 +382,7 @@ class AnovaList final {
     list_.number(name + (is_pair ? ".diff" : ".estimate"), key, t.mean, shown);
     if (!t.test) {
       list_.word(name + ".t", key, "undefined_zero_variance",
-                 "all participants have the same number, so there is no t", basis(method));
+                 "all participants have the same value, so there is no t", basis(method));
       return;
     }
     list_.number(name + ".t", key, t.test->t, basis(method));

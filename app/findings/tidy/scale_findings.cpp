@@ -76,7 +76,7 @@ void add_scale(std::span<const std::string> items, const Abilities& scale, const
 void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingList& findings) {
   const std::size_t n = rows.n;
   const Basis friedman{.n = n,
-                       .method = "Friedman's test, ties corrected for",
+                       .method = "Friedman's test, corrected for ties",
                        .undefined = "all items are tied in every row: there is no order to test"};
   if (n < 2) {
     // One row agrees with itself alone: its W is 1 and its p the same whatever it says.

@@ -185,12 +185,12 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
   if (!(preference > 0.5 && preference < 1.0)) return;
   const auto needed =
       decisive_choices({.preference = preference, .error = 0.05, .power = 0.8, .least = 20});
-  findings.number("t1.n.decisive.for80",
-                  both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
-                  needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
-                  {.n = n,
-                   .method = "independent choices of either for 80 % power of the two-sided exact "
-                             "test at the observed preference"});
+  findings.number(
+      "t1.n.decisive.for80", both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
+      needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
+      {.n = n,
+       .method = "number of independent choices of either for 80 % power of the two-sided exact "
+                 "test at the observed preference"});
 }
 
 /// Tables 2 and 3: right answers by experiment and sex.
@@ -290,7 +290,7 @@ void add_recognition(const RightAnswers& right, FindingList& findings) {
     };
     add(
         "t3.dprime" + std::to_string(kPictures), [&](double p) { return choice.dprime(p); },
-        "d′ of equally confusable alternatives, limits at those of Wilson", "1");
+        "d′ of equally confusable alternatives; limits from those of Wilson", "1");
     add(
         "t3.IT.equalerrors", [&](double p) { return equal_error_bits(p, kPictures); },
         "transmitted information if all errors were equally frequent", "bit");

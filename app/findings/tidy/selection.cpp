@@ -283,7 +283,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   constexpr Eigen::Index kFewest = 10;
   const Eigen::MatrixXd judgements = counts.cast<double>();
   Basis basis{.n = static_cast<std::size_t>(counts.rows()),
-              .method = "Kendall's W of the participants' counts, ties corrected",
+              .method = "Kendall's W of the participants' counts, corrected for ties",
               .undefined = counts.rows() < 2
                                ? "agreement requires two participants: add participants"
                                : "no participant prefers one to another"};
@@ -348,8 +348,8 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const Eigen::ArrayXd totals = counts.colwise().sum().cast<double>().array();
   findings.number("relabel.X2", "", (totals - totals.mean()).square().sum() / totals.mean(),
                   {.n = n,
-                   .method = "Pearson's X² of the totals against equal ones, which orders them as "
-                             "the sum of squared totals does"});
+                   .method = "Pearson's X² of the totals against equal totals; it increases with "
+                             "the sum of squared totals"});
   add_concordance(counts, read.confidence, findings);
 }
 
@@ -365,11 +365,10 @@ void add_repeated(const Choices& read, FindingList& findings) {
     seen[place] = true;
   }
   if (repeated == 0) return;
-  findings.count(
-      "choices.repeated", "", repeated,
-      {.n = read.participants.names.size(),
-       .method = "further choices of a participant with the same sample, which the tests "
-                 "of a sample take as independent and those over participants do not"});
+  findings.count("choices.repeated", "", repeated,
+                 {.n = read.participants.names.size(),
+                  .method = "further choices of a participant with the same sample; tests of a "
+                            "sample treat them as independent, tests over participants do not"});
 }
 
 /// Whether choosing the target depends on the sample, among those who answered all samples.
@@ -413,8 +412,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
     findings.count(
         "cochran.repeated", target, repeated,
         {.n = first.size(),
-         .method =
-             "further choices of a participant with a sample, which only Cochran's Q leaves out"});
+         .method = "further choices of a participant with a sample, left out of Cochran's Q only"});
   }
   if (samples == 0) return;
   const CochranTest test = cochran_test(answers);

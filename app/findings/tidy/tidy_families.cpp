@@ -38,8 +38,8 @@ constexpr std::array kFamilies{
                "subject,trial,time_s: one response per row, time_s empty where it has no time; or "
                "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
                "within each subject",
-               "blocks: into how many blocks the trials are divided at most, 12 where absent; conf",
-               learning_findings, "blocks,conf"},
+               "blocks: largest number of blocks of trials, 12 if absent; conf", learning_findings,
+               "blocks,conf"},
     TidyFamily{"magnitude",
                "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
                "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
@@ -74,15 +74,16 @@ constexpr std::array kFamilies{
                "bootstrap: draws of the parametric bootstrap, 1000 where absent, 0 for none; conf",
                psyfit_findings, "shape,gamma,lambda,lambda_max,pt,bootstrap,conf", 2},
     TidyFamily{"ranking",
-               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
-               "ranks behind all that were ranked; an item that was not offered has no row; and, "
+               "subject,trial,item,rank: 1 for the best, empty for an item that was presented and "
+               "ranks behind all that were ranked; an item that was not presented has no row; and, "
                "where a trial stands for several, times",
-               "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
+               "items (all that were presented in any trial), conf", ranking_findings,
+               "items,conf"},
     TidyFamily{
         "rating",
         "subject,item,score: one score per subject and item, the larger the better, ties allowed",
         "items (all that were scored), conf", rating_findings, "items,conf"},
-    TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
+    TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no response",
                "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
     TidyFamily{"response_times",
                "subject,time_s and one column per factor: one response per row, time_s empty where "
@@ -129,9 +130,9 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
   const std::string tables = family.most_tables == 1
                                  ? "one table"
                                  : std::to_string(family.most_tables) + " tables at most";
-  throw std::runtime_error(
-      input.tables[family.most_tables].name() + ": " + std::string(family.name) + " takes " +
-      tables + ": " + std::string(family.tables) + "; put what belongs together into one table");
+  throw std::runtime_error(input.tables[family.most_tables].name() + ": " +
+                           std::string(family.name) + " takes " + tables + ": " +
+                           std::string(family.tables) + "; combine the data in one table");
 }
 
 const TidyTable& TidyInput::table(std::size_t index) const {

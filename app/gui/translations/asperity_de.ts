@@ -284,8 +284,8 @@
         <translation>Die erste, zweite, … dargebotene Oberfläche, unabhängig von ihrem Modell. Wo die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
-        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was offered, or was never offered with the others, so that the best-fitting distance is not finite.</source>
-        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es angeboten wurde, oder nie zusammen mit den anderen angeboten, sodass der am besten passende Abstand nicht endlich ist.</translation>
+        <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that the best-fitting distance is not finite.</source>
+        <translation>Die Modelle lassen sich nicht auf einer Skala anordnen: Eines wurde immer oder nie gewählt, wenn es dargeboten wurde, oder nie zusammen mit den anderen dargeboten, sodass der am besten passende Abstand nicht endlich ist.</translation>
     </message>
     <message>
         <source>The models on one scale</source>
@@ -320,8 +320,8 @@
         <translation>Spielt die Position im Durchgang eine Rolle?</translation>
     </message>
     <message>
-        <source>As for the preference, with the positions in place of the models.</source>
-        <translation>Wie bei der Präferenz, mit den Positionen anstelle der Modelle.</translation>
+        <source>The same test as for the preference, with positions instead of models.</source>
+        <translation>Derselbe Test wie bei der Präferenz, mit Positionen anstelle der Modelle.</translation>
     </message>
     <message>
         <source>Does the preference for %1 depend on the texture?</source>
@@ -456,8 +456,8 @@
         <translation>Schätzungen der einzelnen Versuchspersonen</translation>
     </message>
     <message>
-        <source>Geometric means over repetitions. Participants without an estimate in every cell are not normalised and are left out of curves and tests.</source>
-        <translation>Geometrische Mittel über Wiederholungen. Versuchspersonen, denen in einer Zelle eine Schätzung fehlt, werden nicht normiert und nicht in Kurven und Tests einbezogen.</translation>
+        <source>Geometric means over repetitions. The estimates of participants with an empty cell are not normalised and are left out of curves and tests.</source>
+        <translation>Geometrische Mittel über Wiederholungen. Schätzungen von Versuchspersonen mit einer leeren Zelle werden nicht normiert und nicht in Kurven und Tests einbezogen.</translation>
     </message>
     <message>
         <source>Spacing of maximum roughness: one parabola per condition</source>
@@ -500,8 +500,8 @@
         <translation>Nach den Steigungen der eigenen Parabel jeder Versuchsperson am kleinsten und am größten Abstand, ohne Test.</translation>
     </message>
     <message>
-        <source>Participants without an estimate in every cell, who are left out of curves and tests: %1.</source>
-        <translation>Versuchspersonen ohne Schätzung in jeder Zelle, die nicht in Kurven und Tests einbezogen sind: %1.</translation>
+        <source>Participants with an empty cell, who are left out of curves and tests: %1.</source>
+        <translation>Versuchspersonen mit einer leeren Zelle, die nicht in Kurven und Tests einbezogen sind: %1.</translation>
     </message>
     <message>
         <source>Does roughness depend on the spacing?</source>
@@ -520,8 +520,8 @@
         <translation>%1 außerhalb des Bereichs der geprüften Abstände</translation>
     </message>
     <message>
-        <source>%1 nowhere, because the parabola opens upwards</source>
-        <translation>%1 nirgends, weil die Parabel nach oben geöffnet ist</translation>
+        <source>%1 without a peak, because the parabola opens upwards</source>
+        <translation>%1 ohne Maximum, weil die Parabel nach oben geöffnet ist</translation>
     </message>
     <message>
         <source>Peaks of the curves: %1.</source>
@@ -564,8 +564,8 @@
         <translation>%1 durch NOT-HALT beendet</translation>
     </message>
     <message>
-        <source>No pair stands out: the number of confusions, counted in both directions, is %2 for %1 pairs, and higher for none.</source>
-        <translation>Kein Paar fällt auf: Die Zahl der Verwechslungen, in beiden Richtungen gezählt, ist bei %1 Paaren %2 und bei keinem höher.</translation>
+        <source>%1 pairs are confused equally often, and none more often; number of confusions, counted in both directions: %2.</source>
+        <translation>%1 Paare werden gleich häufig verwechselt, keines häufiger; Zahl der Verwechslungen, in beiden Richtungen gezählt: %2.</translation>
     </message>
     <message>
         <source>%1 and %2 are confused most often; number of confusions, counted in both directions: %3.</source>
@@ -976,36 +976,36 @@
         <translation>Das Verhältnis der Maxima zweier Bedingungen, die beide ein inneres Maximum haben, mit einem Konfidenzintervall nach t auf den Logarithmen über die Versuchspersonen.</translation>
     </message>
     <message>
-        <source>Proportion of the responses to the two textures that name the other one, all participants pooled.</source>
-        <translation>Anteil der Antworten auf die beiden Texturen, die die andere nennen, alle Versuchspersonen zusammen.</translation>
+        <source>Proportion of confusions among the responses to the two textures, all participants pooled.</source>
+        <translation>Anteil der Verwechslungen an den Antworten auf die beiden Texturen, alle Versuchspersonen zusammen.</translation>
     </message>
     <message>
-        <source>Proportion of the responses to either of two textures that name the other one, all participants pooled. There is no CI, because the pair is selected as the most frequent of several.</source>
-        <translation>Anteil der Antworten auf eine von zwei Texturen, die die andere nennen, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das häufigste von mehreren ausgewählt ist.</translation>
+        <source>Proportion of confusions with each other among the responses to the two textures of a pair, all participants pooled. There is no CI, because the pair is selected as the one confused most often.</source>
+        <translation>Anteil der Verwechslungen miteinander an den Antworten auf die beiden Texturen eines Paares, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das am häufigsten verwechselte ausgewählt ist.</translation>
     </message>
     <message>
         <source>The family that the protocol declares has one test (%1), the only confirmatory one; no correction is needed.</source>
         <translation>Die Familie, die das Protokoll festlegt, hat einen Test (%1), den einzigen konfirmatorischen; eine Korrektur ist nicht nötig.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests, so that no test is confirmatory. The usual family of this kind of protocol has one test (%1); there is nothing to correct for.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. Die übliche Familie dieser Art von Protokoll hat einen Test (%1); es gibt nichts zu korrigieren.</translation>
+        <source>The protocol declares no family of tests, so that no test is confirmatory. The usual family of this kind of protocol has one test (%1); no correction is needed.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. Die übliche Familie dieser Art von Protokoll hat einen Test (%1); eine Korrektur ist nicht nötig.</translation>
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
         <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
-        <source>%1 The p of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
-        <translation>%1 Die p aller anderen Tests sind nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+        <source>%1 The p values of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
+        <translation>%1 Die p-Werte aller anderen Tests sind nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>ε: by which both degrees of freedom are corrected (Greenhouse and Geisser).</source>
-        <translation>ε: damit sind beide Freiheitsgrade korrigiert (Greenhouse und Geisser).</translation>
+        <source>ε: factor by which both degrees of freedom are multiplied (Greenhouse and Geisser).</source>
+        <translation>ε: Faktor, mit dem beide Freiheitsgrade multipliziert sind (Greenhouse und Geisser).</translation>
     </message>
     <message>
         <source>Brackets: 95 % CI.</source>
@@ -1192,8 +1192,8 @@
         <translation>Mittelwerte der individuellen Ergebnisse der Versuchspersonen.</translation>
     </message>
     <message>
-        <source>%1 The CIs of the means are t-based, for proportions on the logit scale; that of the difference is Welch&apos;s CI. p is computed by a different method: one may just exclude a difference of zero where the other does not.</source>
-        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; das der Differenz ist das nach Welch. p ist nach einem anderen Verfahren berechnet: Das eine kann eine Differenz von null knapp ausschließen, wo das andere es nicht tut.</translation>
+        <source>%1 The CIs of the means are t-based, for proportions on the logit scale; that of the difference is Welch&apos;s CI. p is computed by a different method: in borderline cases p may be below .05 although the CI contains 0, or the reverse.</source>
+        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; das der Differenz ist das nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
     </message>
     <message>
         <source>%1 The permutation test uses all divisions of the participants into groups of these sizes.</source>
