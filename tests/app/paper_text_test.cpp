@@ -205,11 +205,11 @@ TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
   };
   add(R"({"language": "en", "title": "Which?"})");
   add(R"({"language": "de", "title": "Welche?"})");
-  EXPECT_THAT(design(), StartsWith("Two files carry the name and version of this protocol. They "
+  EXPECT_THAT(design(), StartsWith("Two files have the name and version of this protocol. They "
                                    "differ in language and texts only; "));
   EXPECT_THAT(results_of(made), Not(HasSubstr("different files")));
   add(R"({"language": "de", "title": "Welche?", "sessions": 2})");
-  EXPECT_THAT(design(), StartsWith("Three different files carry the name and version"));
+  EXPECT_THAT(design(), StartsWith("Three different files have the name and version"));
   EXPECT_THAT(results_of(made), HasSubstr("2 different files have this protocol name"));
 }
 

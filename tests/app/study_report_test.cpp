@@ -223,11 +223,11 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
               HasSubstr("3 attempts at trials of the main phase are stored, of which 2 count. Not "
-                        "counted: one was answered, but not valid. One attempt that counts is "
+                        "counted: one was answered but invalid. One attempt that counts is "
                         "flagged."));
   EXPECT_THAT(words,
               HasSubstr("One attempt belongs to practice and is not included in the results."));
-  EXPECT_THAT(words, HasSubstr("1 | answered, but not valid | made up to be invalid"));
+  EXPECT_THAT(words, HasSubstr("1 | answered but invalid | made up to be invalid"));
   EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
 }
 
@@ -534,7 +534,7 @@ TEST_F(Conditions, StateWhereNoiseWasPlayedMeasuredAttestedAndNotPlayed) {
                 "in 1 of 6 sessions: A. Keller measured 66 dB(A) at the ear. No masking noise was "
                 "played in 1 of 6 sessions. Whether masking noise was played is not recorded in 1 "
                 "of 6 sessions. No masking noise is recorded in 1 of 6 sessions; the program "
-                "version used did not store it in a terminal session, where none is played."));
+                "version used did not store it in terminal sessions, in which none is played."));
 }
 
 TEST_F(Conditions, StateThatNoNoiseWasPlayedInTheOnlySession) {
@@ -905,7 +905,7 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
                       without("dprime.lower", "", "recognition", "every response is correct"),
                       without("replicates", "", "anova", "A has 2 rows")};
   const std::string words = words_of(results_section(outcome, {}));
-  EXPECT_THAT(words, HasSubstr("Whether the first of two is preferred, on the preference scale: "
+  EXPECT_THAT(words, HasSubstr("The order effect on the preference scale: "
                                "nobody felt both orders.\n"));
   EXPECT_THAT(words, HasSubstr("Cochran’s Q of position 1: nobody differs.\n"));
   EXPECT_THAT(words, HasSubstr("The sensitivity d′ and the CI of the sensitivity d′: every "

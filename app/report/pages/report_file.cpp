@@ -36,8 +36,8 @@ void require_report_path(const std::filesystem::path& path, Overwrite overwrite)
                        path);
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw ResultsError("nothing can be written into the folder " + folder.string() +
-                           ": its permissions forbid it; choose another",
+    throw ResultsError("no file can be written to the folder " + folder.string() +
+                           ": permission denied; choose another",
                        path);
   }
   if (std::filesystem::is_directory(path, error)) {

@@ -141,9 +141,9 @@ std::string recorded_noise_text(const ReportFacts& facts) {
                         unknown.text_after_not() + '.');
   }
   if (const SessionShare unstored = share(NoiseSource::not_stored); unstored.is_any()) {
-    sentences.push_back(
-        "No masking noise is recorded " + unstored.text_after_not() +
-        "; the program version used did not store it in a terminal session, where none is played.");
+    sentences.push_back("No masking noise is recorded " + unstored.text_after_not() +
+                        "; the program version used did not store it in terminal sessions, in "
+                        "which none is played.");
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

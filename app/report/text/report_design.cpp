@@ -219,9 +219,8 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
       (bounded(exploration.normal_force_N) || bounded(exploration.speed_m_per_s));
   if (is_judged_in_part) {
     text +=
-        " The protocol requires no minimum proportion of the contact time or of the strokes within "
-        "the bands of force and speed, so that the bands alone do not place any attempt outside "
-        "the limits.";
+        " The bands of force and speed alone set no limits, because the protocol requires no "
+        "minimum proportion of the contact time or of the strokes within them.";
   }
   text += guidance_text(exploration, facts);
   const bool repeats = exploration.maximum_repeats > 0;
@@ -384,12 +383,11 @@ ReportSection design_section(const ReportFacts& facts) {
     const std::string files = capitalised(count_in_words(facts.sources.size()));
     section.parts.emplace_back(
         facts.are_translations
-            ? ReportText{files + " files carry the name and version of this protocol. They differ "
-                                 "in language and texts only; the texts that follow are those of "
-                                 "the first."}
-            : ReportText{files + " different files carry the name and version of this protocol; "
-                                 "their responses are counted together, and what follows is from "
-                                 "the first.",
+            ? ReportText{files + " files have the name and version of this protocol. They differ "
+                                 "in language and texts only; the texts below are from the first."}
+            : ReportText{files + " different files have the name and version of this protocol; "
+                                 "their responses are counted together, and the description below "
+                                 "is from the first.",
                          ReportText::Tone::notice});
   }
   if (!check.protocol) {

@@ -152,8 +152,8 @@ ReportSection sessions_section(const ReportFacts& facts) {
   if (facts.sessions.size() > kMostListed) {
     section.parts.emplace_back(
         ReportText{reading_count(facts.sessions.size()) +
-                   " sessions are too many for a page: sessions.tsv of an export lists each with "
-                   "its dates, its state and its seed."});
+                   " sessions do not fit on a page: sessions.tsv of an export lists each with its "
+                   "dates, its state and its seed."});
     return section;
   }
   ReportTable table{};

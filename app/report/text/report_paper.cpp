@@ -154,8 +154,8 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
   if (estimate_sentence(outcome).has_mean_interval ||
       is_any([](const TestSentence& each) { return each.has_mean_interval; })) {
     sentences.emplace_back(
-        "Confidence intervals (CI) of mean proportions are Student's t over participants on the "
-        "logit scale.");
+        "Confidence intervals (CI) of mean proportions are based on Student's t over participants "
+        "on the logit scale.");
   }
   sentences.push_back(methods_text(printed, sources));
   return with_sentences(sentences);

@@ -225,7 +225,7 @@ std::string paper_questions(const Protocol& protocol) {
                   questions.back().ends_with("!”")
               ? ""
               : ".") +
-         (can_abstain ? " “Cannot tell” was a response as well." : "");
+         (can_abstain ? " “Cannot tell” was also a response option." : "");
 }
 
 std::string paper_order(const ReportFacts& facts, Sources& sources) {
@@ -291,11 +291,12 @@ std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMe
                                    paper_environment(facts)};
   if (facts.file.protocol) {
     if (facts.sources.size() > 1) {
-      methods.push_back(facts.are_translations
-                            ? "The protocol was run in " + count_in_words(facts.sources.size()) +
-                                  " versions that differ in language and texts only."
-                            : "The protocol has " + count_in_words(facts.sources.size()) +
-                                  " files of this version; the following is that of the first.");
+      methods.push_back(
+          facts.are_translations
+              ? "The protocol was run in " + count_in_words(facts.sources.size()) +
+                    " versions that differ in language and texts only."
+              : "The protocol has " + count_in_words(facts.sources.size()) +
+                    " files of this version; the description below is from the first.");
     }
     methods.push_back(factors_sentence(*facts.file.protocol));
     methods.push_back(paper_task(facts));

@@ -98,7 +98,6 @@ std::string hands_text(const ReportFacts& facts) {
 std::string fate_text(const std::string& fate) {
   static const std::map<std::string, std::string> kWords{
       {"aborted", "interrupted"},
-      {"answered but invalid", "answered, but not valid"},
       {"device_fault", "stopped by a fault"},
       {"emergency_stop", "ended by the emergency stop"},
       {"excluded", "excluded"},

@@ -202,7 +202,7 @@ ReportTable counts_table(const ReportFacts& facts) {
 ReportSection presentation_section(const ReportFacts& facts) {
   ReportSection section{"Presentation", {}};
   if (facts.servo.attempts == 0) {
-    section.parts.emplace_back(ReportText{"No attempt has a record of how the servo loop ran."});
+    section.parts.emplace_back(ReportText{"No timing of the servo loop is stored."});
     return section;
   }
   section.parts.emplace_back(timing_text(facts));
@@ -303,7 +303,7 @@ ReportSection exploration_section(const ReportFacts& facts) {
   table.note =
       "Over the surfaces presented, in every attempt: the mean of their means, the range of the "
       "middle 90 % of these means, the mean fraction inside the band (of the contact time for the "
-      "force, of the strokes for their speed and length), and how many were explored as required. "
+      "force, of the strokes for their speed and length), and the number explored as required. "
       "Force: over surfaces that were touched; speed and length: over surfaces with a stroke.";
   section.parts.emplace_back(std::move(table));
   return section;

@@ -197,7 +197,7 @@ std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
       {"bt.cluster.status", "the CIs of the preference scale"},
       {"bt.firth.status", "the preference scale with Firth’s correction"},
-      {"bt.order.status", "whether the first of two is preferred, on the preference scale"},
+      {"bt.order.status", "the order effect on the preference scale"},
       {"bt.se.cluster", "the cluster-robust standard errors of the preference scale"},
       {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the preference scale"},
       {"bt.status", "the preference scale (Bradley–Terry)"},

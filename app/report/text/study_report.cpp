@@ -35,9 +35,9 @@ std::string mark_of(AnswerGroup group) {
 std::string group_text(AnswerGroup group) {
   switch (group) {
     case AnswerGroup::people:
-      return "people";
+      return "human participants";
     case AnswerGroup::pilot:
-      return "people, in pilot sessions";
+      return "human participants, pilot sessions";
     case AnswerGroup::virtual_participants:
       return "virtual participants";
   }
@@ -88,9 +88,9 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
   }
   ReportTable table{};
   table.title = "Protocols and participants";
-  table.columns = {{"protocol", false},    {"kind", false},          {"who", false},
-                   {"participants", true}, {"sessions", true},       {"completed", true},
-                   {"attempts", true},     {"answers counted", true}};
+  table.columns = {
+      {"protocol", false}, {"kind", false},     {"group", false},   {"participants", true},
+      {"sessions", true},  {"completed", true}, {"attempts", true}, {"responses counted", true}};
   std::set<AnswerGroup> groups{};
   for (const ReportFacts& facts : all) {
     groups.insert(facts.group);
@@ -104,7 +104,7 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                           reading_count(facts.sessions.size()), std::to_string(completed),
                           reading_count(facts.attempts), reading_count(facts.counted)});
   }
-  table.note = "Attempts and answers are those of the main phase.";
+  table.note = "Attempts and responses are those of the main phase.";
   std::string text =
       all.size() == 1 ? "The study has one set of sessions; its heading indicates simulated data "
                         "and pilot sessions."
