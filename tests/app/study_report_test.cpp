@@ -570,10 +570,9 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
                         "a window (in 1 of 2 sessions). A device without motors was used in 1 of "
                         "2 sessions: forces were computed but not exerted, and no participant "
                         "felt the surfaces there."));
-  EXPECT_THAT(
-      words_of(section(chapter(), "Exploration")),
-      HasSubstr("The normal force is the one sent to a device without motors, zero, in 1 of "
-                "2 sessions."));
+  EXPECT_THAT(words_of(section(chapter(), "Exploration")),
+              HasSubstr("The normal force is zero, as sent to a device without motors, in 1 of "
+                        "2 sessions."));
 }
 
 TEST_F(Conditions, StateThatAVirtualHandMadeTheStrokes) {
@@ -878,11 +877,11 @@ TEST(ReportResults, SaysRefusalsAsSentences) {
   refused.quantity = "p";
   refused.key = "item=a";
   refused.status =
-      "the chance level differs between the trials, so that one test of all would be incorrect";
+      "the chance level differs between the trials, so that one test of all trials is not valid";
   outcome.findings = {refused};
   EXPECT_THAT(words_of(results_section(outcome, {})),
               HasSubstr("The test of a: the chance level differs between the trials, so that one "
-                        "test of all would be incorrect."));
+                        "test of all trials is not valid."));
 }
 
 TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) {

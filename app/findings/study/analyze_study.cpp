@@ -69,10 +69,11 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
             .with(std::to_string(count.unfelt_sessions), std::to_string(count.sessions)));
   }
   if (count.guessing_sessions > 0) {
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "Sessions of virtual observers that ignore the surface or "
-                                     "expect nothing, so that their responses are guesses: %1.")
-                                  .with(std::to_string(count.guessing_sessions)));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Sessions of virtual observers that ignore the surface or have no expectation, so "
+               "that their responses are guesses: %1.")
+            .with(std::to_string(count.guessing_sessions)));
   }
   Phrase not_counted{};
   for (const auto& [what, attempts] : count.not_counted) {

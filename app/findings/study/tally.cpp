@@ -123,7 +123,8 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     } else {
       test.value.reset();
       test.status =
-          "the chance level differs between the trials, so that one test of all would be incorrect";
+          "the chance level differs between the trials, so that one test of all trials is not "
+          "valid";
       cells.resize(made.table.columns.size());
     }
     outcome.findings.push_back(std::move(test));

@@ -180,7 +180,7 @@ class GroupComparison final {
         if (one.second_group == second) own.push_back(one.count);
       }
       add_mean_share("subj.mean", groups_.names[second ? 1 : 0], own,
-                     "mean of the group's participants, their own proportions",
+                     "mean of the own proportions of the group's participants",
                      {.confidence = confidence_}, list_);
     }
     for (std::size_t i = 0; i < groups_.participants.size(); ++i) {
@@ -240,9 +240,9 @@ class GroupComparison final {
     coefficients("glm.beta", fixed->beta, "logistic regression, trials treated as independent");
     coefficients("glm.se", fixed->standard_error, "trials treated as independent");
     const auto clustered = [this](const std::string& key, double error) {
-      Basis own = basis("with the participant as the unit (CR0)");
+      Basis own = basis("participants as clusters (CR0)");
       own.undefined =
-          "a group has one participant: a standard error over participants needs two in each";
+          "a group has one participant: a standard error over participants needs two in each group";
       list_.number("glm.se.cluster", key, error, own);
     };
     clustered("intercept", fixed->cluster_standard_error.intercept);

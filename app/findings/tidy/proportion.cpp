@@ -74,7 +74,7 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
     const ConfidenceInterval wilson = wilson_interval(count, confidence);
     findings.number("phat", id, proportion(count),
                     {.n = count.trials,
-                     .method = "hits of trials; Wilson interval",
+                     .method = "proportion of hits; Wilson interval",
                      .interval = wilson,
                      .confidence = confidence});
     interval("wilson", wilson, "Wilson interval");

@@ -130,7 +130,8 @@ class Recognition final {
   void shares() {
     const ConfidenceInterval wilson = wilson_interval(right_, confidence_);
     const ConfidenceInterval exact = clopper_pearson_interval(right_, confidence_);
-    Basis pooled = basis("correct of all trials; Wilson interval, trials treated as independent");
+    Basis pooled =
+        basis("proportion correct of all trials; Wilson interval, trials treated as independent");
     pooled.interval = wilson;
     pooled.confidence = confidence_;
     list_.number("pc", "", proportion(right_), pooled);
@@ -190,9 +191,8 @@ class Recognition final {
                  "all participants have the same proportion, so there is no t",
                  basis("t over participants"));
     }
-    list_.number(
-        "pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
-        of_spread("standard error of the proportion correct with the participant as the unit"));
+    list_.number("pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
+                 of_spread("standard error of the proportion correct, participants as clusters"));
   }
 
   void labels() {
@@ -200,13 +200,13 @@ class Recognition final {
       const std::string& key = trials_.labels[i];
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
-        Basis never = basis("correct of the trials with this stimulus");
+        Basis never = basis("proportion correct of the trials with this stimulus");
         never.undefined = "this stimulus was never presented";
         list_.number("recall", key, kUndefined, never);
         continue;
       }
       const ConfidenceInterval wilson = wilson_interval(*hits, confidence_);
-      Basis shown = basis("correct of the trials with this stimulus; Wilson interval");
+      Basis shown = basis("proportion correct of the trials with this stimulus; Wilson interval");
       shown.interval = wilson;
       shown.confidence = confidence_;
       list_.number("recall", key, proportion(*hits), shown);
@@ -214,7 +214,7 @@ class Recognition final {
       number("recall.wilson.upper", key, wilson.high, "Wilson interval");
       const std::optional<HitCount> precise = precision(trials_.counts, i);
       number("precision", key, precise ? proportion(*precise) : kUndefined,
-             "correct of the trials with this response");
+             "proportion correct of the trials with this response");
     }
     number("kappa", "", kappa(trials_.counts).value_or(kUndefined), "Cohen's κ");
     number("balanced.pc", "", balanced_share(trials_.counts).value_or(kUndefined),
@@ -337,9 +337,9 @@ class Recognition final {
              "eigenvalue of classical scaling");
     }
     number((mds + ".gof1").c_str(), "", map.fit_of_absolute.value_or(kUndefined),
-           "two dimensions of the sum of |eigenvalues|");
+           "first two eigenvalues as a proportion of the sum of |eigenvalues|");
     number((mds + ".gof2").c_str(), "", map.fit_of_positive.value_or(kUndefined),
-           "two dimensions of the sum of positive eigenvalues");
+           "first two eigenvalues as a proportion of the sum of positive eigenvalues");
     for (Eigen::Index i = 0; i < map.points.rows(); ++i) {
       number((mds + ".x").c_str(), label(i), map.points(i, 0),
              "first coordinate of the MDS configuration");

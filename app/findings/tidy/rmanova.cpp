@@ -302,7 +302,8 @@ class AnovaList final {
     number("mauchly.p.firstorder", key, of.mauchly->p_first_order, "χ² of W, first order");
     number("mauchly.p.anderson", key, of.mauchly->p_second_order, "χ² of W, second order");
     number("mauchly.p.car", key, of.mauchly->p_as_r,
-           "as R computes the second order, with cells for contrasts; not to be reported");
+           "χ² of W, second order, as computed by R with the number of cells instead of contrasts; "
+           "not to be reported");
   }
 
   void means() {
@@ -330,7 +331,7 @@ class AnovaList final {
                "half width of the t interval");
         number("cell.ci.half.morey", key,
                means.within_half_width ? (*means.within_half_width)(i) : kUndefined,
-               "without the participants' own levels (Cousineau and Morey)");
+               "half width of the within-participant interval (Cousineau and Morey)");
       }
     }
   }

@@ -34,9 +34,9 @@ void add_clustered_scale(std::span<const std::string> items, const ClusteredScal
   }
   if (has_errors) return;
   findings.word(names.prefix + ".cluster.status", "", "too_few_participants",
-                "an interval over participants needs " + std::to_string(kFewestClusters) +
-                    " participants at least: with fewer, differences between participants cannot "
-                    "be estimated; add participants",
+                "an interval over participants needs at least " + std::to_string(kFewestClusters) +
+                    " participants: with fewer, differences between participants cannot be "
+                    "estimated; add participants",
                 {.n = names.n, .method = error_method});
 }
 

@@ -78,7 +78,7 @@ double add_block(const Choices& read, const std::string& block,
     const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
     findings.count("count", key, counts[j], {.n = n});
     Basis basis{.n = n,
-                .method = "chosen of all choices; Wilson interval" + independent,
+                .method = "proportion of all choices; Wilson interval" + independent,
                 .undefined = n == 0 ? kNothingChosen : ""};
     if (n > 0) {
       basis.interval = wilson;

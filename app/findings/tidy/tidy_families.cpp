@@ -18,8 +18,8 @@ constexpr std::array kFamilies{
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
-               "lower, upper: differences between them count as equivalent, both or neither; alpha "
-               "of each one-sided test; groups: two names, in order, of two samples; conf",
+               "lower, upper: bounds of equivalence, both or neither; alpha of each one-sided "
+               "test; groups: names of the two samples, in order; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"glmm",
                "subject,item,correct,trials and one column per factor: the responses of a "
@@ -29,7 +29,7 @@ constexpr std::array kFamilies{
                "tested against; conf",
                glmm_findings, "link,random,fixed,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
-               "groups: two names, in order; conf", group_findings, "groups,conf"},
+               "groups: names of the two groups, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"icc",
                "target,rater,score: one rating per target and rater (or repetition), empty where "
                "there is none",
@@ -84,7 +84,7 @@ constexpr std::array kFamilies{
         "subject,item,score: one score per subject and item, the larger the better, ties allowed",
         "items (all that were scored), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no response",
-               "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
+               "labels: names of the stimuli, in order; conf", recognition_findings, "labels,conf"},
     TidyFamily{"response_times",
                "subject,time_s and one column per factor: one response per row, time_s empty where "
                "it has no time",

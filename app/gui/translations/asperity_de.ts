@@ -404,8 +404,8 @@
         <translation>%1 nicht rechtzeitig beantwortet</translation>
     </message>
     <message>
-        <source>Sessions of virtual observers that ignore the surface or expect nothing, so that their responses are guesses: %1.</source>
-        <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder nichts erwarten, sodass ihre Antworten geraten sind: %1.</translation>
+        <source>Sessions of virtual observers that ignore the surface or have no expectation, so that their responses are guesses: %1.</source>
+        <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder keine Erwartung haben, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
         <source>Expected under guessing: trials in which every assignment is equally likely.</source>

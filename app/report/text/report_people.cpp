@@ -277,9 +277,10 @@ ReportSection participants_section(const ReportFacts& facts) {
       break;
   }
   const SampleTexts sample = sample_texts(facts);
-  text += sample.sexes.empty() ? " No sex is stored." : " Sex: " + sample.sexes + '.';
-  text += sample.ages.empty() ? " No age is stored." : " Age: " + sample.ages + '.';
-  text += sample.hands.empty() ? " No handedness is stored." : " Handedness: " + sample.hands + '.';
+  text += sample.sexes.empty() ? " Sex is not stored." : " Sex: " + sample.sexes + '.';
+  text += sample.ages.empty() ? " Age is not stored." : " Age: " + sample.ages + '.';
+  text +=
+      sample.hands.empty() ? " Handedness is not stored." : " Handedness: " + sample.hands + '.';
   section.parts.emplace_back(ReportText{text});
 
   if (facts.group != AnswerGroup::virtual_participants) {

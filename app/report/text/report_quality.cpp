@@ -240,8 +240,7 @@ std::string explored_by_text(const ReportFacts& facts) {
     return gives_no_force(stretch) && !stretch.judges_rendered_force;
   });
   if (zero.is_any()) {
-    text +=
-        " The normal force is the one sent to a device without motors, zero, " + zero.text() + '.';
+    text += " The normal force is zero, as sent to a device without motors, " + zero.text() + '.';
   }
   return text;
 }
