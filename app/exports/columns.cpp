@@ -171,7 +171,7 @@ Columns session_columns() {
               column("consent_utc", "utc_time", "", "when consent was given",
                      [](const Place& at) { return optional_cell(at.session->consent_utc); }))));
   add(dropped(column("started_utc", "utc_time", "",
-                     "when the session began: zero of every time in seconds",
+                     "when the session began; all times in seconds are relative to it",
                      [](const Place& at) { return at.session->started_utc; })));
   add(dropped(
       missing("the session has not ended",

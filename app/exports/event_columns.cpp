@@ -71,15 +71,16 @@ std::vector<ExportColumn> event_columns() {
                                    return optional_cell(at.event->duration_s);
                                  }))));
   add(kind_column());
-  add(missing("the event has none, or it is free text in a public export",
-              without_free_text(
-                  column("text", "text", "", "text of the event as its kind defines it, as stored",
-                         [](const ExportPlace& at) { return at.event->row.text; }),
-                  [](const ExportPlace& at) -> Cell {
-                    const EventKind* const kind = event_kind(at.event->row.kind);
-                    if (kind == nullptr || !kind->text_is_public) return {};
-                    return at.event->row.text;
-                  })));
+  add(missing(
+      "the event has none, or it is free text in a public export",
+      without_free_text(column("text", "text", "",
+                               "text of the event, as stored; its meaning depends on the kind",
+                               [](const ExportPlace& at) { return at.event->row.text; }),
+                        [](const ExportPlace& at) -> Cell {
+                          const EventKind* const kind = event_kind(at.event->row.kind);
+                          if (kind == nullptr || !kind->text_is_public) return {};
+                          return at.event->row.text;
+                        })));
   const auto codes = [](std::string (*of)(const StoredWords&)) {
     return [of](const ExportPlace& at) -> Cell {
       const EventRow& event = at.event->row;
@@ -94,14 +95,15 @@ std::vector<ExportColumn> event_columns() {
                          "the text as codes, separated by semicolons; \"typed\" where it was typed",
                          codes(codes_of)),
                   codes(published_codes_of))));
-  add(missing("the event has none, or none that a public export includes",
-              without_free_text(
-                  column("data_json", "json", "", "data of the event as its kind defines them",
-                         [](const ExportPlace& at) -> Cell {
-                           const std::string& json = at.event->row.data_json;
-                           return json == "null" ? Cell{} : Cell{json};
-                         }),
-                  [](const ExportPlace& at) { return published_data(at.event->row); })));
+  add(missing(
+      "the event has none, or none that a public export includes",
+      without_free_text(
+          column("data_json", "json", "", "data of the event; their meaning depends on the kind",
+                 [](const ExportPlace& at) -> Cell {
+                   const std::string& json = at.event->row.data_json;
+                   return json == "null" ? Cell{} : Cell{json};
+                 }),
+          [](const ExportPlace& at) { return published_data(at.event->row); })));
   return columns;
 }
 

@@ -262,17 +262,17 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
       .name = table.name + "_forest",
       .table = table.name,
       .title = table.title,
-      .note =
-          means.empty()
-              ? note
-              : (has_intervals(means)
-                     ? phrase("Figures",
-                              "%1 Squares are means of the participants' own proportions with "
-                              "t-based 95 % CIs on the logit scale: the participant is the unit.")
-                     : phrase("Figures",
-                              "%1 Squares are means of the participants' own "
-                              "proportions: the participant is the unit."))
-                    .with(note)};
+      .note = means.empty()
+                  ? note
+                  : (has_intervals(means)
+                         ? phrase("Figures",
+                                  "%1 Squares are means of the participants' own proportions with "
+                                  "t-based 95 % CIs on the logit scale: the participant is the "
+                                  "unit of analysis.")
+                  : phrase("Figures",
+                           "%1 Squares are means of the participants' own "
+                    "proportions: the participant is the unit of analysis."))
+                        .with(note)};
   const std::vector<ForestKind>& names = pooled_and_people();
   add_rows(rows,
            {{.name = means.empty() ? Phrase() : names[0].name},
@@ -298,13 +298,15 @@ std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<d
       .name = table.name + "_forest",
       .table = table.name,
       .title = table.title,
-      .note = has_intervals(rows)
-                  ? phrase("Figures",
-                           "Squares are means of the participants' own proportions, bars their "
-                           "t-based 95 % CIs on the logit scale: the participant is the unit.")
-                  : phrase("Figures",
-                           "Squares are means of the participants' own proportions: the "
-                           "participant is the unit.")};
+      .note =
+          has_intervals(rows)
+              ? phrase(
+                    "Figures",
+                    "Squares are means of the participants' own proportions, bars their "
+                    "t-based 95 % CIs on the logit scale: the participant is the unit of analysis.")
+              : phrase("Figures",
+                       "Squares are means of the participants' own proportions: the participant is "
+                       "the unit of analysis.")};
   add_rows(rows, {{}},
            has_intervals(rows) ? phrase("Figures", "mean proportion, with its 95 % CI")
                                : phrase("Figures", "mean proportion"),

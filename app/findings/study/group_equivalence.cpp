@@ -46,7 +46,7 @@ Phrase equivalence_method(const FoundNumbers& found) {
   const Phrase bayes =
       phrase("Analysis",
              "Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised "
-             "difference; below 1 it favours no difference.");
+             "difference; values below 1 favour no difference.");
   if (!found.value("tost.p")) {
     return phrase("Analysis",
                   "Welch's 90 % CI of the difference of the participants' proportions. %1")

@@ -54,7 +54,7 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   const std::size_t left_out = gathered.answers.size() - estimates.size();
   if (left_out > 0) {
     outcome.remarks.push_back(phrase("Analysis",
-                                     "Responses left out because they are not a number above 0, or "
+                                     "Responses left out because they are not numbers above 0, or "
                                      "because the protocol does not state their spacing: %1.")
                                   .with(std::to_string(left_out)));
   }

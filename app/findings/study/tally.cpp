@@ -329,8 +329,8 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
           : phrase("Analysis",
                    "Proportions of all responses pool several trials of the same participants (%1 "
                    "trials of %2 participants in total). They need not be independent: the CIs of "
-                   "these proportions may be too narrow, and their p values too small. Means over "
-                   "the participants have the participant as the unit.");
+                   "these proportions may be too narrow, and their p values too small. For means "
+                   "over the participants, the participant is the unit of analysis.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 struct RatedTargets {
-  Eigen::MatrixXd complete{};  ///< targets with a score of every rater × raters
+  Eigen::MatrixXd complete{};  ///< targets with a score from every rater × raters
   std::size_t incomplete = 0;  ///< targets without
 };
 
@@ -76,18 +76,18 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
   const double confidence = input.options.confidence();
   const auto n = static_cast<std::size_t>(rated.complete.rows());
   FindingList findings{};
-  findings.count("n.targets", "", n, {.n = n, .method = "targets with a score of every rater"});
+  findings.count("n.targets", "", n, {.n = n, .method = "targets with a score from every rater"});
   findings.count("n.raters", "", static_cast<std::uint64_t>(rated.complete.cols()),
                  {.n = n, .method = "raters, or repetitions"});
   if (rated.incomplete > 0) {
     findings.count("n.incomplete", "", rated.incomplete,
                    {.n = rated.incomplete,
-                    .method = "targets without a score of every rater, which are left out"});
+                    .method = "targets without a score from every rater, which are left out"});
   }
   const Basis basis{.n = n, .method = "intraclass correlation"};
   if (n < 2 || rated.complete.cols() < 2) {
     findings.word("icc", "", "too_few",
-                  "a reliability needs at least 2 targets that at least 2 raters have all rated",
+                  "a reliability needs at least 2 targets that were all rated by at least 2 raters",
                   basis);
     return findings.take();
   }

@@ -61,7 +61,7 @@ void add_left_out(const Scores& scores, FindingList& findings) {
   if (scores.incomplete > 0) {
     findings.count("n.incomplete", "", scores.incomplete,
                    {.n = scores.incomplete,
-                    .method = "participants without a score of every item, who are left out"});
+                    .method = "participants without a score for every item, who are left out"});
   }
 }
 

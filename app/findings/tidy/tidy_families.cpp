@@ -129,7 +129,7 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
   if (input.tables.size() <= family.most_tables) return;
   const std::string tables = family.most_tables == 1
                                  ? "one table"
-                                 : std::to_string(family.most_tables) + " tables at most";
+                                 : "at most " + std::to_string(family.most_tables) + " tables";
   throw std::runtime_error(input.tables[family.most_tables].name() + ": " +
                            std::string(family.name) + " takes " + tables + ": " +
                            std::string(family.tables) + "; combine the data in one table");

@@ -440,7 +440,7 @@
         <translation>%1 Zuordnungen (%2)</translation>
     </message>
     <message>
-        <source>Responses left out because they are not a number above 0, or because the protocol does not state their spacing: %1.</source>
+        <source>Responses left out because they are not numbers above 0, or because the protocol does not state their spacing: %1.</source>
         <translation>Antworten, die keine Zahl über 0 sind oder für die das Protokoll keinen Abstand nennt, weggelassen: %1.</translation>
     </message>
     <message>
@@ -1036,7 +1036,7 @@
         <translation>Verlauf über die Durchgänge</translation>
     </message>
     <message>
-        <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; below 1 it favours no difference.</source>
+        <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; values below 1 favour no difference.</source>
         <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 auf der standardisierten Differenz; unter 1 spricht er für keinen Unterschied.</translation>
     </message>
     <message>
@@ -1081,11 +1081,11 @@
     </message>
     <message>
         <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
     </message>
     <message>
-        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small. Means over the participants have the participant as the unit.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie müssen nicht unabhängig sein: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Mittelwerte über die Versuchspersonen haben die Versuchsperson als Einheit.</translation>
+        <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small. For means over the participants, the participant is the unit of analysis.</source>
+        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Bei Mittelwerten über die Versuchspersonen ist die Versuchsperson die Analyseeinheit.</translation>
     </message>
     <message>
         <source>%1 (N = %2)</source>
@@ -2768,12 +2768,12 @@
         <translation>%1 Kleine offene Zeichen: %2, vorhergesagt von einem Durchlauf von „sweep“ mit %3, alle mit demselben Faktor multipliziert.</translation>
     </message>
     <message>
-        <source>%1 Squares are means of the participants&apos; own proportions with t-based 95 % CIs on the logit scale: the participant is the unit.</source>
-        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: Die Versuchsperson ist die Einheit.</translation>
+        <source>%1 Squares are means of the participants&apos; own proportions with t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
+        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
-        <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit.</source>
-        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: Die Versuchsperson ist die Einheit.</translation>
+        <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
+        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
@@ -2864,12 +2864,12 @@
         <translation>Punkte sind Anteile an allen Antworten einer Zeile, Balken ihre 95-%-KI nach Wilson.</translation>
     </message>
     <message>
-        <source>%1 Squares are means of the participants&apos; own proportions: the participant is the unit.</source>
-        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Einheit ist die Versuchsperson.</translation>
+        <source>%1 Squares are means of the participants&apos; own proportions: the participant is the unit of analysis.</source>
+        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Analyseeinheit ist die Versuchsperson.</translation>
     </message>
     <message>
-        <source>Squares are means of the participants&apos; own proportions: the participant is the unit.</source>
-        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Einheit ist die Versuchsperson.</translation>
+        <source>Squares are means of the participants&apos; own proportions: the participant is the unit of analysis.</source>
+        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Analyseeinheit ist die Versuchsperson.</translation>
     </message>
     <message>
         <source>mean proportion, with its 95 % CI</source>

@@ -105,9 +105,11 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].note.english(),
             "Points are proportions of all responses of a row, bars their Wilson 95 % CIs. "
-            "Squares are means of the participants' own proportions: the participant is the unit.");
+            "Squares are means of the participants' own proportions: the participant is the unit "
+            "of analysis.");
   EXPECT_EQ(figures[1].note.english(),
-            "Squares are means of the participants' own proportions: the participant is the unit.");
+            "Squares are means of the participants' own proportions: the participant is the unit "
+            "of analysis.");
   EXPECT_EQ(figures[1].x.name.english(), "mean proportion");
 }
 
