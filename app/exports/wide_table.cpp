@@ -160,8 +160,8 @@ WideTable::Made WideTable::make() const {
   });
   if (gives_numbers) {
     count("answers_doubted",
-          "counted estimates that were re-elicited because they were at least "
-          "ten times, or at most a tenth of, an earlier one for the same stimulus",
+          "counted estimates that were re-elicited because they were at least ten times, or at "
+          "most a tenth of, an earlier one for the same stimulus",
           &Person::doubted);
   }
 

@@ -269,9 +269,9 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
                                   "%1 Squares are means of the participants' own proportions with "
                                   "t-based 95 % CIs on the logit scale: the participant is the "
                                   "unit of analysis.")
-                  : phrase("Figures",
-                           "%1 Squares are means of the participants' own "
-                    "proportions: the participant is the unit of analysis."))
+                         : phrase("Figures",
+                                  "%1 Squares are means of the participants' own proportions: the "
+                                  "participant is the unit of analysis."))
                         .with(note)};
   const std::vector<ForestKind>& names = pooled_and_people();
   add_rows(rows,
