@@ -1037,7 +1037,7 @@
     </message>
     <message>
         <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; values below 1 favour no difference.</source>
-        <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 auf der standardisierten Differenz; unter 1 spricht er für keinen Unterschied.</translation>
+        <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 auf der standardisierten Differenz; Werte unter 1 sprechen gegen einen Unterschied.</translation>
     </message>
     <message>
         <source>Welch&apos;s 90 % CI of the difference of the participants&apos; proportions. %1</source>
