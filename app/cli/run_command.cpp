@@ -72,8 +72,8 @@ void add_run(CLI::App& program, Job& job) {
                                                  {"pilot", SessionMode::pilot}};
   command
       ->add_option("--mode", options->inputs.mode,
-                   "run (the default): study data, on a device with motors (or by the protocol's "
-                   "device.input_only); pilot: any device, marked as pilot data")
+                   "run (the default): study data, on a device with motors (or without, if the "
+                   "protocol sets device.input_only); pilot: any device, marked as pilot data")
       ->transform(word_of(modes))
       ->option_text("run|pilot");
   CLI::Option* resume =
@@ -129,7 +129,7 @@ void add_run(CLI::App& program, Job& job) {
         if (notice.is_planned) return say("asperity: " + notice.text.english());
         say("asperity: warning: " + notice.text.english() + "; " + notice.command_remedy);
         if (!person) return;
-        person->read("Ctrl-C ends here; nothing has been stored.", 0.0, wait);
+        person->read("Ctrl-C ends the program; nothing has been stored.", 0.0, wait);
       };
       inputs.ready = [&person](const Protocol& protocol) {
         if (!person) return;

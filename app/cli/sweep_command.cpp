@@ -306,8 +306,8 @@ void say_why_absent(const Sweep& sweep, SweepMeasure measure) {
         "(--spacings FROM:TO:COUNT; see the column status)");
   }
   if (is_at_end) {
-    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing, so that it "
-        "may not be the maximum");
+    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing and may not be "
+        "the maximum");
   }
   if (has_no_top) {
     say("parabola_peak_mm n/a: the parabola has no highest point within the spacings");
@@ -399,8 +399,8 @@ Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
                              outcome.version + "; run asperity verify");
   }
   if (alike > 1) {
-    say("asperity: warning: " + std::to_string(alike) + " different files are " + outcome.protocol +
-        ' ' + outcome.version +
+    say("asperity: warning: " + std::to_string(alike) + " different protocol files are named " +
+        outcome.protocol + ' ' + outcome.version +
         ", and their responses are counted together; the sweep is compared with the first of them");
   }
   return read_protocol(found->source, found->name, declarations_of(models));

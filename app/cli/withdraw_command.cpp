@@ -56,8 +56,8 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
 
 void name_outputs(const OutputsOfParticipant& outputs) {
   if (!outputs.recorded.empty()) {
-    std::cout << "outputs made from the study since the participant was added, which were not "
-                 "changed; delete those that contain data of the participant, and repeat the "
+    std::cout << "outputs made from the study since the participant was added; they were not "
+                 "changed. Delete those that contain data of the participant, and repeat the "
                  "export or the report if needed:\n";
     for (const OutputRow& output : outputs.recorded) {
       std::cout << "  " << local_time_text(output.made_utc) << "  "

@@ -66,17 +66,17 @@ Phrase loss_of(const StageRecord& record, Pacing pacing) {
       std::any_of(record.ticks.begin(), record.ticks.end(),
                   [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
   if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
-    return phrase(
-               "DeviceTest",
-               "the connection to the device was lost during the measurement: the thread of the "
-               "manufacturer's driver made no call for %1 ms: it hangs or had to wait. Close other "
-               "programs that keep this computer busy, check its cable, and measure it again.")
+    return phrase("DeviceTest",
+                  "the connection to the device was lost during the measurement: the thread of the "
+                  "manufacturer's driver made no call for %1 ms: it hangs or had to wait. Close "
+                  "other programs that keep this computer busy, check the cable of the device, and "
+                  "measure the device again.")
         .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));
   }
   return phrase("DeviceTest",
                 "the connection to the device was lost during the measurement: the device did not "
                 "respond, and its driver reports no cause. Check its cable and its power supply, "
-                "close other programs that keep this computer busy, and measure it again.");
+                "close other programs that keep this computer busy, and measure the device again.");
 }
 
 }  // namespace

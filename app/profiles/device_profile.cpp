@@ -110,7 +110,7 @@ DeviceItem item_from(const nlohmann::json& json) {
   }
   if (item.value && *item.value < 0.0) {
     throw std::runtime_error("its item " + item.name + " is " + std::to_string(*item.value) +
-                             "; none is less than 0");
+                             "; it has to be 0 or more");
   }
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
@@ -139,7 +139,7 @@ AxisResponse response_from(const nlohmann::json& json) {
   if (frequencies_Hz.size() != responses_m_per_N.size()) {
     throw std::runtime_error("a response has " + std::to_string(frequencies_Hz.size()) +
                              " frequencies and " + std::to_string(responses_m_per_N.size()) +
-                             " values; it has to have as many of both");
+                             " values; the two numbers have to be equal");
   }
   AxisResponse response{.axis = json.at("axis").get<std::string>()};
   for (std::size_t i = 0; i < frequencies_Hz.size(); ++i) {

@@ -108,7 +108,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
                              const std::optional<BodyDescription>& body, BodyRole role,
                              std::shared_ptr<const TexturedMesh>& mesh) {
       if (!sha256) return;
-      if (!body) throw std::logic_error("a body was presented that the plan does not have");
+      if (!body) throw std::logic_error("a body was presented that is not in the plan");
       const LoadedBody loaded = builder.body(*body, role);
       if (loaded.sha256 != *sha256) {
         throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the body \"" +

@@ -173,8 +173,8 @@ std::optional<Phrase> Conductor::trouble_after_standstill() {
   course_.event("fault_cleared", "");
   publish_trouble(
       phrase("Troubles",
-             "The servo loop stalled for more than 50 ms: the force was set to zero, and what was "
-             "interrupted is repeated. At the third occurrence the session stops."),
+             "The servo loop stalled for more than 50 ms: the force was set to zero, and the "
+             "interrupted step is repeated. At the third occurrence the session stops."),
       SessionTrouble::Remedy::none);
   return {};
 }

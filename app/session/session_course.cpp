@@ -121,7 +121,7 @@ void SessionCourse::listen_to_device() {
   if (!news.is_to_tell) return;
   event(complaint.empty() ? "device_well" : "device_trouble", complaint);
   if (links_.tell)
-    links_.tell(complaint.empty() ? "The device reports no problem any more." : complaint);
+    links_.tell(complaint.empty() ? "The device no longer reports a problem." : complaint);
 }
 
 void SessionCourse::look(bool outside_trial) {

@@ -170,7 +170,7 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
     if (now == files.end() || now->sha256 != before.sha256) {
       throw PhrasedError(phrase("SessionSetup",
                                 "session %1 of participant %2 cannot be resumed: the file %3 has "
-                                "changed since it began; restore the earlier file")
+                                "changed since the session began; restore the earlier file")
                              .with(number, row.participant, before.path));
     }
   }
@@ -221,11 +221,10 @@ SessionRow find_unfinished(const Study& study, const Protocol& protocol,
                            const std::string& participant, std::optional<std::int64_t> id) {
   const std::optional<SessionRow> found = unfinished_row(study, protocol, participant, id);
   if (!found) {
-    throw PhrasedError(
-        phrase("SessionSetup",
-               "participant %1 has no unfinished session of the protocol \"%2\" as it is in this "
-               "file; leave out --resume to begin one")
-            .with(participant, protocol.name));
+    throw PhrasedError(phrase("SessionSetup",
+                              "participant %1 has no unfinished session of the protocol \"%2\" in "
+                              "its present form; leave out --resume to begin one")
+                           .with(participant, protocol.name));
   }
   return *found;
 }

@@ -4,15 +4,14 @@ namespace asperity {
 
 std::optional<Phrase> missing_metadata(const StudyMetadata& metadata) {
   if (metadata.authors.empty() && !metadata.license) {
-    return phrase(
-        "StudyMetadata",
-        "The study has neither authors nor a licence entered; data archives require both.");
+    return phrase("StudyMetadata",
+                  "The study has neither authors nor a licence; data archives require both.");
   }
   if (metadata.authors.empty()) {
-    return phrase("StudyMetadata", "The study has no authors entered; data archives require them.");
+    return phrase("StudyMetadata", "The study has no authors; data archives require them.");
   }
   if (!metadata.license) {
-    return phrase("StudyMetadata", "The study has no licence entered; data archives require one.");
+    return phrase("StudyMetadata", "The study has no licence; data archives require one.");
   }
   return std::nullopt;
 }

@@ -286,7 +286,7 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
       refuse_beside(protocol, "has " + theirs + ", and the level of " +
                                   quantity_text(order.varied, value) +
                                   " is not one of them: --values " + option_values(*numbers) +
-                                  " has those of the protocol");
+                                  " gives those of the protocol");
     }
     by_level.push_back(conditions[static_cast<std::size_t>(same - numbers->begin())]);
   }
@@ -370,9 +370,9 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
         return spacing_m >= *shortest * (1.0 - kSameNumber) &&
                spacing_m <= *longest * (1.0 + kSameNumber);
       });
-  const std::string both = "has textures " + range(*shortest, *longest) + " apart, and the sweep " +
+  const std::string both = "has spacings of " + range(*shortest, *longest) + ", and the sweep " +
                            range(*first, *last) + " (--spacings)";
-  if (!is_any) refuse_beside(protocol, both + ": there are none in common; change --spacings");
+  if (!is_any) refuse_beside(protocol, both + ": they have none in common; change --spacings");
   if (is_alike(*first, *shortest, kSameNumber) && is_alike(*last, *longest, kSameNumber)) return;
   remarks.push_back(protocol.name + ' ' + both +
                     ": the figure shows the common spacings only, but the peak of the parabola is "
@@ -427,7 +427,7 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
     const std::string sweep = "the sweep has " + quantity_text(quantity, here) + " (" +
                               option_of(quantity) + "), and " + protocol.name + ' ';
     if (const auto band = by_condition.band_without(here)) {
-      remarks.push_back(sweep + "asks for " + level_text(quantity, *band));
+      remarks.push_back(sweep + "requests " + level_text(quantity, *band));
     }
     const std::vector<double> theirs = by_condition.numbers();
     if (theirs.empty() || (theirs.size() == 1 && is_alike(theirs.front(), here, kSameNumber))) {

@@ -67,11 +67,12 @@ LabelNotice notice_of(const Study& study, const Protocol& protocol, const Sessio
                                    .with(data_of(latest.mode), row.version, time_of(study, latest));
   const std::string session = std::to_string(latest.session);
   if (has_ended(study, protocol, latest)) {
-    return {.text = phrase("LabelNotice",
-                           "%1 has done session %2 of this protocol (%3); a further one begins")
-                        .with(latest.participant, session, circumstances),
-            .remedy = phrase("LabelNotice", "For another participant, use another label."),
-            .command_remedy = "for another participant, use another --participant"};
+    return {
+        .text = phrase("LabelNotice",
+                       "%1 has completed session %2 of this protocol (%3); a further one begins")
+                    .with(latest.participant, session, circumstances),
+        .remedy = phrase("LabelNotice", "For another participant, use another label."),
+        .command_remedy = "for another participant, use another --participant"};
   }
   const Phrase text =
       phrase("LabelNotice",
@@ -84,9 +85,9 @@ LabelNotice notice_of(const Study& study, const Protocol& protocol, const Sessio
   }
   return {.text = text,
           .remedy = phrase("LabelNotice",
-                           "To resume it, choose the protocol as it was when the session began."),
+                           "To resume it, choose the protocol file with which the session began."),
           .command_remedy =
-              "to resume it, use --resume with the protocol as it was when the session began"};
+              "to resume it, use --resume and the protocol file with which the session began"};
 }
 
 }  // namespace
@@ -125,7 +126,7 @@ std::optional<LabelNotice> label_notice(const Study& study, const Protocol& prot
   if (!is_next) return notice_of(study, protocol, *latest);
   return LabelNotice{
       .text = phrase("LabelNotice",
-                     "%1 has done %2 of %3 planned sessions of this protocol, the latest %4")
+                     "%1 has completed %2 of %3 planned sessions of this protocol, the latest %4")
                   .with(participant, std::to_string(ended), std::to_string(protocol.sessions),
                         time_of(study, *latest)),
       .is_planned = true};

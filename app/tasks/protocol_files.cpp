@@ -96,8 +96,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       }
       case NamedFile::Kind::speech:
         if (!is_wav(read_file(study / named.path, kSpeechFile))) {
-          return "the file " + named.path +
-                 " is not a WAV file, which recorded speech has to be; save it as WAV";
+          return "the file " + named.path + " is not a WAV file; save the recorded speech as WAV";
         }
         break;
     }
@@ -192,11 +191,9 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
       touch == FirstTouch::never
           ? "no part of " + surface_name + " lies under the path of " + tool_name
           : tool_name + " begins inside " + surface_name + " and never leaves it";
-  sentence +=
-      ": strokes begin " + fixed(0.5e3 * habits.stroke_length_m, 1) +
-      " mm from the middle, where the hand meets the plane z = 0, and the surface lies at x " +
-      in_mm(low_m.x, high_m.x) + ", y " + in_mm(low_m.y, high_m.y) + ", z " +
-      in_mm(low_m.z, high_m.z);
+  sentence += ": strokes begin in the plane z = 0, " + fixed(0.5e3 * habits.stroke_length_m, 1) +
+              " mm from the middle, and the surface lies at x " + in_mm(low_m.x, high_m.x) +
+              ", y " + in_mm(low_m.y, high_m.y) + ", z " + in_mm(low_m.z, high_m.z);
   const double off_m = 0.01 * (high_m.z - low_m.z);
   if (stimulus.surface->mesh && std::abs(high_m.z) > off_m) {
     sentence += std::abs(low_m.z) <= off_m
@@ -211,8 +208,8 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
   };
   if (ends_before(end_m) || ends_before(-end_m)) {
     sentence +=
-        "; it ends before the strokes do: make it longer, or `stroke_length_m` of the exploration "
-        "shorter";
+        "; it ends before the strokes do: make it longer, or reduce `stroke_length_m` of the "
+        "exploration";
   }
   return sentence;
 }
@@ -270,7 +267,7 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
     if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
     sentence += " is beyond the limit " + std::string(count.name) + " of " + described.model +
                 " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
-                " ticks of contact, where its force is not the declared one";
+                " ticks of contact; in these ticks its force differs from the declared force";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     if (count.name == "fine_detail" && has_bodies) sentence += why_too_fine(stimulus);
     doubts.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});

@@ -195,7 +195,7 @@ void Simulation::check_sessions(const Study& study) const {
       if (protocols_[i].source == protocols_[j].source) {
         throw std::runtime_error(
             "the protocol \"" + protocols_[i].name +
-            "\" is given twice; give it once: it states the number of its sessions");
+            "\" is given twice; give it once; the number of its sessions is part of the protocol");
       }
     }
   }

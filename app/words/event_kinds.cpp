@@ -64,9 +64,10 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-structure, Mishap",
        .text_is_words = true},
       {.name = "phase",
-       .meaning = "a phase of the session began: `ready`, `iti`, `fore`, `contact`, `response`, "
-                  "`feedback`, `rest`, `questions`, `paused`, `fault` or `ended`. Only of sessions "
-                  "that a window shows; `fore`, `contact` and `response` belong to their attempt",
+       .meaning =
+           "a phase of the session began: `ready`, `iti`, `fore`, `contact`, `response`, "
+           "`feedback`, `rest`, `questions`, `paused`, `fault` or `ended`. Only for sessions that "
+           "are shown in a window; `fore`, `contact` and `response` belong to their attempt",
        .hed = "Experiment-structure",
        .ended_by = {"phase"},
        .text_is_public = true},
@@ -84,7 +85,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-structure",
        .text_is_public = true},
       {.name = "force_zeroed",
-       .meaning = "the force was checked to be zero in a break",
+       .meaning = "the force was verified to be zero in a break",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "criterion_not_met",
@@ -165,11 +166,10 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},
       {.name = "input",
-       .meaning =
-           "what the participant entered, such as `option 2`. Data: `source`, and why it had "
-           "no effect if so: `meant_for_an_earlier_scene`, `too_soon` (within 0.2 s of the "
-           "question), `after_the_deadline`. What is typed into a form is stored with the "
-           "answers only",
+       .meaning = "an input of the participant, such as `option 2`. Data: `source`, and for an "
+                  "input without effect the reason: `meant_for_an_earlier_scene`, `too_soon` "
+                  "(within 0.2 s of the question), `after_the_deadline`. Text typed into a form is "
+                  "stored with the answers only",
        .hed = "Agent-action, Experiment-participant, Participant-response",
        .text_is_public = true,
        .public_data = {"source", "held_s", "meant_for_an_earlier_scene", "too_soon",

@@ -96,7 +96,7 @@ TEST(CodedPhrases, AreListedInTheirOrder) {
                                       phrase_of(Reason::not_explored_as_asked).with(failures));
   const StoredWords words = stored(flags);
   EXPECT_THAT(words.text,
-              testing::StartsWith("force limited in 7 ticks; not explored as instructed: "
+              testing::StartsWith("ticks with limited force: 7; not explored as instructed: "
                                   "speed of surface 1, speed of surface 2, "));
   EXPECT_THAT(words.text, testing::EndsWith(", speed of surface 12"));
   EXPECT_EQ(phrase_of(words).english(), words.text);

@@ -325,7 +325,7 @@ TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
   EXPECT_EQ(loss_of(device),
             "the connection to the device was lost during the measurement: the device did not "
             "respond, and its driver reports no cause. Check its cable and its power supply, close "
-            "other programs that keep this computer busy, and measure it again.");
+            "other programs that keep this computer busy, and measure the device again.");
   ScriptedDevice unplugged(kStuck);
   unplugged.at_read = [&unplugged](ProbeState&) { unplugged.answers = unplugged.reads <= 3000; };
   unplugged.trouble_text = "The Stuck 7 is unplugged: plug it in again.";

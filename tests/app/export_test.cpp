@@ -411,7 +411,7 @@ TEST(Export, StatesReasonsByTheirCodesNextToTheirWords) {
   EXPECT_EQ(cell_of(attempts, 2, "exclusion_code"), Cell{});
   EXPECT_EQ(cell_of(attempts, 2, "flag_code"), Cell{"force_limited; surface_not_touched"});
   EXPECT_EQ(cell_of(attempts, 2, "flag_reason"),
-            Cell{"force limited in 7 ticks; surface 1 was not touched"});
+            Cell{"ticks with limited force: 7; surface 1 was not touched"});
   EXPECT_EQ(cell_of(attempts, 2, "invalid_code"), Cell{});
   const Table events = table_in(out, "events.tsv");
   EXPECT_EQ(cell_of(events, 0, "text_code"), Cell{"stop_requested"});

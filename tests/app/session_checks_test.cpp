@@ -247,10 +247,11 @@ TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
   EXPECT_EQ(check("participant").state, State::fine);
 
   add_completed(SessionMode::pilot);
-  expect_noticed(State::look,
-                 "P001 has done session 1 of this protocol (pilot data, version 1.0.0, less than "
-                 "an hour ago); a further one begins.",
-                 "For another participant, use another label.");
+  expect_noticed(
+      State::look,
+      "P001 has completed session 1 of this protocol (pilot data, version 1.0.0, less than "
+      "an hour ago); a further one begins.",
+      "For another participant, use another label.");
   inputs.participant = "p001";
   expect_noticed(State::look,
                  "p001 is a new participant; P001, whose label differs only in letter case, is in "
@@ -258,19 +259,21 @@ TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
                  "If P001 is meant, use that label.");
   inputs.participant = "P001";
   add_completed(SessionMode::run);
-  expect_noticed(State::fine,
-                 "P001 has done 1 of 2 planned sessions of this protocol, the latest less than an "
-                 "hour ago.",
-                 "");
+  expect_noticed(
+      State::fine,
+      "P001 has completed 1 of 2 planned sessions of this protocol, the latest less than an "
+      "hour ago.",
+      "");
 
   // A later version of the protocol plans its own sessions, and its participant knows the task.
   std::string later = twice;
   later.replace(later.find("1.0.0"), 5, "1.1.0");
   write_protocol(later);
-  expect_noticed(State::look,
-                 "P001 has done session 2 of this protocol (study data, version 1.0.0, less than "
-                 "an hour ago); a further one begins.",
-                 "For another participant, use another label.");
+  expect_noticed(
+      State::look,
+      "P001 has completed session 2 of this protocol (study data, version 1.0.0, less than "
+      "an hour ago); a further one begins.",
+      "For another participant, use another label.");
 }
 
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {

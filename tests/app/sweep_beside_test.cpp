@@ -141,7 +141,7 @@ TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
   SweepOrder order = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
   order.spacings_m = {0.005, 0.008};
   EXPECT_THAT(refusal(order, roughness_by("force")),
-              HasSubstr("textures 0.5 to 4 mm apart, and the sweep 5 to 8 mm"));
+              HasSubstr("spacings of 0.5 to 4 mm, and the sweep 5 to 8 mm"));
 }
 
 TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
@@ -165,7 +165,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
   EXPECT_THAT(remark([](SweepOrder& order) {
                 order.spacings_m = {0.0005, 0.008};
               }),
-              HasSubstr("0.5 to 4 mm apart, and the sweep 0.5 to 8 mm (--spacings)"));
+              HasSubstr("0.5 to 4 mm, and the sweep 0.5 to 8 mm (--spacings)"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
               HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force 2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),
@@ -195,7 +195,7 @@ TEST_F(SweepBesideTest, SaysThatItIsOutsideABandWithoutATarget) {
   EXPECT_THAT(remarks_at(0.08, band), IsEmpty());
   EXPECT_THAT(remarks_at(0.1, band),
               ElementsAre("the sweep has 100 mm/s (--exploratory-speed-m-per-s), and "
-                          "roughness_force asks for 40 mm/s to 80 mm/s"));
+                          "roughness_force requests 40 mm/s to 80 mm/s"));
   EXPECT_THAT(remarks_at(0.1, {{"minimum", 0.12}}), ElementsAre(HasSubstr("120 mm/s or more")));
   EXPECT_THAT(remarks_at(0.1, {{"maximum", 0.08}}), ElementsAre(HasSubstr("80 mm/s or less")));
 }

@@ -690,7 +690,7 @@ TEST_F(WatchedSession, TellsWhatTheDeviceComplainsOfUntilItIsWell) {
   EXPECT_EQ(shown.back(), "");
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_THAT(lines[0], HasSubstr("Its motors gave less"));
-  EXPECT_EQ(lines[1], "The device reports no problem any more.");
+  EXPECT_EQ(lines[1], "The device no longer reports a problem.");
   std::vector<std::string> kinds{};
   std::vector<EventRow> events = study_->events(session_.row.id);
   for (const AttemptRow& attempt : attempts()) {

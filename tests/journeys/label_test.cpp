@@ -33,7 +33,7 @@ TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichGoesOn) {
   const Outcome second = virtual_run(small, "standin1");
   EXPECT_EQ(second.status, 0) << second.err;
   EXPECT_THAT(second.err,
-              HasSubstr("asperity: warning: standin1 has done session 1 of this protocol "
+              HasSubstr("asperity: warning: standin1 has completed session 1 of this protocol "
                         "(simulated data, version 1.0.0, on a simulated clock); a further one "
                         "begins; for another participant, use another --participant\n"));
 }
@@ -91,10 +91,11 @@ TEST(Label, WithASessionAlreadyIsConfirmedAtATerminal) {
   {
     PilotRun second(small, "anna");
     EXPECT_THAT(second.program().err(),
-                HasSubstr("asperity: warning: anna has done session 1 of this protocol (pilot "
+                HasSubstr("asperity: warning: anna has completed session 1 of this protocol (pilot "
                           "data, version 1.0.0, less than an hour ago); a further one begins; "
                           "for another participant, use another --participant\n"));
-    EXPECT_THAT(second.program().out(), HasSubstr("Ctrl-C ends here; nothing has been stored."));
+    EXPECT_THAT(second.program().out(),
+                HasSubstr("Ctrl-C ends the program; nothing has been stored."));
     second.program().type("\x03");
     EXPECT_EQ(second.program().finish().status, 1);
   }

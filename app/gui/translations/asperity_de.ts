@@ -2378,11 +2378,11 @@
         <translation>die Verbindung zum Gerät ging während der Messung verloren: %1 Das Problem beheben, dann das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check its cable, and measure it again.</source>
+        <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check the cable of the device, and measure the device again.</source>
         <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus: Der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
-        <source>the connection to the device was lost during the measurement: the device did not respond, and its driver reports no cause. Check its cable and its power supply, close other programs that keep this computer busy, and measure it again.</source>
+        <source>the connection to the device was lost during the measurement: the device did not respond, and its driver reports no cause. Check its cable and its power supply, close other programs that keep this computer busy, and measure the device again.</source>
         <translation>die Verbindung zum Gerät ging während der Messung verloren: Das Gerät antwortete nicht, und sein Treiber meldet keine Ursache. Kabel und Stromversorgung prüfen, andere Programme schließen, die diesen Rechner belasten, und das Gerät erneut messen.</translation>
     </message>
     <message>
@@ -3205,7 +3205,7 @@
         <translation>%1, Version %2, %3</translation>
     </message>
     <message>
-        <source>%1 has done session %2 of this protocol (%3); a further one begins</source>
+        <source>%1 has completed session %2 of this protocol (%3); a further one begins</source>
         <translation>%1 hat Sitzung %2 dieses Protokolls absolviert (%3); eine weitere beginnt</translation>
     </message>
     <message>
@@ -3221,11 +3221,11 @@
         <translation>Die Sitzung fortsetzen oder ein anderes Kürzel verwenden.</translation>
     </message>
     <message>
-        <source>To resume it, choose the protocol as it was when the session began.</source>
+        <source>To resume it, choose the protocol file with which the session began.</source>
         <translation>Zum Fortsetzen das Protokoll in der Fassung wählen, mit der die Sitzung begann.</translation>
     </message>
     <message>
-        <source>%1 has done %2 of %3 planned sessions of this protocol, the latest %4</source>
+        <source>%1 has completed %2 of %3 planned sessions of this protocol, the latest %4</source>
         <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls absolviert, die letzte %4</translation>
     </message>
 </context>
@@ -3908,15 +3908,15 @@
         <translation>das Maskierrauschen ist verstummt</translation>
     </message>
     <message>
-        <source>%1 missed deadlines, at most %2 allowed</source>
+        <source>missed deadlines: %1, at most %2 allowed</source>
         <translation>verpasste Fristen: %1, erlaubt höchstens %2</translation>
     </message>
     <message>
-        <source>%1 lost records, at most %2 allowed</source>
+        <source>lost records: %1, at most %2 allowed</source>
         <translation>verlorene Datensätze: %1, erlaubt höchstens %2</translation>
     </message>
     <message>
-        <source>force limited in %1 ticks</source>
+        <source>ticks with limited force: %1</source>
         <translation>Kraft begrenzt, Takte: %1</translation>
     </message>
     <message>
@@ -4139,8 +4139,8 @@
         <translation>%1 Davon entfallen %3 N/m auf die Kontaktdämpfung von %2 N s/m.</translation>
     </message>
     <message>
-        <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow its height. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
-        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft verlangen.</translation>
+        <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow the height of the surface. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
+        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft verlangen.</translation>
     </message>
 </context>
 <context>
@@ -4656,11 +4656,11 @@
         <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Der Plan, den dieses Programm aus ihrem Protokoll erzeugt, weicht vom gespeicherten ab. Die Sitzung mit der Version fortsetzen, mit der sie begann: asperity %3, Commit %4</translation>
     </message>
     <message>
-        <source>session %1 of participant %2 cannot be resumed: the file %3 has changed since it began; restore the earlier file</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit ihrem Beginn geändert; die frühere Datei wiederherstellen</translation>
+        <source>session %1 of participant %2 cannot be resumed: the file %3 has changed since the session began; restore the earlier file</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit dem Beginn der Sitzung geändert; die frühere Datei wiederherstellen</translation>
     </message>
     <message>
-        <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; as it is in this file; leave out --resume to begin one</source>
+        <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; in its present form; leave out --resume to begin one</source>
         <translation>die Versuchsperson %1 hat keine unvollständige Sitzung des Protokolls „%2“ in der Fassung dieser Datei; eine neue beginnen</translation>
     </message>
     <message>
@@ -4941,15 +4941,15 @@
 <context>
     <name>StudyMetadata</name>
     <message>
-        <source>The study has neither authors nor a licence entered; data archives require both.</source>
+        <source>The study has neither authors nor a licence; data archives require both.</source>
         <translation>Für die Studie sind weder Autorinnen und Autoren noch eine Lizenz angegeben; Datenarchive verlangen beides.</translation>
     </message>
     <message>
-        <source>The study has no authors entered; data archives require them.</source>
+        <source>The study has no authors; data archives require them.</source>
         <translation>Für die Studie sind keine Autorinnen und Autoren angegeben; Datenarchive verlangen sie.</translation>
     </message>
     <message>
-        <source>The study has no licence entered; data archives require one.</source>
+        <source>The study has no licence; data archives require one.</source>
         <translation>Für die Studie ist keine Lizenz angegeben; Datenarchive verlangen eine.</translation>
     </message>
 </context>
@@ -5156,8 +5156,8 @@
         <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>The servo loop stalled for more than 50 ms: the force was set to zero, and what was interrupted is repeated. At the third occurrence the session stops.</source>
-        <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und das Unterbrochene wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
+        <source>The servo loop stalled for more than 50 ms: the force was set to zero, and the interrupted step is repeated. At the third occurrence the session stops.</source>
+        <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und der unterbrochene Schritt wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
     </message>
 </context>
 <context>

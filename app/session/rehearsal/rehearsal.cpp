@@ -508,21 +508,19 @@ class DeviceRehearsal final {
                                                .speed_m_per_s = habits.speed_m_per_s,
                                                .rate_Hz = protocol_.rate_Hz});
     if (share <= kContactMayBeLost) return;
-    warn(
-        {.id = "contact",
-         .stimulus = name,
-         .asked = share,
-         .device = kContactMayBeLost,
-         .text =
-             phrase(
-                 "Rehearsal",
-                 "With a force of %2 N and a speed of %3 mm/s, contact with \"%1\" is expected to "
-                 "be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, "
-                 "as measured for the device, does not follow its height. Lower stiffness_N_per_m, "
-                 "the texture's amplitude or the speed, or request a higher pressing force.")
-                 .with(name, in_three_digits(habits.normal_force_N),
-                       in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
-                       in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
+    warn({.id = "contact",
+          .stimulus = name,
+          .asked = share,
+          .device = kContactMayBeLost,
+          .text = phrase("Rehearsal",
+                         "With a force of %2 N and a speed of %3 mm/s, contact with \"%1\" is "
+                         "expected to be lost for about %4 % of a stroke: a mass of %5 g with a "
+                         "damping of %6 N s/m, as measured for the device, does not follow the "
+                         "height of the surface. Lower stiffness_N_per_m, the texture's amplitude "
+                         "or the speed, or request a higher pressing force.")
+                      .with(name, in_three_digits(habits.normal_force_N),
+                            in_three_digits(1e3 * habits.speed_m_per_s), fixed(100.0 * share, 0),
+                            in_three_digits(1e3 * *mass_kg), in_three_digits(damping_N_s_per_m))});
   }
 
   void check_workspace(const SurfacePatch& patch) {
