@@ -33,7 +33,7 @@ std::string remarks_on(const Model& model) {
   std::replace(missing.begin(), missing.end(), '_', ' ');
   return model.sources +
          " Properties of the real device that are unknown to this program: " + missing +
-         ". The simulated device has none of these, or those of its virtual hand.";
+         ". The simulated device lacks these properties or takes them from its virtual hand.";
 }
 
 // A Falcon's reading waits for one frame each way, at most one period of its rate.

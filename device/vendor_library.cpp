@@ -156,8 +156,8 @@ void* VendorLibrary::address_of(const char* name) const {
   void* address = address_or_null(name);
   if (address == nullptr) {
     throw std::runtime_error(product_ + " in " + file_.string() + " has no function " + name +
-                             ": it is another version, not the one that this program needs. "
-                             "Install the latter, or name its library with --library FILE.");
+                             ": it is not the version that this program needs. Install that "
+                             "version, or name its library with --library FILE.");
   }
   return address;
 }

@@ -124,9 +124,9 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   int next = 0;
   if (last.bind(participant_id).step()) last.read(next);
   if (session.session != 0 && session.session != next) {
-    refuse(database.folder(), "expects session " + std::to_string(next) + " of participant " +
-                                  session.participant + " next, not session " +
-                                  std::to_string(session.session));
+    refuse(database.folder(), "cannot begin session " + std::to_string(session.session) +
+                                  " of participant " + session.participant +
+                                  ": the next one is session " + std::to_string(next));
   }
   insert_session(database, session, next, participant_id);
   const std::int64_t id = database.last_row_id();

@@ -153,7 +153,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw ResultsError(
         name_ + ':' + std::to_string(line) +
-            ": a letter of this line is not UTF-8; save the table in the encoding UTF-8",
+            ": a character of this line is not UTF-8; save the table in the encoding UTF-8",
         name_);
   }
   if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {

@@ -52,8 +52,8 @@ DeviceCapability falcon_capability() {
           .remarks =
               "Workspace and force follow from the lengths and the motor constant that free "
               "drivers use: the largest cube that its legs can reach, and the force available in "
-              "every direction in its middle; at the corners of the cube that is 3.8 N. It is sold "
-              "as ±51 mm and 8.9 N."};
+              "every direction in its middle; at the corners of the cube that is 3.8 N. The "
+              "manufacturer states ±51 mm and 8.9 N."};
 }
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {
@@ -90,10 +90,10 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
     }
     if (line_->now_ns() > until_ns) {
       throw std::runtime_error(
-          told
-              ? "the Falcon was not homed in time: open it again, then pull the grip out all the "
-                "way and push it in all the way until its lamp turns green"
-              : "the Falcon stopped answering while it was opened; unplug it and plug it in again");
+          told ? "the Falcon was not homed in time: open it again, then pull the grip out all the "
+                 "way and push it in all the way until its lamp turns green"
+               : "the Falcon stopped responding while it was opened; unplug it and plug it in "
+                 "again");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -145,7 +145,7 @@ std::string FalconDevice::trouble() const {
       return it +
              " is unplugged: plug it in again at the same socket, and check that it has power.";
     case State::silent:
-      return it + " has not answered for 50 ms: check its cable.";
+      return it + " has not responded for 50 ms: check its cable.";
     case State::not_homed:
       return it +
              " has to be homed: pull the grip out all the way, then push it in all the way, until "

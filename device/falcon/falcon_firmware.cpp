@@ -67,7 +67,7 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
                                              std::span<const std::uint8_t> firmware,
                                              const std::stop_token& stop) {
   if (port.begin_boot_loader() != Transfer::done) return "its serial chip rejects settings";
-  if (!reaches_boot_loader(port, stop)) return "its boot loader does not answer";
+  if (!reaches_boot_loader(port, stop)) return "its boot loader does not respond";
   if (port.begin_firmware() != Transfer::done) return "its serial chip rejects settings";
   std::vector<std::uint8_t> echo;
   if (port.write(kStart, kAnswerPatience) != Transfer::done ||
@@ -92,7 +92,7 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
   }
   if (port.begin_frames() != Transfer::done) return "its serial chip rejects settings";
   if (!speaks_frames(port, stop)) {
-    return "the firmware was loaded and does not answer, so it may be that of another device";
+    return "the firmware was loaded but does not respond; it may be that of another device";
   }
   return {};
 }
@@ -111,8 +111,8 @@ Firmware read_firmware(const std::filesystem::path& file) {
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (error || bytes == 0 || bytes > kLargest_bytes) {
     throw std::runtime_error(file.string() + " has " + std::to_string(error ? 0 : bytes) +
-                             " bytes and is not a firmware of a Falcon, which has about 8000; name "
-                             "the file that came with the device's software");
+                             " bytes and is not the firmware of a Falcon, which has about 8000; "
+                             "name the file that came with the device's software");
   }
   const Firmware firmware{std::istreambuf_iterator<char>(stream), {}};
   const auto is_of_text = [](std::uint8_t byte) {
@@ -120,8 +120,8 @@ Firmware read_firmware(const std::filesystem::path& file) {
   };
   if (std::all_of(firmware.begin(), firmware.end(), is_of_text)) {
     throw std::runtime_error(file.string() +
-                             " is a text, not a firmware of a Falcon; name the file that came with "
-                             "the device's software");
+                             " is a text file, not the firmware of a Falcon; name the file that "
+                             "came with the device's software");
   }
   return firmware;
 }

@@ -245,13 +245,13 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   }
   if (!may_move) {
     throw std::runtime_error(who +
-                             " has lost its zero, as after it was switched off, and has to move by "
-                             "itself to find it. It was not moved, because the user cannot be "
-                             "asked here. First run \"asperity device-test force_dimension" +
+                             " has lost its zero, as happens when it is switched off, and has to "
+                             "move by itself to find it. It was not moved, because the user cannot "
+                             "be asked here. First run \"asperity device-test force_dimension" +
                              (identity.serial.empty() ? "" : ":" + identity.serial) +
                              sdk.library_option() +
-                             "\", which asks before anything moves, or calibrate the device as its "
-                             "manufacturer's manual describes.");
+                             "\", which requests confirmation before the device moves, or "
+                             "calibrate the device as its manufacturer's manual describes.");
   }
   const auto require_no_stop = [&] {
     if (!stop.stop_requested()) return;
@@ -307,8 +307,9 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
         "sinks slowly. Open it again to repeat the movement; confirmation is requested first.");
   }
   if (!found) {
-    throw std::runtime_error(who + " did not find its zero: " + words +
-                             ". Clear its workspace, let go of the handle and open it again.");
+    throw std::runtime_error(
+        who + " did not find its zero: " + words +
+        ". Clear its workspace, release the handle and open the device again.");
   }
 }
 
@@ -557,7 +558,7 @@ std::string ForceDimensionDevice::trouble() const {
          "requests confirmation and then finds the zero.");
   } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);
-    tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
+    tell(who + " does not respond" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
          ". Check its power and its cable.");
   } else if (is_stale_.load()) {
     tell(who + " has sent nothing new for 50 ms. Check its cable.");

@@ -387,7 +387,7 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
   if (!has_grip && !inventory.grips.empty()) {
     capability.remarks +=
         " Its grip is not read: with more than one device or more than one grip, the service does "
-        "not report which belongs to which.";
+        "not report which grip belongs to which device.";
   }
   return opened;
 }
@@ -402,7 +402,8 @@ Inverse3Device::Inverse3Device(std::unique_ptr<Opened> opened)
 Inverse3Device::~Inverse3Device() { stop_calls(); }
 
 void Inverse3Device::start_calls(const TickCall& call) {
-  if (line_->thread.joinable()) throw std::logic_error("the device inverse3 calls already");
+  if (line_->thread.joinable())
+    throw std::logic_error("the calls of the device inverse3 have already begun");
   line_->call = call;
   line_->stopping = false;
   line_->thread = std::thread([line = line_.get()] { line->run(); });

@@ -73,7 +73,7 @@ std::string HdFunctions::name_of(const Error& error) const {
     case 0x0301:
       return "HD_DEVICE_ALREADY_INITIATED (another session or program uses it)";
     case 0x0302:
-      return "HD_COMM_ERROR (it does not answer: check its power and its cable)";
+      return "HD_COMM_ERROR (it does not respond: check its power and its cable)";
     case 0x0304:
       return "HD_TIMER_ERROR (its clock failed)";
     default: {

@@ -194,7 +194,7 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   }
   std::string refusal;
   if (const HdFunctions::Error asked = hd.take_errors(); asked.code != 0) {
-    refusal = "it does not describe itself: " + hd.name_of(asked);
+    refusal = "it does not report its properties: " + hd.name_of(asked);
   } else if (calibration != HdFunctions::kCalibrated) {
     refusal =
         "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its "
@@ -235,7 +235,7 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
   if (is_given_up_) {
     throw std::runtime_error("OpenHaptics' thread hangs: end this program and start it again.");
   }
-  if (is_called_) throw std::logic_error("the device openhaptics calls already");
+  if (is_called_) throw std::logic_error("the calls of the device openhaptics have already begun");
   const auto refuse_after = [this](const std::string& what) {
     if (const HdFunctions::Error error = hd_->take_errors(); error.code != 0) {
       throw std::runtime_error("OpenHaptics cannot " + what + ": " + hd_->name_of(error) + ".");

@@ -88,7 +88,7 @@ std::string SpaceMouseDevice::trouble() const {
     case State::silent:
       return it +
              " has sent nothing for 50 ms although its cap was not at rest: touch the cap and "
-             "release it; check its cable, or that a wireless one is switched on and near its "
+             "release it. Check the cable; a wireless device must be switched on and near its "
              "receiver.";
   }
   return {};

@@ -205,7 +205,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
     report(pointer + "/until/maximum_trials",
            "up to " + std::to_string(block.until->maximum_trials) +
                " trials may be needed, but the block has " + std::to_string(trials) + "; with " +
-               std::to_string(rows) + " per repetition it needs repetitions " +
+               std::to_string(rows) + " per repetition, set repetitions to " +
                std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
                               rows));
   }

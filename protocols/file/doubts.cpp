@@ -173,7 +173,7 @@ class Doubts final {
     doubt(pointer_to("/blocks", block->first) + "/presented",
           "the alternatives differ in " + in_quotes(*parameter) +
               " alone: the analysis of a selection tests how often each level is chosen, not "
-              "whether levels can be discriminated; for a threshold, export the answers and fit "
+              "whether levels can be discriminated; for a threshold, export the responses and fit "
               "them with analyze --table FILE --as psyfit");
   }
 

@@ -18,12 +18,12 @@ constexpr std::array kMagnitudeTests{
     KindTest{"spacing", "do estimates depend on the spacing"},
     KindTest{"interaction", "does the curve over spacings depend on the condition"},
     KindTest{"condition", "do estimates depend on the condition"},
-    KindTest{"peaks", "of every two conditions: do their peaks lie apart"}};
+    KindTest{"peaks", "for every pair of conditions: do their peaks differ"}};
 
 constexpr std::array kMagnitudeKeys{
     KindKey{"estimation",
-            "a magnitude has to state what estimates are analysed by: add the key \"estimation\" "
-            "with the factor that is the \"spacing\"",
+            "a magnitude has to state the factor by which estimates are analysed: add the key "
+            "\"estimation\" with this factor as \"spacing\"",
             "only a magnitude has estimates to be analysed; remove this key"}};
 
 std::string item_of_magnitude(const StimulusDescription& stimulus) { return stimulus.texture; }

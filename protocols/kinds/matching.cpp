@@ -14,7 +14,7 @@ constexpr std::array kMatchingTests{
     KindTest{"items", "are more items matched correctly than under guessing"},
     KindTest{"whole", "are more trials completely correct than under guessing"},
     KindTest{"textures",
-             "of every texture: is it matched correctly more often than under guessing"},
+             "for every texture: is it matched correctly more often than under guessing"},
     KindTest{"sexes", "do women and men differ"}};
 
 std::string item_of_matching(const StimulusDescription& stimulus) { return stimulus.texture; }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kRecognitionTests{
     KindTest{"right", "is the proportion correct above the chance level"},
-    KindTest{"textures", "of every texture: is it recognised more often than under guessing"},
+    KindTest{"textures", "for every texture: is it recognised more often than under guessing"},
     KindTest{"information", "do the responses depend on the stimulus"},
     KindTest{"sexes", "do women and men differ"}};
 
@@ -60,7 +60,7 @@ void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
   const std::string& correct = trial.question.correct.front();
   if (texture.empty() || correct == texture) return;
   problems.report(checked.pointer + "/question/correct_factor",
-                  "the correct response would be " + in_quotes(correct) + ", but what is felt is " +
+                  "the correct response would be " + in_quotes(correct) + ", but the texture felt is " +
                       in_quotes(texture));
 }
 

@@ -21,8 +21,8 @@ constexpr std::array kSelectionTests{
 
 constexpr std::array kSelectionKeys{
     KindKey{"realism_standard",
-            "a selection has to state what \"realistic\" is measured against: add the key "
-            "\"realism_standard\" with \"photograph\", \"physical_sample\" or \"memory\"",
+            "a selection has to state the standard of realism: add the key \"realism_standard\" "
+            "with \"photograph\", \"physical_sample\" or \"memory\"",
             "only in a selection is realism measured against a standard; remove this key"}};
 
 std::string item_of_selection(const StimulusDescription& stimulus) { return stimulus.model; }

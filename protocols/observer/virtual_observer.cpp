@@ -73,7 +73,7 @@ std::size_t VirtualObserver::best_of(std::span<const double> evidences) {
 
 std::size_t VirtualObserver::select(std::span<const ForceFeatures> felt,
                                     const ForceFeatures& expected) {
-  require(!felt.empty(), "nothing was felt");
+  require(!felt.empty(), "a selection needs at least one felt surface");
   std::vector<double> evidences{};
   for (const ForceFeatures& each : felt) evidences.push_back(evidence(perceived(each), expected));
   evidences.front() += declaration_.position_bias;
@@ -82,7 +82,7 @@ std::size_t VirtualObserver::select(std::span<const ForceFeatures> felt,
 
 std::size_t VirtualObserver::recognise(const ForceFeatures& felt,
                                        std::span<const ForceFeatures> expected) {
-  require(!expected.empty(), "nothing is expected");
+  require(!expected.empty(), "a recognition needs at least one expectation");
   const ForceFeatures noisy = perceived(felt);
   std::vector<double> evidences{};
   for (const ForceFeatures& each : expected) evidences.push_back(evidence(noisy, each));
@@ -135,7 +135,7 @@ double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
              declaration_.feature_noise * random_.normal();
     }
   }
-  throw std::logic_error("a magnitude is made from nothing");
+  throw std::logic_error("the source of the magnitude is unknown");
 }
 
 double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
@@ -150,7 +150,7 @@ double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& h
 }
 
 std::size_t VirtualObserver::guess(std::size_t options) {
-  require(options > 0, "there is nothing to guess among");
+  require(options > 0, "a guess needs at least one option");
   return static_cast<std::size_t>(random_.below(options));
 }
 

@@ -30,8 +30,7 @@ double period_of(const HeightField& field, Tiling tiling) {
     case Tiling::bounded:
       break;
   }
-  throw std::invalid_argument(
-      "Tiling::bounded has no end to slide on; an offset surface needs one that repeats");
+  throw std::invalid_argument("an offset surface needs a tiling that repeats, not Tiling::bounded");
 }
 
 bool changes_across(const HeightField& field) {
@@ -72,7 +71,7 @@ OffsetSurface::OffsetSurface(const HeightField& field, const RigidTip& tip,
   if (samples > static_cast<double>(kMostSamples)) {
     throw std::invalid_argument("pitch_m is " + number_text(sampling.pitch_m) +
                                 ", and a period of " + number_text(period_m_) +
-                                " m has too many of them");
+                                " m would have too many samples");
   }
   const auto period = static_cast<std::size_t>(samples);
   pitch_m_ = period_m_ / samples;
@@ -191,7 +190,7 @@ std::unique_ptr<ForceRenderer> make_tip_renderer(const ForceModel& pd_gradient,
   complete.parameters = complete_values(pd_gradient.declaration, inputs.parameters);
   if (choice_of(complete.parameters, "maximum") != "hard") {
     throw std::invalid_argument(
-        "the offset surface of a tip is the hard maximum's; maximum must be hard");
+        "the offset surface of a tip requires the hard maximum; set maximum to hard");
   }
   if (inputs.patch.motion_scale != 1.0) {
     throw std::invalid_argument("SurfacePatch::motion_scale must be 1 for pd_gradient");

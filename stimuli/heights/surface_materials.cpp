@@ -165,7 +165,7 @@ std::vector<SurfaceMaker> material_makers() {
         "rough stone: isotropic relief of every wavelength up to 6 mm, with pits",
         {length_parameter("rms_m", 0.0, 0.002, 1.2e-4,
                           "root mean square of the relief, without the pits"),
-         plain_parameter("exponent", 0.0, 6.0, 2.6, "power law of its power spectral density"),
+         plain_parameter("exponent", 0.0, 6.0, 2.6, "exponent of its power spectral density"),
          length_parameter("pit_depth_m", 0.0, 0.003, 2e-4, "depth of the deepest pits")}},
        make_stone},
       {{"wood",

@@ -92,7 +92,7 @@ std::optional<std::string> seam_of(std::string_view kind, const ParameterValues&
     const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
     return length_text(canvas.width_m) + " along " + repeat.axis + " hold " +
            number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
-           ", and where the surface is repeated the last one is cut, which makes an unintended "
+           ", and the last one is cut where the surface is repeated: this makes an unintended "
            "step; " +
            (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
                         : more_m) +
@@ -115,9 +115,9 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
   return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
          length_text(pitch_of(canvas)) +
          " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
-         " for each spacing, so that heights and shape differ from those requested; " +
+         " per spacing, so that heights and shape differ from those requested; " +
          number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
-         " samples per side or more (--pixels) have eight for each";
+         " or more samples per side (--pixels) give eight per spacing";
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {

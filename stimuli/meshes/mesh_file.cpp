@@ -213,7 +213,7 @@ void GrowingMesh::reserve(std::size_t vertices, std::size_t triangles) {
 void GrowingMesh::refuse_too_many() const {
   throw std::invalid_argument(
       name_ + " has more than " + std::to_string(most_triangles_) +
-      " triangles, the most that are read; simplify it with another program first.");
+      " triangles, the maximum that is read; simplify it with another program first.");
 }
 
 void GrowingMesh::add_vertex(const glm::dvec3& in_units) {

@@ -612,7 +612,7 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   say("Parts left out because they are flat and enclose nothing", found.flat_parts);
   say("Faces left out with these parts", found.dropped_faces);
   say("Parts inverted because they were inside out", found.inside_out_parts);
-  say("Cavities, which nothing reaches from outside", found.cavities);
+  say("Cavities, which cannot be reached from outside", found.cavities);
   if (found.parts > 1) say("Separate parts", found.parts);
   return sentences;
 }

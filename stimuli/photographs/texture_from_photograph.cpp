@@ -52,14 +52,14 @@ std::vector<Parameter> texture_recipe_parameters() {
              "Changes of brightness that are longer than this count as lighting, shorter ones as "
              "the surface"),
       number("gamma_low", "1", 0.05, 2.0, usual.gamma_low,
-             "What slow changes of the lighting are multiplied by; below 1 evens them out"),
+             "Factor applied to slow changes of the lighting; below 1 evens them out"),
       number("gamma_high", "1", 0.2, 5.0, usual.gamma_high,
-             "What fine detail is multiplied by; above 1 raises its contrast"),
+             "Factor applied to fine detail; above 1 raises its contrast"),
       number("gaussian_wavelength_m", "m", 0.0002, 0.2, usual.gaussian_wavelength_m,
              "Waves longer than about this are left out of the heights: they are shape, not "
              "texture"),
       number("rms_m", "m", 1e-6, 2e-3, usual.rms_m,
-             "How rough the relief is: the root mean square of its heights. A photograph does not "
+             "Roughness of the relief: the root mean square of its heights. A photograph does not "
              "show it"),
   };
 }

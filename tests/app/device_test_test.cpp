@@ -357,7 +357,7 @@ TEST(DeviceTest, SaysOfADeviceThatDoesNotCallThatItDoesNot) {
   device.is_silent = true;
   const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
   EXPECT_NE(loss.find("made no call for 50 ms"), std::string::npos) << loss;
-  EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("measure the device again"), std::string::npos) << loss;
 }
 
 TEST(DeviceTest, LeavesZeroForceWhereItIsStopped) {

@@ -282,7 +282,7 @@ TEST_F(Falcon, SaysThatFirmwareOfSomethingElseDoesNotRun) {
   FalconSettings wanted = settings();
   wanted.line.firmware = firmware();
   wanted.line.firmware.pop_back();
-  EXPECT_THAT(refusal_of([&] { FalconDevice::open(wanted); }), HasSubstr("does not answer"));
+  EXPECT_THAT(refusal_of([&] { FalconDevice::open(wanted); }), HasSubstr("does not respond"));
 }
 
 TEST_F(Falcon, IsHomedByAPersonWhoIsTold) {
@@ -636,7 +636,7 @@ TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {
   const std::int64_t fell_silent_ns = monotonic_now_ns();
   emulated.fall_silent(true);
   EXPECT_TRUE(eventually([&] { return !answers(*device); }));
-  EXPECT_THAT(device->complaint(), HasSubstr("has not answered for 50 ms"));
+  EXPECT_THAT(device->complaint(), HasSubstr("has not responded for 50 ms"));
   // Long before it is opened anew, unless this machine has looked away for as long.
   const std::size_t after = emulated.settings_sent().size();
   if (monotonic_now_ns() - fell_silent_ns < 900'000'000) {
@@ -663,7 +663,7 @@ TEST_F(Falcon, IsSilentAndNotFrozenWhileItTellsNothingNew) {
   for (int tick = 0; tick < 1000; ++tick) device->read(now_ns += 1'000'000);
   EXPECT_EQ(device->complaint().find("repeatedly"), std::string::npos) << device->complaint();
   EXPECT_TRUE(eventually([&] { return !answers(*device); }));
-  EXPECT_THAT(device->complaint(), HasSubstr("has not answered for 50 ms"));
+  EXPECT_THAT(device->complaint(), HasSubstr("has not responded for 50 ms"));
   EXPECT_EQ(device->complaint().find("repeatedly"), std::string::npos) << device->complaint();
 }
 

@@ -152,7 +152,7 @@ TEST(AtomicFile, RefusesToReadMoreThanItsKindMayHave) {
   std::filesystem::resize_file(folder / "file", kProtocolFile.most_bytes + 1);
   EXPECT_THAT(refusal_of<ResultsError>([&] { read_file(folder / "file", kProtocolFile); }),
               testing::AllOf(HasSubstr((folder / "file").string()),
-                             HasSubstr("larger than 4 MiB, the most that a protocol may have")));
+                             HasSubstr("larger than 4 MiB, the maximum size of a protocol")));
   EXPECT_EQ(read_file(folder / "file").size(), kProtocolFile.most_bytes + 1);
 }
 

@@ -160,7 +160,7 @@ TEST(Study, NumbersTheSessionsOfAParticipant) {
   SessionRow second = some_session(protocol_id, "B");
   second.session = 3;
   EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(second, {}); }),
-              HasSubstr("expects session 2 of participant B"));
+              HasSubstr("of participant B: the next one is session 2"));
   second.session = 2;
   study.add_session(second, some_plan(1));
   EXPECT_THAT(

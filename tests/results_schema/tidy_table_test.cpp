@@ -39,7 +39,7 @@ TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
 
 TEST(TidyTable, RefusesWhatIsNotUtf8AndSaysInWhichLine) {
   const std::string words =
-      ": a letter of this line is not UTF-8; save the table in the encoding UTF-8";
+      ": a character of this line is not UTF-8; save the table in the encoding UTF-8";
   EXPECT_EQ(table_refusal("id,k\na,1\nRen\xE9,2\n"), "file.csv:3" + words) << "Latin-1";
   EXPECT_EQ(table_refusal("id,k\n\xC0\xAF,1\n"), "file.csv:2" + words) << "longer than need be";
   EXPECT_EQ(table_refusal("id,k\n\xED\xA0\x80,1\n"), "file.csv:2" + words) << "half a pair";

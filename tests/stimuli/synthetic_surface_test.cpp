@@ -80,8 +80,8 @@ std::string seam_said(const std::string& kind, const ParameterValues& values, do
 
 TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
-            "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and where the surface is "
-            "repeated the last one is cut, which makes an unintended step; 0.0192 m or 0.0208 m "
+            "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and the last one is cut "
+            "where the surface is repeated: this makes an unintended step; 0.0192 m or 0.0208 m "
             "hold complete ones (--width-m)");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
@@ -110,10 +110,10 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
         .value_or("enough");
   };
   EXPECT_EQ(said(0.001, 80),
-            "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 for each spacing, so "
-            "that heights and shape differ from those requested; 160 samples per side or more "
-            "(--pixels) have eight for each");
-  EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 for each spacing"));
+            "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 per spacing, so that "
+            "heights and shape differ from those requested; 160 or more samples per side "
+            "(--pixels) give eight per spacing");
+  EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 per spacing"));
   EXPECT_EQ(said(0.001, 160), "enough");
   for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
     EXPECT_FALSE(coarse_samples_of(declaration.kind, {}, {})) << declaration.kind;

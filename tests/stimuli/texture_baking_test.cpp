@@ -139,9 +139,10 @@ TEST(Baking, SaysWhereATextureMakesAMeshWorse) {
   };
   EXPECT_EQ(said({1e-4, 4e-4}, {1e-5, 2e-4}), "");
   EXPECT_EQ(said({0.0, 0.0}, {1e-9, 1e-8}), "");  // of a mesh onto itself
-  EXPECT_EQ(said({1e-4, 4e-4}, {1e-5, 5e-4}),
-            "Somewhere the mesh lies 500.0 µm from the original with its texture and 400.0 µm "
-            "without: there the texture makes it worse. More triangles would help.");
+  EXPECT_EQ(
+      said({1e-4, 4e-4}, {1e-5, 5e-4}),
+      "At its worst point the mesh lies 500.0 µm from the original with its texture and 400.0 µm "
+      "without: there the texture makes it worse. More triangles would help.");
   EXPECT_EQ(said({1e-4, 4e-4}, {2e-4, 5e-4}),
             "The mesh lies 200.0 µm from the original with its texture and 100.0 µm without (RMS): "
             "the texture makes it worse. Increase the number of triangles.");

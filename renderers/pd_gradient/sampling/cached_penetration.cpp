@@ -113,8 +113,8 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
       loops_(&loops_of(settings.sampler.instructions)) {
   if (settings.most_places == 1) {
     throw std::invalid_argument(
-        "CachedPenetration: most_places is 1; one serves while another one is sampled, so that at "
-        "least 2 are needed, or 0.");
+        "CachedPenetration: most_places is 1; it has to be 0 or at least 2, because one place is "
+        "used while another is sampled.");
   }
   if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kStepOfWindow != 0) {
     throw std::invalid_argument(

@@ -186,9 +186,9 @@ TEST_F(DriversToSetUp, TakeTheFirmwareOfAFalconForTheListAndForItsTest) {
   EXPECT_NE(found("falcon").find("(the field above)"), std::string::npos) << found("falcon");
   EXPECT_FALSE(child<QPushButton>(dialog(), "driver_clear_falcon").isEnabled());
   browse("falcon", wrong_firmware);
-  EXPECT_NE(found("falcon").find("is a text, not a firmware of a Falcon"), std::string::npos)
+  EXPECT_NE(found("falcon").find("is a text file, not the firmware of a Falcon"), std::string::npos)
       << found("falcon");
-  EXPECT_NE(card("falcon").find("is a text, not a firmware of a Falcon"), std::string::npos);
+  EXPECT_NE(card("falcon").find("is a text file, not the firmware of a Falcon"), std::string::npos);
   browse("falcon", right_firmware);
   EXPECT_TRUE(found("falcon").starts_with("✓")) << found("falcon");
   EXPECT_NE(found("falcon").find("firmware of 1000 bytes in"), std::string::npos);
