@@ -181,7 +181,7 @@ void add_analyze(CLI::App& program, Job& job) {
 #endif
   command->callback([options, &job] {
     if (options->force && options->out.empty() && options->figures.empty()) {
-      throw CLI::RequiresError("--force", "what it writes, --out or --figures");
+      throw CLI::RequiresError("--force", "an output, --out or --figures");
     }
     if (!options->reference_case.empty()) {
       job = [options] { return analyze_case(*options); };

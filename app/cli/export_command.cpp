@@ -94,8 +94,8 @@ void add_export(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an earlier export");
   command
       ->add_option("--formats", options->formats,
-                   "What to write in addition to the tables, separated by commas: wide (CSV, one "
-                   "row per participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
+                   "Formats in addition to the tables, separated by commas: wide (CSV, one row per "
+                   "participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
                    "factor), bids, psychds, stimuli (the height fields), physio (the recordings, "
                    "in the BIDS dataset); all; none. Default: all but physio")
       ->delimiter(',')

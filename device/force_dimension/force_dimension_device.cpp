@@ -121,8 +121,8 @@ Identity open_index(const DhdFunctions& sdk, int index) {
 
 std::string unknown_type(int type) {
   return "This device of Force Dimension is of the system type " + std::to_string(type) +
-         ", which is unknown to this program: its force limits are unknown, too. Use a device "
-         "whose type this program knows.";
+         ", which is unknown to this program: its force limits are unknown, too. Use a device of a "
+         "known type.";
 }
 
 // What its controller says, which is also what its lamp shows.

@@ -141,7 +141,7 @@ void check_magnitude(const Protocol& protocol, ProblemSink& problems) {
 void check_trial_of_magnitude(const BlockOfKind& checked, const Trial&, ProblemSink& problems) {
   if (checked.protocol.observer.expectation == ObserverDeclaration::Expectation::none) return;
   problems.report("/observer/expectation",
-                  "an observer derives a magnitude from what it feels and has no expectation: set "
+                  "an observer derives a magnitude from the felt force and has no expectation: set "
                   "this to \"none\"");
 }
 

@@ -176,7 +176,7 @@ double MeshText::number_in(std::string_view word) const {
   if (error != std::errc{} || end != digits.data() + digits.size()) {
     refuse(word.empty() ? "the line ends where a number is expected."
                         : '"' + std::string(word.substr(0, 40)) +
-                              "\" is not a number, which is expected here.");
+                              "\" is not a number; a number is expected here.");
   }
   return number;
 }
@@ -188,7 +188,7 @@ std::int64_t MeshText::integer_in(std::string_view word) const {
   if (error != std::errc{} || end != digits.data() + digits.size()) {
     refuse(word.empty() ? "the line ends where a whole number is expected."
                         : '"' + std::string(word.substr(0, 40)) +
-                              "\" is not a whole number, which is expected here.");
+                              "\" is not a whole number; a whole number is expected here.");
   }
   return number;
 }

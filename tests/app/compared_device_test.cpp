@@ -130,7 +130,7 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
 // No measurement of the virtual hand tells of the real one.
 TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
   const std::string not_known =
-      "of delta.3, which \"simulated:delta.3\" models, these traits are unknown: friction, force "
+      "these traits of delta.3, which \"simulated:delta.3\" models, are unknown: friction, force "
       "resolution, position step, damping, moving mass, stiffest spring, resonance; no stimulus "
       "was compared";
   EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));
@@ -140,10 +140,9 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
                          "resonance;")))
       << "its steps are";
   EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("unknown"))));
-  EXPECT_THAT(
-      warnings(compared("simulated:lambda.7")),
-      Contains(HasSubstr("these traits are unknown: friction, force resolution, position step, "
-                         "damping, moving mass, stiffest spring, resonance; no stimulus")))
+  EXPECT_THAT(warnings(compared("simulated:lambda.7")),
+              Contains(HasSubstr("are unknown: friction, force resolution, position step, "
+                                 "damping, moving mass, stiffest spring, resonance; no stimulus")))
       << "nor is its workspace, but what its driver tells is compared";
   // Of an earlier version, which took the virtual hand's friction for a delta.3's.
   DeviceProfile earlier = good("in place of delta.3");

@@ -155,7 +155,7 @@ TEST_F(CheckedDevice, IsSaidNotToBeKnownWhereAProgramReadsItToo) {
   EXPECT_NE(std::find(not_known.begin(), not_known.end(), "friction"), not_known.end()) << read.out;
   EXPECT_NE(
       read.err.find(
-          "of delta.3, which \"simulated:delta.3\" models, these traits are unknown: friction, "),
+          "these traits of delta.3, which \"simulated:delta.3\" models, are unknown: friction, "),
       std::string::npos)
       << read.err;
   EXPECT_NE(read.err.find("(/device)"), std::string::npos);

@@ -4043,8 +4043,8 @@
         <translation>Die Textur von „%1“ entspricht einer Kraft von %2 N (RMS); die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
-        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two are needed per wave.</source>
-        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei nötig.</translation>
+        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two steps per wave are needed.</source>
+        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei Schritte nötig.</translation>
     </message>
     <message>
         <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the device follows up to %4 Hz.</source>
@@ -4083,8 +4083,8 @@
         <translation>An der Kraftgrenze von %2 N beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
     </message>
     <message>
-        <source>At the greatest force that it exerts there, %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
-        <translation>Bei der größten Kraft, die es dort ausübt, %2 N, beträgt die größte Steifigkeit von „%1“ %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
+        <source>At the greatest force that &quot;%1&quot; exerts at its stiffest place, %2 N, its stiffness is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
+        <translation>Bei der größten Kraft, die „%1“ an der steifsten Stelle ausübt, %2 N, beträgt die Steifigkeit %3 N/m; das Gerät gibt bis zu %4 N/m ohne Schwingen wieder.</translation>
     </message>
     <message>
         <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>

@@ -383,7 +383,7 @@ class DeviceRehearsal final {
             .device = *resolution_m,
             .text = phrase("Rehearsal",
                            "A wave of \"%1\" is %2 µm long, and the device reads positions in "
-                           "steps of %3 µm: at least two are needed per wave.")
+                           "steps of %3 µm: at least two steps per wave are needed.")
                         .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
     }
     double bandwidth_Hz = 0.5 * protocol_.rate_Hz;
@@ -476,8 +476,8 @@ class DeviceRehearsal final {
                      "At the force limit of %2 N, the greatest stiffness of \"%1\" is %3 N/m; the "
                      "device renders up to %4 N/m without oscillation.")
             : phrase("Rehearsal",
-                     "At the greatest force that it exerts there, %2 N, the greatest stiffness of "
-                     "\"%1\" is %3 N/m; the device renders up to %4 N/m without oscillation.");
+                     "At the greatest force that \"%1\" exerts at its stiffest place, %2 N, its "
+                     "stiffness is %3 N/m; the device renders up to %4 N/m without oscillation.");
     const Phrase sentence = text.with(name, in_three_digits(felt->force_N),
                                       in_three_digits(stiffest_N_per_m), in_three_digits(*holds));
     warn({.id = "stiffness",
