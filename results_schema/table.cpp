@@ -101,8 +101,9 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     if (cells.size() != table.columns.size()) {
       throw ResultsError(place + std::to_string(std::min(cells.size(), table.columns.size()) + 1) +
                              ": the row has " + std::to_string(cells.size()) +
-                             " cells, the header has " + std::to_string(table.columns.size()) +
-                             " columns",
+                             (cells.size() == 1 ? " cell" : " cells") + ", the header has " +
+                             std::to_string(table.columns.size()) +
+                             (table.columns.size() == 1 ? " column" : " columns"),
                          file_name);
     }
     std::vector<Cell>& row = table.rows.emplace_back();

@@ -191,14 +191,15 @@ TidyTable::TidyTable(std::string whole, std::string name)
       continue;
     }
     if (found != columns_.size()) {
-      throw ResultsError(name_ + ':' + std::to_string(line) + ':' +
-                             std::to_string(std::min(found, columns_.size()) + 1) +
-                             ": the row has " + std::to_string(found) + " cells, the header has " +
-                             std::to_string(columns_.size()) + " columns" +
-                             (separator == ',' && found > columns_.size()
-                                  ? "; is there a comma in a number or in a text without quotes?"
-                                  : ""),
-                         name_);
+      throw ResultsError(
+          name_ + ':' + std::to_string(line) + ':' +
+              std::to_string(std::min(found, columns_.size()) + 1) + ": the row has " +
+              std::to_string(found) + (found == 1 ? " cell" : " cells") + ", the header has " +
+              std::to_string(columns_.size()) + (columns_.size() == 1 ? " column" : " columns") +
+              (separator == ',' && found > columns_.size()
+                   ? "; is there a comma in a number or in a text without quotes?"
+                   : ""),
+          name_);
     }
     lines_.push_back(line);
   }
@@ -240,7 +241,7 @@ std::size_t TidyTable::index_of(std::string_view column) const {
     sentence += (i > 0 ? ", " : " ") + columns_[i];
   }
   if (columns_.size() > kMostNamed) {
-    sentence += " and " + std::to_string(columns_.size() - kMostNamed) + " others";
+    sentence += " and " + std::to_string(columns_.size() - kMostNamed) + " more";
   }
   throw ResultsError(sentence, name_);
 }

@@ -85,9 +85,8 @@ void add_replay(CLI::App& program, Job& job) {
           study, session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
           builder);
       if (options->surface < 1 || options->surface > static_cast<int>(recorded.surfaces.size())) {
-        throw std::runtime_error("the trial has " + std::to_string(recorded.surfaces.size()) +
-                                 " surfaces; there is no surface " +
-                                 std::to_string(options->surface));
+        throw std::runtime_error("the trial has " + counted(recorded.surfaces.size(), "surface") +
+                                 "; there is no surface " + std::to_string(options->surface));
       }
       const RecordedSurface& surface =
           recorded.surfaces[static_cast<std::size_t>(options->surface - 1)];

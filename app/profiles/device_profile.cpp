@@ -137,9 +137,10 @@ AxisResponse response_from(const nlohmann::json& json) {
   const auto frequencies_Hz = json.at("frequency_Hz").get<std::vector<double>>();
   const auto responses_m_per_N = json.at("response_m_per_N").get<std::vector<double>>();
   if (frequencies_Hz.size() != responses_m_per_N.size()) {
-    throw std::runtime_error("a response has " + std::to_string(frequencies_Hz.size()) +
-                             " frequencies and " + std::to_string(responses_m_per_N.size()) +
-                             " values; the two numbers have to be equal");
+    throw std::runtime_error("the numbers of frequencies (" +
+                             std::to_string(frequencies_Hz.size()) + ") and of values (" +
+                             std::to_string(responses_m_per_N.size()) +
+                             ") of a response have to be equal");
   }
   AxisResponse response{.axis = json.at("axis").get<std::string>()};
   for (std::size_t i = 0; i < frequencies_Hz.size(); ++i) {

@@ -479,7 +479,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     profile.state = State::look;
     profile.text = phrase("SessionChecks", "%1 The device failed an item of the measurement.")
                        .with(profile.text);
-    profile.remedy = phrase("SessionChecks", "Check its profile, and measure it again.");
+    profile.remedy =
+        phrase("SessionChecks", "Check the profile of the device, and measure the device again.");
   }
   std::vector<SessionCheck> lines{profile};
   lines.insert(lines.end(), beyond.begin(), beyond.end());

@@ -114,8 +114,8 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
                 " m, but according to its sidecar the file was made with " +
                 number_text(*spacing_m) + " m" +
                 (motion_scale == 1.0 ? std::string()
-                                     : ", which a motion scale of " + number_text(motion_scale) +
-                                           " makes " + number_text(felt_m) + " m") +
+                                     : " (" + number_text(felt_m) + " m at a motion scale of " +
+                                           number_text(motion_scale) + ")") +
                 "; use a spacing_m of " + number_text(felt_m) + " or another file"));
       }
     }

@@ -166,8 +166,7 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
                                "force; largest difference " +
                                text_of_number(difference_N) + " N";
         if (attempt.servo && attempt.servo->lost_records > 0) {
-          sentence +=
-              " (" + std::to_string(attempt.servo->lost_records) + " records of it were lost)";
+          sentence += " (lost records: " + std::to_string(attempt.servo->lost_records) + ")";
         }
         faults.problems.push_back(std::move(sentence));
       }

@@ -42,7 +42,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Device"},
       {.name = "rehearsal",
        .meaning = "a warning of the comparison of the plan with the measured device. Data: the "
-                  "check, the stimulus, what is required of the device and what it provides",
+                  "check, the stimulus, the requirement and the value of the device",
        .hed = "Experiment-control, Warning, Device",
        .text_is_public = true,
        .public_data = {"check", "stimulus", "asked", "device"}},

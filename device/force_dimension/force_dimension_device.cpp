@@ -568,7 +568,7 @@ std::string ForceDimensionDevice::trouble() const {
   const std::uint64_t saturated = saturated_.load();
   if (saturated > 0) {
     tell("The motors of " + who + " exerted less force than requested " +
-         std::to_string(saturated) + " times.");
+         std::to_string(saturated) + (saturated == 1 ? " time." : " times."));
   }
   return told;
 }

@@ -166,9 +166,9 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
                                    std::to_string(criterion.of_last));
   }
   if (criterion.correct > criterion.maximum_trials) {
-    report(place + "/maximum_trials",
-           "the block ends after " + std::to_string(criterion.maximum_trials) + " trials, before " +
-               std::to_string(criterion.correct) + " can be correct");
+    report(place + "/maximum_trials", "the block ends before " + std::to_string(criterion.correct) +
+                                          " responses can be correct: maximum_trials is " +
+                                          std::to_string(criterion.maximum_trials));
   }
 }
 

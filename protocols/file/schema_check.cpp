@@ -183,7 +183,8 @@ std::string sentence(const std::string& description, const json& schema, const j
   }
   if (starts("Array should contain")) {
     const bool few = schema.contains("minItems") && value.size() < schema.at("minItems");
-    return std::to_string(value.size()) + " entries are too " +
+    return std::to_string(value.size()) +
+           (value.size() == 1 ? " entry is too " : " entries are too ") +
            (few ? "few: at least " + schema.at("minItems").dump()
                 : "many: at most " + schema.at("maxItems").dump()) +
            purpose;

@@ -272,7 +272,8 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
   if (vertices() == 0) throw std::invalid_argument(name_ + " has no vertices.");
   if (triangles.empty()) {
     throw std::invalid_argument(name_ + " has " + std::to_string(vertices()) +
-                                " vertices and no faces; points alone are not a surface.");
+                                (vertices() == 1 ? " vertex" : " vertices") +
+                                " and no faces; points alone are not a surface.");
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t largest = *std::max_element(triangles[i].begin(), triangles[i].end());

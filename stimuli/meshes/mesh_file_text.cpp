@@ -58,7 +58,8 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
         const auto before = static_cast<std::int64_t>(mesh.vertices());
         if (index < -before) {
           text.refuse("a face names vertex " + std::to_string(index) + ", but only " +
-                      std::to_string(before) + " vertices precede it.");
+                      std::to_string(before) +
+                      (before == 1 ? " vertex precedes it." : " vertices precede it."));
         }
         corners.push_back(index > 0 ? index - 1 : before + index);
       }

@@ -408,7 +408,7 @@ const Fault kMatching[] = {
      R"(4, "of_last")", "/blocks/practice/until/correct",
      "the criterion cannot be met: it requires 4 correct of 3"},
     {"criterion_beyond_the_block", R"("maximum_trials": 6)", R"("maximum_trials": 9)", "9,",
-     "/blocks/practice/until/maximum_trials", "needs repetitions 9"},
+     "/blocks/practice/until/maximum_trials", "set repetitions to 9"},
     {"blindfold_scene", R"("vision": "blindfold",)",
      R"("vision": "blindfold", "scene": {"visual_texture": "on"},)", R"("scene")",
      "/environment/scene", "a blindfolded participant sees no scene"},

@@ -81,7 +81,7 @@ TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" occurs twice");
   EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name");
   EXPECT_EQ(table_refusal("a,b\n1,2\n1\n"),
-            "file.csv:3:2: the row has 1 cells, the header has 2 columns");
+            "file.csv:3:2: the row has 1 cell, the header has 2 columns");
   EXPECT_EQ(table_refusal("a,b\n\"1,2\n"),
             "file.csv:2:1: the quote that opens this cell is not closed");
   EXPECT_EQ(table_refusal("a,b\n\"1\"x,2\n"),

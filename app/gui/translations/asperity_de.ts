@@ -4557,8 +4557,8 @@
         <translation>%1 Das Gerät hat einen Punkt der Messung nicht bestanden.</translation>
     </message>
     <message>
-        <source>Check its profile, and measure it again.</source>
-        <translation>Sein Profil prüfen und das Gerät erneut messen.</translation>
+        <source>Check the profile of the device, and measure the device again.</source>
+        <translation>Das Profil des Geräts prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>Measure the device once while its handle is not held: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
