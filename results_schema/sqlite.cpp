@@ -50,7 +50,7 @@ std::string meaning_of(int code) {
       return "the system denied access; check the permissions of the folder and of its files";
     case SQLITE_PROTOCOL:
       return "the log next to study.sqlite does not match its index; close the programs that use "
-             "the study, then try again where its folder can be written to";
+             "the study, then open it again with write access to its folder";
     case SQLITE_CONSTRAINT:
       return "the row violates a rule of the table";
     default:

@@ -122,10 +122,9 @@ int analyze_answers(const AnalyzeOptions& options) {
   }
   if (outcomes.empty()) {
     say("the study " + options.study +
-        (study.withdrawals().empty()
-             ? " has no sessions yet: there is nothing to analyse"
-             : " has no sessions of participants who have not withdrawn: there is nothing to "
-               "analyse"));
+        (study.withdrawals().empty() ? " has no sessions yet; run one before the analysis"
+                                     : " has only sessions of participants who have withdrawn; run "
+                                       "another session before the analysis"));
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (i > 0) std::cout << "\n\n";

@@ -82,8 +82,8 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
     if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
-    warn("the profile has no number for " + comma_separated(missing) +
-         ", and no stimulus was compared with these values");
+    warn("the profile has no value of " + comma_separated(missing) +
+         "; no stimulus was compared with the missing values");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
     warn("the profile is dated " + profile.measured_utc +

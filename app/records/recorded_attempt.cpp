@@ -111,9 +111,10 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
       if (!body) throw std::logic_error("a body was presented that is not in the plan");
       const LoadedBody loaded = builder.body(*body, role);
       if (loaded.sha256 != *sha256) {
-        throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the body \"" +
-                                 body->name + "\" is not the " + text_of(role) +
-                                 " that was presented (its SHA-256 differs)");
+        throw std::runtime_error(
+            "attempt " + natural_key(session, attempt) + ": the body \"" + body->name +
+            "\" is not the " + text_of(role) +
+            " that was presented (its SHA-256 differs); restore its file from a copy of the study");
       }
       mesh = loaded.mesh;
     };

@@ -34,7 +34,7 @@ double days_since_1970(const std::string& utc) {
   int second = 0;
   if (std::sscanf(utc.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute,
                   &second) != 6) {
-    throw std::invalid_argument("\"" + utc + "\" is not a date; it has to be like " +
+    throw std::invalid_argument("\"" + utc + "\" is not a date; it must have the form " +
                                 "2026-01-01T00:00:00Z");
   }
   // The calendar counts from March on, so that leap days come last in a year.

@@ -229,7 +229,7 @@ void GrowingMesh::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (corners[i] < 0 || corners[i] > std::numeric_limits<std::uint32_t>::max()) {
       throw std::invalid_argument(
-          name_ + " names a vertex by " + std::to_string(corners[i]) + " in its triangle " +
+          name_ + " refers to vertex " + std::to_string(corners[i]) + " in triangle " +
           std::to_string(read_.mesh.triangles.size() + 1) + "; no vertex has that number.");
     }
     triangle[i] = static_cast<std::uint32_t>(corners[i]);

@@ -53,11 +53,11 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
           continue;
         }
         const std::int64_t index = text.integer_in(word.substr(0, word.find('/')));
-        if (index == 0) text.refuse("a face names vertex 0; the first vertex is number 1.");
+        if (index == 0) text.refuse("a face refers to vertex 0; the first vertex is number 1.");
         // A negative index counts back from the last vertex so far.
         const auto before = static_cast<std::int64_t>(mesh.vertices());
         if (index < -before) {
-          text.refuse("a face names vertex " + std::to_string(index) + ", but only " +
+          text.refuse("a face refers to vertex " + std::to_string(index) + ", but only " +
                       std::to_string(before) +
                       (before == 1 ? " vertex precedes it." : " vertices precede it."));
         }

@@ -157,7 +157,7 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
   EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr(", measured on "));
   EXPECT_THAT(told, Contains(HasSubstr(not_known)));
   EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
-  EXPECT_THAT(told, Each(Not(HasSubstr("has no number for"))));
+  EXPECT_THAT(told, Each(Not(HasSubstr("has no value of"))));
 }
 
 // The friction of the defaults, 20 N s/m, at the latency and the velocity window of a Falcon. That its mass is unknown is
@@ -221,7 +221,7 @@ TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
   EXPECT_EQ(place_of("requires a device whose friction_N"),
             "/device/limits/friction_N \"friction_N\"");
   EXPECT_EQ(place_of("The surface lies").substr(0, 8), "/surface");
-  EXPECT_EQ(place_of("has no number for"), "/device \"device\"");
+  EXPECT_EQ(place_of("has no value of"), "/device \"device\"");
 }
 
 TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {

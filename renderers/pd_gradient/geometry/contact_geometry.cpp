@@ -84,7 +84,7 @@ void require_sound(const TexturedMesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       if (mesh.triangles[i][corner] >= mesh.vertices_m.size()) {
-        refuse("TexturedMesh: triangle " + std::to_string(i) + " names vertex " +
+        refuse("TexturedMesh: triangle " + std::to_string(i) + " refers to vertex " +
                std::to_string(mesh.triangles[i][corner]) + " of " +
                std::to_string(mesh.vertices_m.size()) + ".");
       }

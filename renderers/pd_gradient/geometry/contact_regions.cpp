@@ -109,7 +109,7 @@ ContactRegions::Body::Body(const TriangleMesh& mesh)
     for (const std::uint32_t corner : corners) {
       if (corner >= vertices_m.size()) {
         throw std::invalid_argument("triangle " + std::to_string(normals.size()) +
-                                    " of the mesh names vertex " + std::to_string(corner) +
+                                    " of the mesh refers to vertex " + std::to_string(corner) +
                                     ", and there are only " + std::to_string(vertices_m.size()));
       }
     }

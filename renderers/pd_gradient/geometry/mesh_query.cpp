@@ -137,7 +137,7 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       if (triangle[corner] >= mesh.vertices_m.size()) {
         throw std::invalid_argument("triangle " + std::to_string(corners_m_.size()) +
-                                    " of the mesh names vertex " +
+                                    " of the mesh refers to vertex " +
                                     std::to_string(triangle[corner]) + ", and there are only " +
                                     std::to_string(mesh.vertices_m.size()));
       }
