@@ -49,7 +49,7 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
         " permanently. Nothing was deleted");
   }
   std::cerr << label << ": " << held(counts)
-            << ". They cannot be brought back. Type the label again to delete them: " << std::flush;
+            << ". They cannot be restored. Type the label again to delete them: " << std::flush;
   std::string typed{};
   return std::getline(std::cin, typed) && typed == label;
 }

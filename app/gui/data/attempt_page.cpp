@@ -93,7 +93,7 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   measures_ = new MeasureTables(tabs_);
   history_ = new HistoryTables(tabs_);
   tabs_->addTab(recording_, tr("Recording"));
-  tabs_->addTab(measures_, tr("Answers and measures"));
+  tabs_->addTab(measures_, tr("Responses and measures"));
   tabs_->addTab(history_, tr("Events and decisions"));
   body().addWidget(tabs_, 1);
   connect(back, &QPushButton::clicked, this, &AttemptPage::back_wanted);
@@ -169,7 +169,7 @@ void AttemptPage::show_blind(const AttemptDetail& detail) {
   names_->hide();
   tabs_->hide();
   standing_->set_state(State::look, tr("The session is running, and its experimenter is blind: "
-                                       "stimuli and answers are shown here once it has ended."));
+                                       "stimuli and responses are shown here once it has ended."));
   why_not_->clear();
   for (QPushButton* button : {previous_, next_, flag_, exclude_}) button->setEnabled(false);
 }
@@ -213,7 +213,7 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
   if (recording_of_ == attempt.id) return;  // a recording never changes
   recording_of_ = attempt.id;
   if (!attempt.recording) {
-    recording_->show_reason(State::unknown, tr("This attempt has no recording. Its answers and "
+    recording_->show_reason(State::unknown, tr("This attempt has no recording. Its responses and "
                                                "measures are on the next page."));
     return;
   }
@@ -228,8 +228,8 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
       [this, id = attempt.id](std::shared_ptr<const RecordingCurves> curves) {
         if (recording_of_ != id) return;  // another attempt is shown by now
         if (curves->time_s.empty()) {
-          recording_->show_reason(State::unknown, tr("The recording of this attempt is empty: it "
-                                                     "ended before its first tick."));
+          recording_->show_reason(State::unknown, tr("The recording of this attempt is empty: "
+                                                     "the attempt ended before the first tick."));
           return;
         }
         recording_->show_recording(std::move(curves), recorded_surfaces(detail_->attempt),
@@ -237,10 +237,10 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
       },
       [this, id = attempt.id](const QString& what) {
         if (recording_of_ != id) return;
-        recording_->show_reason(State::stop,
-                                tr("The recording cannot be shown: %1. The answers and measures of "
-                                   "the attempt are stored and not affected.")
-                                    .arg(what));
+        recording_->show_reason(
+            State::stop, tr("The recording cannot be shown: %1. The responses and measures of "
+                            "the attempt are stored and not affected.")
+                             .arg(what));
       });
 }
 

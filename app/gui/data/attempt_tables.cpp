@@ -172,16 +172,17 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
     rows->addSpacing(kMargin);
     return table;
   };
-  answers_ = add(tr("Answers"), "attempt_answers",
+  answers_ = add(tr("Responses"), "attempt_answers",
                  {{tr("Item"), 64, CellAlign::number},
                   {tr("Question"), 0, CellAlign::text},
-                  {tr("Answer"), 0, CellAlign::text},
+                  {tr("Response"), 0, CellAlign::text},
                   {tr("Correct"), 88, CellAlign::text},
                   {tr("Options"), 0, CellAlign::text},
                   {AttemptWords::after_contact(), 152, CellAlign::number},
                   {AttemptWords::after_cue(), 120, CellAlign::number},
                   {tr("Given by"), 136, CellAlign::text}});
-  answers_->model()->setHeaderData(4, Qt::Horizontal, tr("In the order in which they were shown."),
+  answers_->model()->setHeaderData(4, Qt::Horizontal,
+                                   tr("The options, in the order in which they were shown."),
                                    Qt::ToolTipRole);
   AttemptWords::explain_times(*answers_->model(), 5, 6);
   surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
@@ -232,7 +233,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
   answers_->fill(rows);
   rows.clear();
   surfaces_heading_->setText(detail.session.state == SessionState::completed
-                                 ? tr("Surfaces felt, by name: the session is over")
+                                 ? tr("Surfaces felt, by name (the session has ended)")
                                  : tr("Surfaces felt, by name"));
   for (const PresentationRow& surface : attempt.presentations) {
     add({number_cell(surface.position), text_cell(text(surface.role)),

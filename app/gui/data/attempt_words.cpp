@@ -28,13 +28,13 @@ QString AttemptWords::after_cue() { return tr("After cue, s"); }
 
 void AttemptWords::explain_times(QAbstractItemModel& table, int contact_column, int cue_column) {
   table.setHeaderData(contact_column, Qt::Horizontal,
-                      tr("Time of the answer, in seconds after the first contact with a surface in "
-                         "this attempt; it includes the whole exploration."),
+                      tr("Response time from the first contact with a surface in this attempt, in "
+                         "seconds; it includes the whole exploration."),
                       Qt::ToolTipRole);
   table.setHeaderData(
       cue_column, Qt::Horizontal,
-      tr("Time of the answer, in seconds after the cue, when the question was first asked; it "
-         "includes surfaces that were felt again before the answer."),
+      tr("Response time from the cue, when the question was first asked, in seconds; it includes "
+         "surfaces that were felt again before the response."),
       Qt::ToolTipRole);
 }
 
@@ -88,15 +88,16 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
         said << tr("Anchor: not included in analyses");
         break;
       case AnalysisUse::unanswered:
-        said << tr("Does not count: no answer");
+        said << tr("Does not count: no response");
         break;
       case AnalysisUse::invalid:
       case AnalysisUse::excluded:
         break;  // stated above, with the reason
       case AnalysisUse::counted:
         if (attempt.flagged) break;
-        said << (detail.session.mode == SessionMode::pilot ? tr("Counts among the pilots")
-                                                           : tr("Counts in the analyses"));
+        said << (detail.session.mode == SessionMode::pilot
+                     ? tr("Counts in the analyses of pilot sessions")
+                     : tr("Counts in the analyses"));
     }
   }
   if (attempt.flagged) {

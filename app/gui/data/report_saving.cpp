@@ -65,7 +65,7 @@ void ReportSaving::ask_where() {
   // Whether to replace a file is asked on the banner, not by a box on top of a dialog.
   dialog->setOption(QFileDialog::DontConfirmOverwrite);
   const QString web_page = tr("Web page (*.html)");
-  dialog->setNameFilters({tr("For print (*.pdf)"), web_page});
+  dialog->setNameFilters({tr("PDF for print (*.pdf)"), web_page});
   dialog->setDefaultSuffix("pdf");
   const QString name = text(study_.study().name()) + "-report";
   dialog->selectFile(name + ".pdf");

@@ -68,7 +68,7 @@ TimePlots::TimePlots(QWidget* parent) : QFrame(parent) {
   setStyleSheet(QString("asperity--TimePlots { background: %1; border: 2px solid %2; "
                         "border-radius: 6px; } asperity--TimePlots:focus { border-color: %3; }")
                     .arg(theme().panel.name(), theme().line.name(), theme().press.name()));
-  setToolTip(tr("The wheel, + and − zoom; the mouse, ← and → move; Home shows all."));
+  setToolTip(tr("Wheel, + or −: zoom; drag, ← or →: move; Home: show all."));
   setAccessibleName(tr("Force, penetration, speed and position over time"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(kGrid, kGrid, kGrid, kGrid / 2);

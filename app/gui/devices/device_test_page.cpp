@@ -154,7 +154,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
     form->addWidget(field, row, 1);
   };
   add_row(tr("Limits of"), limits_);
-  add_row(tr("No force above"), force_);
+  add_row(tr("Maximum force"), force_);
   layout->addLayout(form);
   limits_text_ = make_text({}, card, true);
   limits_text_->setFont(text_font(TextSize::small));
@@ -412,8 +412,8 @@ void DeviceTestPage::show_limits() {
   if (chosen == nullptr) {
     limits_text_->setText(
         found_.limits.empty()
-            ? tr("Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols of "
-                 "the study with “limits” in their “device” are listed here; there are none.")
+            ? tr("Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols "
+                 "with “limits” in their “device” are listed here; the study has none.")
             : tr("Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms."));
     return;
   }

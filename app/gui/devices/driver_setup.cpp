@@ -59,7 +59,7 @@ QString what_it_is(const std::string& driver, DriverNeed need) {
     case DriverNeed::firmware:
       return DriverSetup::tr(
           "The file that came with the device's software. A Falcon loses its firmware when it is "
-          "switched off; it is loaded when the device is opened.");
+          "switched off; the firmware is loaded when the device is opened.");
     case DriverNeed::library:
       return driver == "openhaptics"
                  ? DriverSetup::tr(

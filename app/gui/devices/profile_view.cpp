@@ -64,7 +64,7 @@ void ProfileView::show_profile(const DeviceProfile& profile) {
   heading_->setText(tr("Measured on %1").arg(date_in_words(profile.measured_utc)));
   const ItemResult summary = verdict_of(profile);
   summary_->set_state(summary.state, summary.words);
-  QString how = tr("%1 at %2 Hz, no force above %3 N.")
+  QString how = tr("%1 at %2 Hz, force at most %3 N.")
                     .arg(text(profile.model))
                     .arg(shown_number(profile.rate_Hz, 'f', 0))
                     .arg(shown_number(profile.force_N, 'f', 1));

@@ -11,7 +11,7 @@ QString OutcomeWords::of(AttemptOutcome outcome) {
     case AttemptOutcome::answered:
       return tr("answered");
     case AttemptOutcome::timed_out:
-      return tr("no answer in time");
+      return tr("no response in time");
     case AttemptOutcome::not_compliant:
       return tr("not explored as instructed");
     case AttemptOutcome::aborted:

@@ -16,7 +16,7 @@ namespace asperity {
 class OutcomeWords final {
   Q_DECLARE_TR_FUNCTIONS(OutcomeWords)
  public:
-  /// "no answer in time".
+  /// "no response in time".
   static QString of(AttemptOutcome outcome);
   /// Why something does not count, is flagged or was decided: the program's own reasons in the language of
   /// the windows, what somebody typed as it is. "–" where nothing is stored.

@@ -150,8 +150,8 @@ bool ResponseKeys::released(const QKeyEvent& event) {
 /// Beside the field, for as long as Qt shows such a thing.
 void ResponseKeys::tell_why(QWidget& field) const {
   if (field.window() == view_.window()) return;
-  QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), tr("Keys answer the trial now"),
-                     &field);
+  QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()),
+                     tr("Keys now enter the response"), &field);
 }
 
 bool ResponseKeys::eventFilter(QObject* watched, QEvent* event) {

@@ -117,7 +117,7 @@ QString in_full(const Trial& trial) {
          html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) +
          html_line(PlanPreview::tr("Question"), text(trial.question.prompt)) +
          html_line(PlanPreview::tr("Options as shown"), options.join(" · ")) +
-         html_line(PlanPreview::tr("Correct answer"), line_of(trial).answer);
+         html_line(PlanPreview::tr("Correct response"), line_of(trial).answer);
 }
 
 QString in_full(const PlanStep& step, const Plan& plan) {
@@ -167,7 +167,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
                              {tr("Trial"), 72, Align::number},
                              {tr("Block"), 144, Align::text},
                              {tr("Surfaces in order"), 0, Align::text},
-                             {tr("Correct answer"), 208, Align::text}},
+                             {tr("Correct response"), 208, Align::text}},
                             this);
     layout->addWidget(table_, 1);
   } else {

@@ -56,18 +56,19 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
     }
   }
   if (last.isEmpty()) {
-    last_->setText(QString("<b>%1</b>").arg(tr("No answer yet").toHtmlEscaped()));
+    last_->setText(QString("<b>%1</b>").arg(tr("No response yet").toHtmlEscaped()));
   } else {
     // The answer is read from afar; what it is, and when it came, from nearby.
     last_->setText(QString("%1&nbsp; <b><span style='font-size:%2pt'>%3</span></b>&nbsp; %4")
-                       .arg(tr("Last answer").toHtmlEscaped())
+                       .arg(tr("Last response").toHtmlEscaped())
                        .arg(static_cast<int>(TextSize::heading))
                        .arg(last.toHtmlEscaped(), when.toHtmlEscaped()));
   }
   // One with an answer for each of many surfaces is longer than its place.
   last_->setToolTip(QStringList{last, when}.join('\n').trimmed());
-  earlier_->setText(
-      earlier.isEmpty() ? QString() : tr("Earlier answers, by trial: %1").arg(earlier.join(" · ")));
+  earlier_->setText(earlier.isEmpty()
+                        ? QString()
+                        : tr("Earlier responses, by trial: %1").arg(earlier.join(" · ")));
   earlier_->setToolTip(earlier.join("\n"));
 }
 

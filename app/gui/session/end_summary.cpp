@@ -97,13 +97,14 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
       std::count_if(attempts.begin(), attempts.end(), [](const AttemptSummary& each) {
         return !each.valid && each.outcome != AttemptOutcome::skipped;
       });
-  QString text = tr("%1 of %2 trials are done. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).")
-                     .arg(snapshot.trials_done)
-                     .arg(snapshot.trials)
-                     .arg(attempts.size())
-                     .arg(flagged)
-                     .arg(invalid)
-                     .arg(skipped);
+  QString text =
+      tr("Trials completed: %1 of %2. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).")
+          .arg(snapshot.trials_done)
+          .arg(snapshot.trials)
+          .arg(attempts.size())
+          .arg(flagged)
+          .arg(invalid)
+          .arg(skipped);
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {

@@ -286,7 +286,7 @@ PlanTable::PlanTable(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel(tr("PLAN"), this);
   title->setFont(text_font(TextSize::small, true));
   title->setProperty("role", "muted");
-  follow_button_ = make_button(tr("Back to the trial under way"), ButtonRole::link, this);
+  follow_button_ = make_button(tr("Show the trial under way"), ButtonRole::link, this);
   follow_button_->setObjectName("plan_follow");
   follow_button_->setFont(text_font(TextSize::small));
   follow_button_->setStyleSheet("min-height: 16px; max-height: 16px;");

@@ -135,7 +135,7 @@ void SessionControls::write() {
   if (s.cancelling) {
     why += tr("The preparation is being cancelled.");
   } else if (s.preparing) {
-    why += tr("The session has not begun: its files are read, and the device is opened.");
+    why += tr("The session has not begun: its files are being read and the device opened.");
   } else if (!s.running) {
     why += tr("There is no session under way.");
   } else {
@@ -146,7 +146,7 @@ void SessionControls::write() {
       why += tr("Repeat: no trial has been finished yet.");
     }
     if (!s.in_trial) why += tr("Skip: no trial is under way.");
-    if (s.note_locked) why += tr("Note: the keys now answer the trial; use a phrase.");
+    if (s.note_locked) why += tr("Note: the keys now enter the response; use a phrase.");
   }
   reason_->setText(why.join("  "));
 }

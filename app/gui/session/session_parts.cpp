@@ -40,7 +40,7 @@ void SessionParts::make_switches() {
   auto* row = new QHBoxLayout(switches_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGrid);
-  const std::array words{tr("Plan"), tr("Force and path"), tr("Answers, notes"), tr("Mirror")};
+  const std::array words{tr("Plan"), tr("Force and path"), tr("Responses, notes"), tr("Mirror")};
   const std::array names{"show_plan", "show_plots", "show_notes", "show_sight"};
   for (std::size_t i = 0; i < kParts.size(); ++i) {
     QPushButton* button = make_button(words[i], ButtonRole::selector, switches_);

@@ -305,7 +305,7 @@ void SessionWindow::write_blindness() {
 
 QString SessionWindow::field_lock() const {
   if (ended_) return tr("The session has ended");
-  if (!own_keyboard_ && shown_.scene->response_open) return tr("Keys answer the trial now");
+  if (!own_keyboard_ && shown_.scene->response_open) return tr("Keys now enter the response");
   return {};
 }
 

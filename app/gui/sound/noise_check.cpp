@@ -130,7 +130,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   measured_->setSuffix(tr(" dB(A)"));
   measured_->setSpecialValueText(tr("not measured"));
   measured_->setValue(value_.measured_dBA.value_or(kNotMeasured_dBA));
-  add_row(1, tr("&Measured at the ear"), measured_, nullptr);
+  add_row(1, tr("&Level at the ear"), measured_, nullptr);
 
   verified_by_ = new QLineEdit(QString::fromStdString(value_.verified_by), this);
   verified_by_->setObjectName("verified_by");
@@ -228,7 +228,8 @@ QString NoiseCheck::reservation() const {
         .arg(shown_number(*value_.measured_dBA, 'f', 1))
         .arg(shown_number(*value_.declared_dBA, 'f', 1));
   }
-  if (value_.verified_by.empty()) return tr("It is not recorded who measured the noise.");
+  if (value_.verified_by.empty())
+    return tr("The experimenter who measured the noise has not been entered.");
   return {};
 }
 

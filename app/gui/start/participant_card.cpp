@@ -112,7 +112,7 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
   late_ = make_group(this, late_layout);
   late_reason_ = new QLineEdit(this);
   late_reason_->setObjectName("late_reason");
-  late_layout->addLayout(make_row(tr("Reason for resuming it *"), late_reason_, this));
+  late_layout->addLayout(make_row(tr("Reason for resuming *"), late_reason_, this));
   late_->hide();
   layout->addWidget(late_);
   session_text_ = make_text({}, this, true);
@@ -304,9 +304,9 @@ std::vector<QString> ParticipantCard::complaints() const {
   if (label().empty()) {
     complaints.push_back(tr("The new participant has no label."));
   } else if (const auto complaint = complaint_about_label(label(), false)) {
-    complaints.push_back(
-        tr("The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not "
-           "begin with “virtual”."));
+    complaints.push_back(tr(
+        "The label must consist of 1 to 32 letters and digits (0-9, A-Z, a-z) and must not begin "
+        "with “virtual”."));
   } else if (std::any_of(people_.begin(), people_.end(), [this](const ParticipantRow& person) {
                return person.label == label();
              })) {

@@ -73,7 +73,7 @@ SetupCard::SetupCard(OpenStudy& study, QWidget* parent) : QWidget(parent) {
   own_keyboard_->setChecked(QSettings().value(kOwnKeyboard, false).toBool());
   layout->addWidget(own_keyboard_);
   keyboard_text_ = make_text(tr("If both use one keyboard, the experimenter's text fields are "
-                                "disabled while an answer is expected."),
+                                "disabled while a response is expected."),
                              this, true);
   layout->addWidget(keyboard_text_);
 

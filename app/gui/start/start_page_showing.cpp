@@ -150,7 +150,7 @@ void StartPage::show_mode() {
   } else if (virtual_people_->value() == 1) {
     simulation_text_->setText(tr("One session, shown while it runs."));
   } else {
-    simulation_text_->setText(tr("All of their sessions, in the background."));
+    simulation_text_->setText(tr("All sessions, run in the background."));
   }
   setup_->set_virtual(is_virtual());
   setup_->device().set_for(!is_virtual() ? DeviceChooser::For::people
@@ -170,7 +170,8 @@ void StartPage::show_person() {
       several == 1
           ? tr("The program assigns the labels of virtual participants; the next one is %1.")
                 .arg(QString::fromStdString(first))
-          : tr("The program assigns the labels of virtual participants; the next %n begin with %1.",
+          : tr("The program assigns the labels of virtual participants; the first of the next %n "
+               "is %1.",
                nullptr, several)
                 .arg(QString::fromStdString(first)));
   participant_->set_people(facts_.people);
@@ -208,11 +209,12 @@ QString StartPage::session_text() const {
       ++of_this;
     }
   }
-  const QString number = tr("This is session %1 of this participant; %2 of %3 planned ones of this "
-                            "protocol are done.")
-                             .arg(sessions + 1)
-                             .arg(of_this)
-                             .arg(protocol->sessions);
+  const QString number =
+      tr("Session %1 of this participant; sessions of this protocol completed: %2 "
+         "of %3.")
+          .arg(sessions + 1)
+          .arg(of_this)
+          .arg(protocol->sessions);
   const std::vector<int>& used = facts_.rows_used.at(mode_);
   const auto rows = static_cast<int>(used.size());
   if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);

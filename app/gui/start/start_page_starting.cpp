@@ -201,8 +201,8 @@ void StartPage::simulate_several() {
         banner_->show_news(
             State::fine,
             result.sessions == 1
-                ? tr("One session, %1 responses: look at the table.").arg(result.attempts)
-                : tr("%1 sessions, %2 responses: look at the table.")
+                ? tr("One session was simulated. Responses: %1.").arg(result.attempts)
+                : tr("%1 sessions were simulated. Responses: %2.")
                       .arg(result.sessions)
                       .arg(result.attempts),
             tr("Show the sessions"), [this] { emit sessions_wanted(); });

@@ -15,8 +15,9 @@ MetadataDialog::MetadataDialog(const StudyMetadata& metadata, QWidget* parent) :
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   layout->setSpacing(kMargin);
   layout->addWidget(make_heading(tr("Metadata of the study"), this));
-  layout->addWidget(make_text(
-      tr("Exports include them: data archives require authors and a licence."), this, true));
+  layout->addWidget(
+      make_text(tr("Exports include the metadata: data archives require authors and a licence."),
+                this, true));
   auto* form = new QFormLayout();
   form->setSpacing(kGrid);
   form->setHorizontalSpacing(kMargin);

@@ -167,7 +167,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Block"), 112, Align::text},
                             {tr("Condition"), kConditionWidth, Align::text},
                             {tr("Outcome"), 120, Align::text},
-                            {tr("Answer"), kAnswerColumnWidth, Align::text},
+                            {tr("Response"), kAnswerColumnWidth, Align::text},
                             {tr("Correct"), 64, Align::text},
                             {AttemptWords::after_contact(), 152, Align::number},
                             {AttemptWords::after_cue(), 120, Align::number},
@@ -240,7 +240,7 @@ void TrialsPage::show_selected() {
       [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
   open_->setEnabled(found != detail_.trials.end() && !detail_.overview.is_blind());
   if (detail_.overview.is_blind()) {
-    selected_->setText(tr("Stimuli and answers are shown once the session has ended."));
+    selected_->setText(tr("Stimuli and responses are shown once the session has ended."));
     return;
   }
   if (found == detail_.trials.end()) {

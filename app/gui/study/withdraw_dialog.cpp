@@ -78,7 +78,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   rows->addWidget(delete_);
   rows->addWidget(make_text(
       tr("Rows, recordings and the kept older versions of the study are deleted and cannot be "
-         "brought back. Only the fact, the time and the reason of the withdrawal remain stored."),
+         "restored. Only the fact, the time and the reason of the withdrawal remain stored."),
       question_, true));
   keep_->setEnabled(!has_withdrawn);
   (has_withdrawn ? delete_ : keep_)->setChecked(true);
@@ -111,7 +111,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
 
   const QString outputs = text_of_outputs(outputs_);
   if (!outputs.isEmpty()) {
-    layout->addWidget(make_text(tr("Exports, reports and copies of the study, which are not "
+    layout->addWidget(make_text(tr("These exports, reports and copies of the study are not "
                                    "changed. Each may contain data of %1:")
                                     .arg(text(label)),
                                 this));
@@ -184,8 +184,8 @@ void WithdrawDialog::withdraw() {
   do_->setEnabled(false);
   cancel_->setEnabled(false);
   state_->set_state(State::unknown, wanted.data == WithdrawnData::deleted
-                                        ? tr("Deleting the data …")
-                                        : tr("Storing the withdrawal …"));
+                                        ? tr("Deleting the data…")
+                                        : tr("Storing the withdrawal…"));
   work_.run<WithdrawalRow>(
       [folder = study_.folder(), label = label_, wanted](const std::stop_token&,
                                                          const BackgroundTask::Progress&) {

@@ -1809,12 +1809,12 @@
         <translation>Nach Signal, s</translation>
     </message>
     <message>
-        <source>Time of the answer, in seconds after the first contact with a surface in this attempt; it includes the whole exploration.</source>
-        <translation>Zeitpunkt der Antwort, in Sekunden nach der ersten Berührung einer Oberfläche in diesem Versuch; die gesamte Exploration ist darin enthalten.</translation>
+        <source>Response time from the first contact with a surface in this attempt, in seconds; it includes the whole exploration.</source>
+        <translation>Reaktionszeit ab der ersten Berührung einer Oberfläche in diesem Versuch, in Sekunden; die gesamte Exploration ist darin enthalten.</translation>
     </message>
     <message>
-        <source>Time of the answer, in seconds after the cue, when the question was first asked; it includes surfaces that were felt again before the answer.</source>
-        <translation>Zeitpunkt der Antwort, in Sekunden nach dem Signal, mit dem die Frage zum ersten Mal gestellt wurde; Oberflächen, die vor der Antwort noch einmal gefühlt wurden, sind darin enthalten.</translation>
+        <source>Response time from the cue, when the question was first asked, in seconds; it includes surfaces that were felt again before the response.</source>
+        <translation>Reaktionszeit ab dem Signal, mit dem die Frage zum ersten Mal gestellt wurde, in Sekunden; Oberflächen, die vor der Antwort noch einmal gefühlt wurden, sind darin enthalten.</translation>
     </message>
     <message>
         <source>answered %1 after the first contact</source>
@@ -1829,12 +1829,12 @@
         <translation>Anker: nicht in den Auswertungen</translation>
     </message>
     <message>
-        <source>Does not count: no answer</source>
+        <source>Does not count: no response</source>
         <translation>Zählt nicht: ohne Antwort</translation>
     </message>
     <message>
-        <source>Counts among the pilots</source>
-        <translation>Zählt unter den Pilotsitzungen</translation>
+        <source>Counts in the analyses of pilot sessions</source>
+        <translation>Zählt in den Auswertungen der Pilotsitzungen</translation>
     </message>
     <message>
         <source>invalidated, repeated</source>
@@ -3407,8 +3407,8 @@
         <translation>%1 hat sich geändert, seit es geöffnet wurde. Erneut öffnen.</translation>
     </message>
     <message>
-        <source>%1 is not a picture file.</source>
-        <translation>%1 ist keine Bilddatei.</translation>
+        <source>%1 is not a picture file; open a PNG, JPEG, TIFF, BMP or WebP file.</source>
+        <translation>%1 ist keine Bilddatei; eine PNG-, JPEG-, TIFF-, BMP- oder WebP-Datei öffnen.</translation>
     </message>
 </context>
 <context>
@@ -3418,7 +3418,7 @@
         <translation>beantwortet</translation>
     </message>
     <message>
-        <source>no answer in time</source>
+        <source>no response in time</source>
         <translation>keine Antwort in der Zeit</translation>
     </message>
     <message>
@@ -4881,8 +4881,8 @@
         <translation>Allmähliche Änderungen der Beleuchtung werden abgeschwächt, feine Einzelheiten verstärkt.</translation>
     </message>
     <message>
-        <source>Everything longer than the longest wave kept; it is subtracted from the previous step.</source>
-        <translation>Alles, was länger ist als die längste erhaltene Welle; es wird vom vorigen Schritt abgezogen.</translation>
+        <source>Waves longer than the longest wavelength kept; they are subtracted from the previous step.</source>
+        <translation>Wellen, die länger sind als die größte erhaltene Wellenlänge; sie werden vom vorigen Schritt abgezogen.</translation>
     </message>
     <message>
         <source>The remainder, as heights: dark is low, bright is high.</source>
@@ -5361,11 +5361,11 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No answer yet</source>
+        <source>No response yet</source>
         <translation>Noch keine Antwort</translation>
     </message>
     <message>
-        <source>Earlier answers, by trial: %1</source>
+        <source>Earlier responses, by trial: %1</source>
         <translation>Frühere Antworten, nach Durchgang: %1</translation>
     </message>
     <message>
@@ -5373,7 +5373,7 @@
         <translation>%1 s nach dem Signal</translation>
     </message>
     <message>
-        <source>Last answer</source>
+        <source>Last response</source>
         <translation>Zuletzt</translation>
     </message>
     <message>
@@ -5408,7 +5408,7 @@
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Answers and measures</source>
+        <source>Responses and measures</source>
         <translation>Antworten und Maße</translation>
     </message>
     <message>
@@ -5444,7 +5444,7 @@
         <translation>Es gibt nichts auszuschließen: Der Versuch zählt nicht.</translation>
     </message>
     <message>
-        <source>This attempt has no recording. Its answers and measures are on the next page.</source>
+        <source>This attempt has no recording. Its responses and measures are on the next page.</source>
         <translation>Dieser Versuch hat keine Aufzeichnung. Seine Antworten und Maße stehen auf der nächsten Seite.</translation>
     </message>
     <message>
@@ -5452,11 +5452,11 @@
         <translation>Aufzeichnung wird gelesen…</translation>
     </message>
     <message>
-        <source>The recording of this attempt is empty: it ended before its first tick.</source>
-        <translation>Die Aufzeichnung dieses Versuchs ist leer: Er endete vor dem ersten Takt.</translation>
+        <source>The recording of this attempt is empty: the attempt ended before the first tick.</source>
+        <translation>Die Aufzeichnung dieses Versuchs ist leer: Der Versuch endete vor dem ersten Takt.</translation>
     </message>
     <message>
-        <source>The recording cannot be shown: %1. The answers and measures of the attempt are stored and not affected.</source>
+        <source>The recording cannot be shown: %1. The responses and measures of the attempt are stored and not affected.</source>
         <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht betroffen.</translation>
     </message>
     <message>
@@ -5492,7 +5492,7 @@
         <translation>Das Lesen der Aufzeichnung wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
     </message>
     <message>
-        <source>The session is running, and its experimenter is blind: stimuli and answers are shown here once it has ended.</source>
+        <source>The session is running, and its experimenter is blind: stimuli and responses are shown here once it has ended.</source>
         <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Reize und Antworten werden hier gezeigt, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
@@ -5853,8 +5853,8 @@
         <translation>Grenzwerte von</translation>
     </message>
     <message>
-        <source>No force above</source>
-        <translation>Keine Kraft über</translation>
+        <source>Maximum force</source>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -5961,8 +5961,8 @@
         <translation>Das Profil ist als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols of the study with “limits” in their “device” are listed here; there are none.</source>
-        <translation>Taktrate mindestens 950 Hz, 99. Perzentil der Verspätung höchstens 1 ms. Protokolle der Studie mit „limits“ in ihrem „device“ werden hier aufgeführt; es gibt keine.</translation>
+        <source>Rate at least 950 Hz, 99th percentile of the lateness at most 1 ms. Protocols with “limits” in their “device” are listed here; the study has none.</source>
+        <translation>Taktrate mindestens 950 Hz, 99. Perzentil der Verspätung höchstens 1 ms. Protokolle mit „limits“ in ihrem „device“ werden hier aufgeführt; die Studie hat keine.</translation>
     </message>
     <message>
         <source>Nothing moves: a virtual hand holds the device, and its mechanics are measured faster than real time. Its timing is that of this computer.</source>
@@ -6214,7 +6214,7 @@
         <translation>%1: Dienst</translation>
     </message>
     <message>
-        <source>The file that came with the device&apos;s software. A Falcon loses its firmware when it is switched off; it is loaded when the device is opened.</source>
+        <source>The file that came with the device&apos;s software. A Falcon loses its firmware when it is switched off; the firmware is loaded when the device is opened.</source>
         <translation>Die mit der Software des Geräts gelieferte Datei. Ein Falcon verliert seine Firmware beim Ausschalten; sie wird geladen, wenn das Gerät geöffnet wird.</translation>
     </message>
     <message>
@@ -6369,8 +6369,8 @@
         <translation>Alles ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
     <message>
-        <source>%1 of %2 trials are done. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).</source>
-        <translation>%1 von %2 Durchgängen sind abgeschlossen. Versuche: %3 (%4 markiert, %5 ungültig, %6 übersprungen).</translation>
+        <source>Trials completed: %1 of %2. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).</source>
+        <translation>Abgeschlossene Durchgänge: %1 von %2. Versuche: %3 (%4 markiert, %5 ungültig, %6 übersprungen).</translation>
     </message>
     <message>
         <source>%1
@@ -6544,8 +6544,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Es gibt keine Soundkarte. Eine anschließen, um eine Kraft zu hören.</translation>
     </message>
     <message>
-        <source>%1 could not be opened; another program may be using it.</source>
-        <translation>%1 ließ sich nicht öffnen; möglicherweise wird es von einem anderen Programm benutzt.</translation>
+        <source>%1 could not be opened; close other programs that may be using it.</source>
+        <translation>%1 ließ sich nicht öffnen; andere Programme schließen, die das Gerät möglicherweise benutzen.</translation>
     </message>
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
@@ -6812,7 +6812,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Störung</translation>
     </message>
     <message>
-        <source>Answers</source>
+        <source>Responses</source>
         <translation>Antworten</translation>
     </message>
     <message>
@@ -6824,7 +6824,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Frage</translation>
     </message>
     <message>
-        <source>Answer</source>
+        <source>Response</source>
         <translation>Antwort</translation>
     </message>
     <message>
@@ -6940,8 +6940,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>ansehen</translation>
     </message>
     <message>
-        <source>Surfaces felt, by name: the session is over</source>
-        <translation>Gefühlte Oberflächen, mit Namen: Die Sitzung ist zu Ende</translation>
+        <source>Surfaces felt, by name (the session has ended)</source>
+        <translation>Gefühlte Oberflächen, mit Namen (die Sitzung ist beendet)</translation>
     </message>
     <message>
         <source>Surfaces felt, by name</source>
@@ -7004,8 +7004,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Antwortmöglichkeiten</translation>
     </message>
     <message>
-        <source>In the order in which they were shown.</source>
-        <translation>In der Reihenfolge, in der sie gezeigt wurden.</translation>
+        <source>The options, in the order in which they were shown.</source>
+        <translation>Die Optionen in der Reihenfolge, in der sie gezeigt wurden.</translation>
     </message>
     <message>
         <source>the tool lay completely inside the surface, where no force is rendered</source>
@@ -7031,8 +7031,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Angaben zur Studie</translation>
     </message>
     <message>
-        <source>Exports include them: data archives require authors and a licence.</source>
-        <translation>Exporte enthalten sie: Datenarchive verlangen Autorinnen und Autoren und eine Lizenz.</translation>
+        <source>Exports include the metadata: data archives require authors and a licence.</source>
+        <translation>Exporte enthalten die Metadaten: Datenarchive verlangen Autorinnen und Autoren und eine Lizenz.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7217,8 +7217,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>&amp;Measured at the ear</source>
-        <translation>Am Ohr &amp;gemessen</translation>
+        <source>&amp;Level at the ear</source>
+        <translation>Pe&amp;gel am Ohr</translation>
     </message>
     <message>
         <source>Experimenter who read the sound level meter</source>
@@ -7249,7 +7249,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Rauschen wurde mit %1 dB(A) gemessen; das Protokoll verlangt %2 dB(A).</translation>
     </message>
     <message>
-        <source>It is not recorded who measured the noise.</source>
+        <source>The experimenter who measured the noise has not been entered.</source>
         <translation>Es ist nicht angegeben, wer das Rauschen gemessen hat.</translation>
     </message>
     <message>
@@ -7386,12 +7386,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollendet.</translation>
     </message>
     <message>
-        <source>Reason for resuming it *</source>
+        <source>Reason for resuming *</source>
         <translation>Grund für die Fortsetzung *</translation>
     </message>
     <message>
-        <source>The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not begin with “virtual”.</source>
-        <translation>Das Kürzel darf 1 bis 32 Buchstaben und Ziffern haben (0-9, A-Z, a-z) und nicht mit „virtual“ beginnen.</translation>
+        <source>The label must consist of 1 to 32 letters and digits (0-9, A-Z, a-z) and must not begin with “virtual”.</source>
+        <translation>Das Kürzel muss aus 1 bis 32 Buchstaben und Ziffern bestehen (0-9, A-Z, a-z) und darf nicht mit „virtual“ beginnen.</translation>
     </message>
     <message>
         <source>%1 is in the study already: choose them under “Already in the study”, or enter another label.</source>
@@ -7704,7 +7704,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Oberflächen</translation>
     </message>
     <message>
-        <source>Correct answer</source>
+        <source>Correct response</source>
         <translation>Richtige Antwort</translation>
     </message>
     <message>
@@ -7731,8 +7731,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>PLAN</translation>
     </message>
     <message>
-        <source>Back to the trial under way</source>
-        <translation>Zurück zum laufenden Durchgang</translation>
+        <source>Show the trial under way</source>
+        <translation>Laufenden Durchgang zeigen</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -7746,8 +7746,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Gemessen am %1</translation>
     </message>
     <message>
-        <source>%1 at %2 Hz, no force above %3 N.</source>
-        <translation>%1 bei %2 Hz, keine Kraft über %3 N.</translation>
+        <source>%1 at %2 Hz, force at most %3 N.</source>
+        <translation>%1 bei %2 Hz, Kraft höchstens %3 N.</translation>
     </message>
     <message>
         <source>result</source>
@@ -8335,8 +8335,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Webseite (*.html)</translation>
     </message>
     <message>
-        <source>For print (*.pdf)</source>
-        <translation>Zum Drucken (*.pdf)</translation>
+        <source>PDF for print (*.pdf)</source>
+        <translation>PDF für den Druck (*.pdf)</translation>
     </message>
     <message>
         <source>%1 already exists. Nothing was written.</source>
@@ -8366,8 +8366,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ResponseKeys</name>
     <message>
-        <source>Keys answer the trial now</source>
-        <translation>Tasten beantworten jetzt den Durchgang</translation>
+        <source>Keys now enter the response</source>
+        <translation>Tasten geben jetzt die Antwort ein</translation>
     </message>
 </context>
 <context>
@@ -8634,8 +8634,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Überspringen: Es läuft kein Durchgang.</translation>
     </message>
     <message>
-        <source>Note: the keys now answer the trial; use a phrase.</source>
-        <translation>Notiz: Die Tasten beantworten gerade den Durchgang; einen Textbaustein verwenden.</translation>
+        <source>Note: the keys now enter the response; use a phrase.</source>
+        <translation>Notiz: Die Tasten geben gerade die Antwort ein; einen Textbaustein verwenden.</translation>
     </message>
     <message>
         <source>Brings the participant&apos;s window back to its place, in front of the others.</source>
@@ -8658,7 +8658,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Vorbereitung wird abgebrochen.</translation>
     </message>
     <message>
-        <source>The session has not begun: its files are read, and the device is opened.</source>
+        <source>The session has not begun: its files are being read and the device opened.</source>
         <translation>Die Sitzung hat noch nicht begonnen: Ihre Dateien werden gelesen, das Gerät wird geöffnet.</translation>
     </message>
 </context>
@@ -8767,7 +8767,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Kraft und Weg</translation>
     </message>
     <message>
-        <source>Answers, notes</source>
+        <source>Responses, notes</source>
         <translation>Antworten, Notizen</translation>
     </message>
     <message>
@@ -8898,8 +8898,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Sitzung ist zu Ende</translation>
     </message>
     <message>
-        <source>Keys answer the trial now</source>
-        <translation>Tasten beantworten jetzt den Durchgang</translation>
+        <source>Keys now enter the response</source>
+        <translation>Tasten geben jetzt die Antwort ein</translation>
     </message>
     <message>
         <source>%1 – Asperity</source>
@@ -9112,7 +9112,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Fenster der Versuchsperson</translation>
     </message>
     <message>
-        <source>If both use one keyboard, the experimenter&apos;s text fields are disabled while an answer is expected.</source>
+        <source>If both use one keyboard, the experimenter&apos;s text fields are disabled while a response is expected.</source>
         <translation>Bei einer gemeinsamen Tastatur sind die Textfelder der Versuchsleitung gesperrt, solange eine Antwort erwartet wird.</translation>
     </message>
     <message>
@@ -9355,23 +9355,23 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Eine Sitzung, zu sehen, während sie läuft.</translation>
     </message>
     <message>
-        <source>All of their sessions, in the background.</source>
-        <translation>Alle ihre Sitzungen, im Hintergrund.</translation>
+        <source>All sessions, run in the background.</source>
+        <translation>Alle Sitzungen, im Hintergrund.</translation>
     </message>
     <message>
         <source>The program assigns the labels of virtual participants; the next one is %1.</source>
         <translation>Das Programm benennt virtuelle Versuchspersonen; die nächste ist %1.</translation>
     </message>
     <message numerus="yes">
-        <source>The program assigns the labels of virtual participants; the next %n begin with %1.</source>
+        <source>The program assigns the labels of virtual participants; the first of the next %n is %1.</source>
         <translation>
             <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächste (%n) ist %1.</numerusform>
-            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächsten %n beginnen mit %1.</numerusform>
+            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die erste der nächsten %n ist %1.</numerusform>
         </translation>
     </message>
     <message>
-        <source>This is session %1 of this participant; %2 of %3 planned ones of this protocol are done.</source>
-        <translation>Das ist Sitzung %1 dieser Versuchsperson; %2 von %3 geplanten dieses Protokolls sind abgeschlossen.</translation>
+        <source>Session %1 of this participant; sessions of this protocol completed: %2 of %3.</source>
+        <translation>Sitzung %1 dieser Versuchsperson; abgeschlossene Sitzungen dieses Protokolls: %2 von %3.</translation>
     </message>
     <message>
         <source>%1 No counterbalancing.</source>
@@ -9409,8 +9409,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 sessions, %2 responses: look at the table.</source>
-        <translation>%1 Sitzungen, %2 Antworten: Tabelle ansehen.</translation>
+        <source>%1 sessions were simulated. Responses: %2.</source>
+        <translation>%1 Sitzungen wurden simuliert. Antworten: %2.</translation>
     </message>
     <message>
         <source>Show the sessions</source>
@@ -9437,8 +9437,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Studie wurde noch nicht eingelesen.</translation>
     </message>
     <message>
-        <source>One session, %1 responses: look at the table.</source>
-        <translation>Eine Sitzung, %1 Antworten: Tabelle ansehen.</translation>
+        <source>One session was simulated. Responses: %1.</source>
+        <translation>Eine Sitzung wurde simuliert. Antworten: %1.</translation>
     </message>
     <message>
         <source>A device is being tried: wait for the result.</source>
@@ -9764,8 +9764,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::TimePlots</name>
     <message>
-        <source>The wheel, + and − zoom; the mouse, ← and → move; Home shows all.</source>
-        <translation>Das Rad, + und − zoomen; die Maus, ← und → bewegen; Pos1 zeigt alles.</translation>
+        <source>Wheel, + or −: zoom; drag, ← or →: move; Home: show all.</source>
+        <translation>Mausrad, + oder −: zoomen; ziehen, ← oder →: verschieben; Pos1: alles zeigen.</translation>
     </message>
     <message>
         <source>Force, penetration, speed and position over time</source>
@@ -9879,7 +9879,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Answer</source>
+        <source>Response</source>
         <translation>Antwort</translation>
     </message>
     <message>
@@ -9967,7 +9967,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Diese Studie ist schreibgeschützt.</translation>
     </message>
     <message>
-        <source>Stimuli and answers are shown once the session has ended.</source>
+        <source>Stimuli and responses are shown once the session has ended.</source>
         <translation>Reize und Antworten werden gezeigt, sobald die Sitzung beendet ist.</translation>
     </message>
     <message>
@@ -10104,7 +10104,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Studie nicht gefunden</translation>
     </message>
     <message>
-        <source>It is created in %1 (about 25 MB), which takes a few seconds.</source>
+        <source>It is created in %1 (about 25 MB). This takes a few seconds.</source>
         <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
     </message>
 </context>
@@ -10215,11 +10215,11 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Zur Bestätigung der Löschung %1 eingeben.</translation>
     </message>
     <message>
-        <source>Deleting the data …</source>
+        <source>Deleting the data…</source>
         <translation>Die Daten werden gelöscht …</translation>
     </message>
     <message>
-        <source>Storing the withdrawal …</source>
+        <source>Storing the withdrawal…</source>
         <translation>Der Rückzug wird gespeichert …</translation>
     </message>
     <message>
@@ -10235,7 +10235,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
     </message>
     <message>
-        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be brought back. Only the fact, the time and the reason of the withdrawal remain stored.</source>
+        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact, the time and the reason of the withdrawal remain stored.</source>
         <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur die Tatsache, der Zeitpunkt und der Grund des Rückzugs.</translation>
     </message>
     <message>
@@ -10255,8 +10255,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Daten von %1 in der Studie: %2.</translation>
     </message>
     <message>
-        <source>Exports, reports and copies of the study, which are not changed. Each may contain data of %1:</source>
-        <translation>Exporte, Berichte und Kopien der Studie, die nicht geändert werden. Sie können Daten von %1 enthalten:</translation>
+        <source>These exports, reports and copies of the study are not changed. Each may contain data of %1:</source>
+        <translation>Diese Exporte, Berichte und Kopien der Studie werden nicht geändert. Sie können Daten von %1 enthalten:</translation>
     </message>
 </context>
 <context>

@@ -96,10 +96,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The program assigns the labels of virtual participants; the next %n begin with %1.</source>
+        <source>The program assigns the labels of virtual participants; the first of the next %n is %1.</source>
         <translation>
             <numerusform>The program assigns the labels of virtual participants; the next one is %1.</numerusform>
-            <numerusform>The program assigns the labels of virtual participants; the next %n begin with %1.</numerusform>
+            <numerusform>The program assigns the labels of virtual participants; the first of the next %n is %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -45,7 +45,7 @@ std::filesystem::path made_demo_study(const std::filesystem::path& folder,
                                       const BackgroundTask::Progress& progress) {
   if (holds_demo_study(folder)) return folder;
   if (std::filesystem::exists(folder)) {
-    throw std::runtime_error("there is something at " + folder.string() + " already");
+    throw std::runtime_error(folder.string() + " already exists; choose another folder");
   }
   std::filesystem::create_directories(folder.parent_path());
   try {
@@ -336,7 +336,7 @@ void WelcomePage::show_demo_place() {
   const std::filesystem::path folder = demo_folder(demo_parent_);
   demo_place_->setText(holds_demo_study(folder)
                            ? tr("It is in %1.").arg(text_of_path(folder))
-                           : tr("It is created in %1 (about 25 MB), which takes a few seconds.")
+                           : tr("It is created in %1 (about 25 MB). This takes a few seconds.")
                                  .arg(text_of_path(folder)));
 }
 

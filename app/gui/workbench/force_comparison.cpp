@@ -351,7 +351,8 @@ void ForceComparison::look_at_card() {
   no_sound_->setVisible(is_silent || speaker_->is_refused());
   no_sound_->setText(
       speaker_->is_refused()
-          ? tr("%1 could not be opened; another program may be using it.").arg(output_.name)
+          ? tr("%1 could not be opened; close other programs that may be using it.")
+                .arg(output_.name)
           : tr("%1 does not play. Connect it again, or choose another sound output in the settings "
                "of the computer.")
                 .arg(output_.name));

@@ -42,7 +42,8 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
             .arg(name));
   }
   if (!std::filesystem::is_regular_file(status)) {
-    refuse(OpeningWords::tr("%1 is not a picture file.").arg(name));
+    refuse(OpeningWords::tr("%1 is not a picture file; open a PNG, JPEG, TIFF, BMP or WebP file.")
+               .arg(name));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (!error && bytes > kPictureFile.most_bytes) {

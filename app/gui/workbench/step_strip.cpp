@@ -54,7 +54,8 @@ QString meaning_of(Step step) {
           "Gradual changes of lighting are attenuated and fine detail is amplified.");
     case Step::low_pass:
       return StepWords::tr(
-          "Everything longer than the longest wave kept; it is subtracted from the previous step.");
+          "Waves longer than the longest wavelength kept; they are subtracted from the previous "
+          "step.");
     case Step::heights:
       return StepWords::tr("The remainder, as heights: dark is low, bright is high.");
     case Step::relief:

@@ -189,7 +189,7 @@ TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
   detail.planned.phase = "main";
   EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses");
   detail.session.mode = SessionMode::pilot;
-  EXPECT_EQ(AttemptWords::standing(detail), "Counts among the pilots");
+  EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses of pilot sessions");
   detail.planned.phase = "practice";
   EXPECT_EQ(AttemptWords::standing(detail), "Practice: not included in analyses");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
@@ -216,7 +216,7 @@ TEST(AttemptWords, StateThatAnUnansweredAttemptIsNotAnalysed) {
   detail.attempt.valid = true;
   detail.attempt.outcome = AttemptOutcome::timed_out;
   detail.planned.phase = "main";
-  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: no answer");
+  EXPECT_EQ(AttemptWords::standing(detail), "Does not count: no response");
   EXPECT_EQ(AttemptWords::state(detail), State::unknown);
 }
 

@@ -579,7 +579,7 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   window->refresh();
   EXPECT_FALSE(note.isEnabled());
   EXPECT_EQ(note.text(), "half");
-  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(), "Keys answer the trial now");
+  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(), "Keys now enter the response");
   const QWidget* focus = QApplication::focusWidget();
   EXPECT_EQ(qobject_cast<const QPushButton*>(focus), nullptr)
       << "the participant's Space would press it";
@@ -802,7 +802,7 @@ TEST(SessionWindow, SumsUpASessionThatHasEnded) {
   const auto window = session.window();
   EXPECT_TRUE(child<QLabel>(*window, "end_title").isVisible());
   EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("complete"));
-  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("60 of 60 trials are done"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("Trials completed: 60 of 60"));
   EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 flagged"));
   EXPECT_TRUE(
       child<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));

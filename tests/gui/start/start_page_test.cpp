@@ -660,7 +660,7 @@ TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
   auto* banner = page->findChild<Banner*>();
   ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
   // Two sessions each, of three trials.
-  EXPECT_EQ(banner->text(), "6 sessions, 18 responses: look at the table.");
+  EXPECT_EQ(banner->text(), "6 sessions were simulated. Responses: 18.");
   EXPECT_EQ(wanted.size(), 0);
   EXPECT_EQ(Study::open(folder, Access::read_only).sessions().size(), 6U);
   for (auto* button : banner->findChildren<QPushButton*>()) {

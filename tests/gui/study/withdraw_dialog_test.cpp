@@ -90,7 +90,7 @@ TEST_F(Withdrawing, DeletesOnceTheLabelIsTyped) {
   EXPECT_FALSE(child<QPushButton>(dialog, "withdraw_do").isEnabled());
   QTest::keyClicks(&child<QLineEdit>(dialog, "withdraw_label"), "1");
   EXPECT_EQ(child<QPushButton>(dialog, "withdraw_do").property("role"), "danger")
-      << "what cannot be brought back";
+      << "what cannot be restored";
   take_screenshot(dialog, "withdraw-delete", dialog.size());
   EXPECT_TRUE(child<QPlainTextEdit>(dialog, "withdraw_outputs")
                   .toPlainText()
