@@ -31,7 +31,7 @@ CueRecording read_speech(const std::filesystem::path& file) {
   QWaveDecoder wave(&bytes);
   const bool opened = wave.open(QIODevice::ReadOnly);
   const QAudioFormat format = wave.audioFormat();
-  if (!opened || !format.isValid()) throw error_about(file, "is not a WAV file");
+  if (!opened || !format.isValid()) throw error_about(file, "is not a WAV file; save it as WAV");
   if (format.sampleFormat() != QAudioFormat::Int16 || format.channelCount() > 2) {
     throw error_about(file, "has to be 16-bit PCM of one or two channels");
   }
@@ -39,7 +39,7 @@ CueRecording read_speech(const std::filesystem::path& file) {
   const qint64 longest = qint64{kLongest_s} * format.sampleRate() * format.bytesPerFrame();
   const QByteArray pcm = wave.read(longest + format.bytesPerFrame());
   if (pcm.size() > longest) {
-    throw error_about(file, "is longer than " + std::to_string(kLongest_s) + " s");
+    throw error_about(file, "is longer than " + std::to_string(kLongest_s) + " s; shorten it");
   }
   CueRecording recording{};
   recording.rate_Hz = format.sampleRate();

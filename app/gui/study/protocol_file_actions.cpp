@@ -113,8 +113,7 @@ void ProtocolFileActions::duplicate() {
 }
 
 void ProtocolFileActions::ask_for_name() {
-  ask(tr("New name of %1, which becomes the name of its file:").arg(file_name_of(file_)),
-      tr("Rename"), true);
+  ask(tr("New name of %1 (the file is renamed too):").arg(file_name_of(file_)), tr("Rename"), true);
   name_->setText(QString::fromStdString(file_.stem().string()));
   name_->selectAll();
   name_->setFocus();

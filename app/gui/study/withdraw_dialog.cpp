@@ -70,11 +70,11 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   delete_ = new QRadioButton(tr("Delete all data from the folder of the study"), question_);
   delete_->setObjectName("withdraw_delete");
   rows->addWidget(keep_);
-  rows->addWidget(
-      make_text(has_withdrawn ? tr("This has already been done.")
-                              : tr("All sessions are excluded permanently, none can be begun or "
-                                   "resumed, and the place in the counterbalancing is free again."),
-                question_, true));
+  rows->addWidget(make_text(has_withdrawn
+                                ? tr("This has already been done.")
+                                : tr("All sessions are excluded permanently, none can be begun or "
+                                     "resumed, and the counterbalancing row is free again."),
+                            question_, true));
   rows->addWidget(delete_);
   rows->addWidget(make_text(
       tr("Rows, recordings and the kept older versions of the study are deleted and cannot be "

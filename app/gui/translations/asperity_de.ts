@@ -5174,8 +5174,8 @@
         <translation>Sitzung abbrechen?</translation>
     </message>
     <message>
-        <source>Why is it aborted?</source>
-        <translation>Warum wird abgebrochen?</translation>
+        <source>Why is the session aborted?</source>
+        <translation>Warum wird die Sitzung abgebrochen?</translation>
     </message>
     <message>
         <source>Abort session</source>
@@ -7994,8 +7994,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Protokoll konnte nicht dupliziert werden: %1</translation>
     </message>
     <message>
-        <source>New name of %1, which becomes the name of its file:</source>
-        <translation>Neuer Name von %1, nach dem auch die Datei benannt wird:</translation>
+        <source>New name of %1 (the file is renamed too):</source>
+        <translation>Neuer Name von %1 (auch die Datei wird umbenannt):</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -10163,8 +10163,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Das ist bereits geschehen.</translation>
     </message>
     <message>
-        <source>All sessions are excluded permanently, none can be begun or resumed, and the place in the counterbalancing is free again.</source>
-        <translation>Alle Sitzungen sind endgültig ausgeschlossen, keine kann begonnen oder fortgesetzt werden, und der Platz in der Ausbalancierung ist wieder frei.</translation>
+        <source>All sessions are excluded permanently, none can be begun or resumed, and the counterbalancing row is free again.</source>
+        <translation>Alle Sitzungen sind endgültig ausgeschlossen, keine kann begonnen oder fortgesetzt werden, und die Zeile der Ausbalancierung ist wieder frei.</translation>
     </message>
     <message>
         <source>Consent withdrawn</source>
