@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>These sessions are pilots: they are analysed separately from sessions of mode &quot;run&quot;.</source>
-        <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen der Art „run“ ausgewertet.</translation>
+        <translation>Diese Sitzungen sind Pilotsitzungen: Sie werden getrennt von den Sitzungen im Modus „Erhebung“ ausgewertet.</translation>
     </message>
     <message>
         <source>%1 different files have this protocol name and version; their responses are pooled.</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>Sessions that began on a device on which no participant can feel the surfaces (without motors, or moved by the program): %1 of %2.</source>
-        <translation>Sitzungen, die an einem Gerät begannen, an dem niemand die Oberflächen fühlen kann (ohne Motoren oder vom Programm bewegt): %1 von %2.</translation>
+        <translation>Sitzungen, die an einem Gerät begannen, an dem keine Versuchsperson die Oberflächen fühlen kann (ohne Motoren oder vom Programm bewegt): %1 von %2.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>Are textures matched to their pictures above chance?</source>
-        <translation>Werden Texturen ihren Bildern häufiger zugeordnet als durch Zufall?</translation>
+        <translation>Werden Texturen ihren Bildern überzufällig häufig zugeordnet?</translation>
     </message>
     <message>
         <source>How often are all items of a trial correct?</source>
@@ -233,7 +233,7 @@
     </message>
     <message>
         <source>Are textures recognised above chance?</source>
-        <translation>Werden Texturen häufiger erkannt als durch Zufall?</translation>
+        <translation>Werden Texturen überzufällig häufig erkannt?</translation>
     </message>
     <message>
         <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; the participants do not differ, so there is no test.</source>
@@ -253,11 +253,11 @@
     </message>
     <message>
         <source>The responses transmit %1 of %2 bits about the texture presented, bias-corrected; %3.</source>
-        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, um die Verzerrung korrigiert; %3.</translation>
+        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, bias-korrigiert; %3.</translation>
     </message>
     <message>
         <source>The responses transmit about %1 of %2 bits about the texture presented; with so few responses the bias correction is not reliable; %3.</source>
-        <translation>Die Antworten übertragen etwa %1 von %2 Bit über die dargebotene Textur; bei so wenigen Antworten ist die Korrektur der Verzerrung nicht verlässlich; %3.</translation>
+        <translation>Die Antworten übertragen etwa %1 von %2 Bit über die dargebotene Textur; bei so wenigen Antworten ist die Bias-Korrektur nicht verlässlich; %3.</translation>
     </message>
     <message>
         <source>How much information do the responses transmit?</source>
@@ -265,7 +265,7 @@
     </message>
     <message>
         <source>Transmitted information, bias-corrected (Miller 1955); at least 5·m² responses are needed for m pictures. d′ for m alternatives, assuming no response bias, all responses pooled; its CI is derived from the Wilson limits of the proportion correct.</source>
-        <translation>Übertragene Information, um die Verzerrung korrigiert (Miller 1955); für m Bilder braucht es mindestens 5·m² Antworten. d′ für m Alternativen, unter der Annahme keiner Antworttendenz, aus allen Antworten zusammen; sein Konfidenzintervall ist aus den Wilson-Grenzen des Anteils richtiger Antworten abgeleitet.</translation>
+        <translation>Übertragene Information, bias-korrigiert (Miller 1955); für m Bilder sind mindestens 5·m² Antworten nötig. d′ für m Alternativen, aus allen Antworten zusammen, unter der Annahme, dass es keine Antworttendenz gibt; sein Konfidenzintervall ist aus den Wilson-Grenzen des Anteils richtiger Antworten abgeleitet.</translation>
     </message>
     <message>
         <source>Which textures are confused with each other?</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>The first, second, … surface presented, regardless of its model. Where the order of surfaces is random, a proportion above the chance level is a position bias, not a preference.</source>
-        <translation>Die erste, zweite, … dargebotene Oberfläche, unabhängig von ihrem Modell. Wo die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
+        <translation>Die erste, zweite, … dargebotene Oberfläche, unabhängig von ihrem Modell. Wenn die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
         <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that the best-fitting distance is not finite.</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Which rendering is the most realistic?</source>
-        <translation>Welche Darstellung ist die realistischste?</translation>
+        <translation>Welche Wiedergabe ist die realistischste?</translation>
     </message>
     <message>
         <source>There are no choices yet.</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>Is one rendering preferred to another?</source>
-        <translation>Wird eine Darstellung einer anderen vorgezogen?</translation>
+        <translation>Wird eine Wiedergabe einer anderen vorgezogen?</translation>
     </message>
     <message>
         <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant). Choices of a third model are not counted.</source>
@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Permutation test of how often each participant chose the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
-        <translation>Permutationstest, wie oft jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Q-Tests von Cochran.</translation>
+        <translation>Permutationstest der Häufigkeit, mit der jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wenn jede Textur einmal beurteilt wurde, ist das die exakte Form des Q-Tests von Cochran.</translation>
     </message>
     <message>
         <source>This cannot be tested: the participants have not judged every texture equally often.</source>
@@ -409,7 +409,7 @@
     </message>
     <message>
         <source>Expected under guessing: trials in which every assignment is equally likely.</source>
-        <translation>Unter Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
+        <translation>Beim Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
     </message>
     <message>
         <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
@@ -477,7 +477,7 @@
     </message>
     <message>
         <source>Every participant in every cell, replicates averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
-        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: nach Greenhouse und Geisser korrigiert, wo ein Effekt mehr als einen Freiheitsgrad hat.</translation>
+        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: Greenhouse-Geisser-korrigiert, wenn ein Effekt mehr als einen Freiheitsgrad hat.</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Which spacing is judged roughest?</source>
-        <translation>Welcher Abstand wird als der rauste beurteilt?</translation>
+        <translation>Welcher Abstand wird als der raueste beurteilt?</translation>
     </message>
     <message>
         <source>Which shapes do the participants&apos; own curves have?</source>
@@ -569,11 +569,11 @@
     </message>
     <message>
         <source>%1 and %2 are confused most often; number of confusions, counted in both directions: %3.</source>
-        <translation>Am häufigsten %1 und %2; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
+        <translation>Am häufigsten wurden %1 und %2 verwechselt; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 responses.</source>
-        <translation>%1 Nur in einer Richtung gezählt, ist die häufigste Verwechslung %2: in %3 von %4 Antworten.</translation>
+        <translation>%1 Die häufigste Verwechslung in nur einer Richtung ist %2: in %3 von %4 Antworten.</translation>
     </message>
     <message>
         <source>The textures confused most often are %1: one with the other in %2 of %3 responses.</source>
@@ -581,11 +581,11 @@
     </message>
     <message>
         <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the responses to the texture presented.</source>
-        <translation>%1 Nur in einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 In nur einer Richtung sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the responses to the texture presented.</source>
-        <translation>%1 Nur in einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 In nur einer Richtung sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 identified as %2</source>
@@ -689,7 +689,7 @@
     </message>
     <message>
         <source>Among all pairs, %1.</source>
-        <translation>Von allen Paaren gilt: %1.</translation>
+        <translation>Vergleich aller Paare: %1.</translation>
     </message>
     <message>
         <source>The position has a significant effect (%1): %2.</source>
@@ -721,7 +721,7 @@
     </message>
     <message>
         <source>The chance level is 1/m. p: exact permutation test, one-sided, uncorrected for the number of rows: the pictures are relabelled at random once per participant, in all of the participant&apos;s trials alike. The interval contains 95 % of the permutation distribution.</source>
-        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
+        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: Die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
     </message>
     <message>
         <source>1 divided by the number of items, which differs between trials</source>
@@ -729,15 +729,15 @@
     </message>
     <message>
         <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Ja: Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <translation>Ja: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
         <source>Not significantly more often: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Nicht signifikant häufiger: Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <translation>Nicht signifikant häufiger: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
         <source>On average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2) bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+        <translation>Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
         <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
-        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das ihres Mittels, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es steht hier, wo der Test auf ein inneres Maximum (Lind und Mehlum: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand, einseitiges t über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: der mittleren Parabel an den Zellmitteln. „Fallend“, „umgekehrtes U“ und „andere“ zählen die eigenen Kurven der Versuchspersonen.</translation>
+        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das ihres Mittels, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Zahl der eigenen Kurven der Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 without a significant interior maximum (%2)</source>
@@ -765,7 +765,7 @@
     </message>
     <message>
         <source>The maximum of the mean of the participants&apos; parabolas, in logarithms; CI by the delta method. It is reported where the test for an interior maximum by Lind and Mehlum is significant: the mean curve rises at the smallest and falls at the largest spacing.</source>
-        <translation>Das Maximum des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Konfidenzintervall nach der Delta-Methode. Es wird genannt, wo der Test auf ein inneres Maximum nach Lind und Mehlum signifikant ist: die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand.</translation>
+        <translation>Das Maximum der mittleren Parabel aller Versuchspersonen, in Logarithmen; Konfidenzintervall nach der Delta-Methode. Es ist angegeben, wenn der Test auf ein inneres Maximum nach Lind und Mehlum signifikant ist: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand.</translation>
     </message>
     <message>
         <source>%1. This cannot be tested with one participant.</source>
@@ -789,7 +789,7 @@
     </message>
     <message>
         <source>%1, Holm-corrected</source>
-        <translation>%1, nach Holm korrigiert</translation>
+        <translation>%1, Holm-korrigiert</translation>
     </message>
     <message>
         <source>%1; the smallest attainable p is %2</source>
@@ -797,11 +797,11 @@
     </message>
     <message>
         <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be performed counts as p = 1.</source>
-        <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht möglicher Test zählt als p = 1.</translation>
+        <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
         <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be performed counts as p = 1.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht möglicher Test zählt als p = 1.</translation>
+        <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
         <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
@@ -813,7 +813,7 @@
     </message>
     <message>
         <source>These participants are virtual: the numbers test the program and are not evidence about human participants.</source>
-        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und belegen nichts über Menschen.</translation>
+        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen dienen der Prüfung des Programms und belegen nichts über Menschen.</translation>
     </message>
     <message>
         <source>Flagged attempts among those that count: %1; the reasons are in attempts.tsv of an export.</source>
@@ -857,7 +857,7 @@
     </message>
     <message>
         <source>Not significantly: %1; difference (women − men) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
+        <translation>Nicht signifikant: %1; Differenz (Frauen − Männer) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass beide Gruppen gleich sind.</translation>
     </message>
     <message>
         <source>For these participants, %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
@@ -869,7 +869,7 @@
     </message>
     <message>
         <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
-        <translation>95-%-KI: t-Intervalle der CR2-Standardfehler mit den Versuchspersonen als Clustern und Satterthwaites Freiheitsgraden.</translation>
+        <translation>95-%-KI: t-Intervalle mit CR2-Standardfehlern, den Versuchspersonen als Clustern und Freiheitsgraden nach Satterthwaite.</translation>
     </message>
     <message>
         <source>No CI: at least %1 participants are needed.</source>
@@ -901,7 +901,7 @@
     </message>
     <message>
         <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest difference that is possible.</source>
-        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden Äquivalenz innerhalb keiner Grenze stützen: Das KI reicht bis ±100 Prozentpunkte, den größten möglichen Unterschied.</translation>
+        <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden bei keiner Grenze Äquivalenz stützen: Das KI reicht bis ±100 Prozentpunkte, die größte mögliche Differenz.</translation>
     </message>
     <message>
         <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would support equivalence within ±%2 percentage points.</source>
@@ -953,7 +953,7 @@
     </message>
     <message>
         <source>the participants&apos; proportions of choices of %1</source>
-        <translation>die Anteile der Wahlen von %1 der Versuchspersonen</translation>
+        <translation>die Anteile von %1 an den Wahlen der Versuchspersonen</translation>
     </message>
     <message>
         <source>There are no responses yet.</source>
@@ -965,7 +965,7 @@
     </message>
     <message>
         <source>Do the conditions differ in the spacing judged roughest?</source>
-        <translation>Unterscheiden sich die Bedingungen im Abstand, der als der rauste beurteilt wird?</translation>
+        <translation>Unterscheiden sich die Bedingungen im Abstand, der als der raueste beurteilt wird?</translation>
     </message>
     <message>
         <source>Ratios of the peaks: %1.</source>
@@ -973,7 +973,7 @@
     </message>
     <message>
         <source>The ratio of the peaks of two conditions that both have an interior maximum, with a t-based CI over participants on the logarithmic scale.</source>
-        <translation>Das Verhältnis der Maxima zweier Bedingungen, die beide ein inneres Maximum haben, mit einem Konfidenzintervall nach t auf den Logarithmen über die Versuchspersonen.</translation>
+        <translation>Das Verhältnis der Maxima zweier Bedingungen, die beide ein inneres Maximum haben, mit einem t-basierten Konfidenzintervall über die Versuchspersonen auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>Proportion of confusions among the responses to the two textures, all participants pooled.</source>
@@ -993,7 +993,7 @@
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
-        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n die Zahl der Antworten oder Durchgänge ist, sind diese zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1 The p values of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
@@ -1017,11 +1017,11 @@
     </message>
     <message>
         <source>%1 Trials without a time, which are left out: %2 of %3.</source>
-        <translation>%1 Durchgänge ohne Zeit, die weggelassen sind: %2 von %3.</translation>
+        <translation>%1 Weggelassene Durchgänge ohne Zeit: %2 von %3.</translation>
     </message>
     <message>
         <source>No trial has a stored response time.</source>
-        <translation>Von keinem Durchgang ist eine Reaktionszeit gespeichert.</translation>
+        <translation>Für keinen Durchgang ist eine Reaktionszeit gespeichert.</translation>
     </message>
     <message>
         <source>Response times by condition</source>
@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: they show equivalence where the 90 % CI lies within the margin. %1</source>
-        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wo das 90-%-Konfidenzintervall innerhalb der Äquivalenzgrenzen liegt. %1</translation>
+        <translation>Zwei einseitige Welch-t-Tests der Anteile der Versuchspersonen, jeweils auf dem 5-%-Niveau: Sie zeigen Äquivalenz, wenn das 90-%-Konfidenzintervall innerhalb der Äquivalenzgrenzen liegt. %1</translation>
     </message>
     <message>
         <source>This cannot be assessed: a group has one participant, or the participants of each group do not differ.</source>
@@ -1069,11 +1069,11 @@
     </message>
     <message>
         <source>%1 Roughness ratios are computed from the participants&apos; mean logarithms; the ratio of two levels has a t-based CI, the ratio of the extremes of several levels has none.</source>
-        <translation>%1 Verhältnisse der Rauheit sind aus den mittleren Logarithmen der Versuchspersonen berechnet; das zweier Stufen hat ein Konfidenzintervall nach t, das zwischen den Extremen mehrerer Stufen keines.</translation>
+        <translation>%1 Verhältnisse der Rauheit sind aus den mittleren Logarithmen der Versuchspersonen berechnet; das Verhältnis zweier Stufen hat ein t-basiertes Konfidenzintervall, das der Extreme mehrerer Stufen hat keines.</translation>
     </message>
     <message>
         <source>Similarities, MDS configuration and dendrogram rest on too few confusions (between textures that were presented: %1): %2 of %3 pairs of textures were never confused, and their dissimilarities are set by the ½ that is added to every count.</source>
-        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+        <translation>Ähnlichkeiten, MDS-Konfiguration und Dendrogramm beruhen auf zu wenigen Verwechslungen (zwischen dargebotenen Texturen: %1): %2 von %3 Paaren von Texturen wurden nie verwechselt, und ihre Unähnlichkeiten sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
         <source>With one participant there is no CI.</source>
@@ -1105,7 +1105,7 @@
     </message>
     <message>
         <source>the proportion of choices of %1</source>
-        <translation>der Anteil der Wahlen von %1</translation>
+        <translation>der Anteil von %1 an den Wahlen</translation>
     </message>
     <message>
         <source>The items of a trial are treated as independent of each other.</source>
@@ -1113,7 +1113,7 @@
     </message>
     <message>
         <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one if their number is odd; a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
-        <translation>Explorativ, ohne Test und ohne Anpassung an die Bedingungen der Durchgänge. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
+        <translation>Explorativ, ohne Test und nicht für die Bedingungen der Durchgänge adjustiert. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
         <source>Ratio per 10 trials: from the least-squares lines of the logarithm over the trial number.</source>
@@ -1133,11 +1133,11 @@
     </message>
     <message>
         <source>Proportions: of correctly matched items.</source>
-        <translation>Anteile: der richtigen Zuordnungen.</translation>
+        <translation>Anteile: richtige Zuordnungen.</translation>
     </message>
     <message>
         <source>Proportions: of correct responses.</source>
-        <translation>Anteile: der richtigen Antworten.</translation>
+        <translation>Anteile: richtige Antworten.</translation>
     </message>
     <message>
         <source>%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it serves to compare cells and does not include the differences between participants.</source>
@@ -1169,11 +1169,11 @@
     </message>
     <message>
         <source>%1 Two-sided one-sample t test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
-        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
+        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ enthalten kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
     </message>
     <message>
         <source>%1 One-sided exact binomial test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
-        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ nennen kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
+        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ enthalten kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
     </message>
     <message>
         <source>From the cue (the first question after the last surface) to the response, including any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
@@ -1201,11 +1201,11 @@
     </message>
     <message>
         <source>%1 The permutation test uses %2 random divisions of the participants into groups of these sizes, because there are too many to enumerate.</source>
-        <translation>%1 Der Permutationstest verwendet %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, weil es zu viele gibt, um alle zu zählen.</translation>
+        <translation>%1 Der Permutationstest verwendet %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, weil es zu viele Aufteilungen gibt, um alle zu verwenden.</translation>
     </message>
     <message>
         <source>%1, averaged over the participants, with a t-based CI on the logit scale.</source>
-        <translation>%1, gemittelt über die Versuchspersonen, mit einem Konfidenzintervall nach t auf der Logit-Skala.</translation>
+        <translation>%1, gemittelt über die Versuchspersonen, mit einem t-basierten Konfidenzintervall auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>%1, averaged over the participants.</source>
@@ -1213,11 +1213,11 @@
     </message>
     <message>
         <source>95 % CI: t-based over participants, on the logarithmic scale.</source>
-        <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala.</translation>
+        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
         <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
-        <translation>Die eigene Intraklassenkorrelation (Konsistenz) jeder Versuchsperson der Logarithmen der Schätzungen, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem Konfidenzintervall nach t. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es das wahre Mittel in mindestens 88 % der Studien.</translation>
+        <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es das wahre Mittel in mindestens 88 % der Studien.</translation>
     </message>
     <message>
         <source>No test of the family (%1) could be performed.</source>
@@ -1229,15 +1229,15 @@
     </message>
     <message>
         <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 92 % of the studies.</source>
-        <translation>%1 95-%-Konfidenzintervall: nach t über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
+        <translation>%1 95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
         <source>95 % CI: t-based over participants, of times on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 93 % of the studies.</source>
-        <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
+        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
     </message>
     <message>
         <source>95 % CI: t-based over participants, of times on the logarithmic and of proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
-        <translation>95-%-Konfidenzintervall: nach t über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
+        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
     </message>
     <message>
         <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
-        <translation>Verallgemeinertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, nach Maximum Likelihood mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
+        <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
         <source>%1 was rougher than %2 by a factor of %3 (%4 CI [%5, %6])</source>
@@ -1273,11 +1273,11 @@
     </message>
     <message>
         <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
-        <translation>Nicht gesichert: Im Mittel wurden %1 der Items einer Versuchsperson richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest über Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
+        <translation>Nicht gesichert: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
         <source>No, less often than by chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Nein, seltener als durch Raten: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+        <translation>Nein, seltener als beim Raten: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
@@ -1289,11 +1289,11 @@
     </message>
     <message>
         <source>Geometric means of the estimates. normalised: each participant&apos;s scale removed (the mean of the logarithms of all cells). raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
-        <translation>Geometrische Mittel der Schätzungen. normalised: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). raw: nicht normalisiert. left out: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur raw enthält sie.</translation>
+        <translation>Geometrische Mittel der Schätzungen. normiert: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). roh: nicht normiert. weggelassen: Zahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
     </message>
     <message>
         <source>For this participant only: %1 of the items were matched correctly (%2), compared with a chance level of %3; permutation test, %4. More participants are needed.</source>
-        <translation>Nur für diese Versuchsperson: %1 der Items wurden richtig zugeordnet (%2), bei einem Zufallsniveau von %3; Permutationstest, %4. Es werden mehr Versuchspersonen benötigt.</translation>
+        <translation>Nur für diese Versuchsperson: %1 der Zuordnungen waren richtig (%2), bei einem Zufallsniveau von %3; Permutationstest, %4. Es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
         <source>For this participant only: %1 of the responses were correct (%2), compared with a chance level of %3; %4. More participants are needed.</source>
@@ -1320,7 +1320,7 @@
     <name>AnalysisPage</name>
     <message>
         <source>%1 Enter them with Study → Metadata…</source>
-        <translation>%1 Eintragen lassen sie sich mit Studie → Angaben…</translation>
+        <translation>%1 Sie lassen sich mit Studie → Angaben… eintragen.</translation>
     </message>
 </context>
 <context>
@@ -1355,7 +1355,7 @@
     </message>
     <message>
         <source>Clopper–Pearson, 95 %</source>
-        <translation>Clopper–Pearson, 95 %</translation>
+        <translation>Clopper-Pearson, 95 %</translation>
     </message>
     <message>
         <source>correct</source>
@@ -1423,7 +1423,7 @@
     </message>
     <message>
         <source>Other or not reported</source>
-        <translation>Anderes oder ohne Angabe</translation>
+        <translation>Andere oder keine Angabe</translation>
     </message>
     <message>
         <source>Total</source>
@@ -1599,7 +1599,7 @@
     </message>
     <message>
         <source>left out</source>
-        <translation>ausgelassen</translation>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>pair</source>
@@ -1845,7 +1845,7 @@
     <name>CellWords</name>
     <message>
         <source>Other or not reported</source>
-        <translation>Anderes oder ohne Angabe</translation>
+        <translation>Andere oder keine Angabe</translation>
     </message>
     <message>
         <source>d′</source>
@@ -1909,7 +1909,7 @@
     </message>
     <message>
         <source>spacing by condition</source>
-        <translation>Abstand mal Bedingung</translation>
+        <translation>Abstand × Bedingung</translation>
     </message>
     <message>
         <source>peaks</source>
@@ -1969,7 +1969,7 @@
     </message>
     <message>
         <source>the participants do not include both women and men</source>
-        <translation>die Versuchspersonen umfassen nicht sowohl Frauen als auch Männer</translation>
+        <translation>unter den Versuchspersonen sind keine Frauen oder keine Männer</translation>
     </message>
     <message>
         <source>the pictures differ between trials</source>
@@ -2029,11 +2029,11 @@
     </message>
     <message>
         <source>transmitted information, bias-corrected (Miller 1955)</source>
-        <translation>übertragene Information, korrigiert (Miller 1955)</translation>
+        <translation>übertragene Information, bias-korrigiert (Miller 1955)</translation>
     </message>
     <message>
         <source>transmitted information, bias-corrected (Miller–Madow)</source>
-        <translation>übertragene Information, korrigiert (Miller–Madow)</translation>
+        <translation>übertragene Information, bias-korrigiert (Miller-Madow)</translation>
     </message>
     <message>
         <source>transmitted information, plug-in</source>
@@ -2117,7 +2117,7 @@
     </message>
     <message>
         <source>proportion correct; change: second − first half</source>
-        <translation>Anteil richtig; Änderung: zweite − erste Hälfte</translation>
+        <translation>Anteil richtiger Antworten; Änderung: zweite − erste Hälfte</translation>
     </message>
     <message>
         <source>response time; change: ratio per 10 trials</source>
@@ -2413,7 +2413,7 @@
     </message>
     <message>
         <source>There are no responses: there are no confusions to show.</source>
-        <translation>Es gibt keine Antworten und daher keine Verwechslungen zu zeigen.</translation>
+        <translation>Es gibt keine Antworten und daher keine Verwechslungen.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2421,11 +2421,11 @@
     </message>
     <message>
         <source>Preference scale (Bradley–Terry)</source>
-        <translation>Präferenzskala (Bradley–Terry)</translation>
+        <translation>Präferenzskala (Bradley-Terry)</translation>
     </message>
     <message>
         <source>Preference scale (Plackett–Luce)</source>
-        <translation>Präferenzskala (Plackett–Luce)</translation>
+        <translation>Präferenzskala (Plackett-Luce)</translation>
     </message>
     <message>
         <source>%1 (%2 of %3)</source>
@@ -2465,7 +2465,7 @@
     </message>
     <message>
         <source>Proportion of choices of each alternative</source>
-        <translation>Anteil der Wahlen jeder Alternative</translation>
+        <translation>Anteil jeder Alternative an den Wahlen</translation>
     </message>
     <message>
         <source>Proportion of correct matches of each texture</source>
@@ -2585,11 +2585,11 @@
     </message>
     <message>
         <source>Points are means over the participants who scored every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-Konfidenzintervalle nach t. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means to show.</source>
-        <translation>Keine Versuchsperson hat alles bewertet: Es gibt keine Mittelwerte zu zeigen.</translation>
+        <translation>Keine Versuchsperson hat alles bewertet: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -2601,7 +2601,7 @@
     </message>
     <message>
         <source>Points are means over the participants, shifted where several coincide. Bars: t-based %1 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Konfidenzintervalle nach t. Linien dienen nur der Orientierung.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: t-basierte %1-%-Konfidenzintervalle. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -2777,7 +2777,7 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
-        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle, für Anteile auf der Logit-Skala. Überlappende Intervalle sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>Confusion matrix</source>
@@ -2801,7 +2801,7 @@
     </message>
     <message>
         <source>%1 Too few confusions: %2 of %3 pairs were never confused, and their distances are set by the ½ added to every count.</source>
-        <translation>%1 Zu wenige Verwechslungen: %2 von %3 Paaren wurden nie verwechselt, und ihre Abstände bestimmt das ½, das zu jeder Anzahl addiert wird.</translation>
+        <translation>%1 Zu wenige Verwechslungen: %2 von %3 Paaren wurden nie verwechselt, und ihre Abstände sind durch das ½ bestimmt, das zu jeder Anzahl addiert wird.</translation>
     </message>
     <message>
         <source>Dendrogram of the confusions</source>
@@ -2889,7 +2889,7 @@
     </message>
     <message>
         <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t-based 95 % CIs.</source>
-        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu eng sind, wo eine Versuchsperson mehrmals wählte. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
+        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals wählte. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
     </message>
     <message>
         <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows of one trial depend on each other.</source>
@@ -2933,7 +2933,7 @@
     </message>
     <message>
         <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs by the delta method.</source>
-        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach Maximum Likelihood. Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
+        <translation>Gefüllte Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen (Maximum-Likelihood-Schätzung). Offene Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KI nach der Delta-Methode.</translation>
     </message>
     <message>
         <source>proportion correct (for matching: of items)</source>
@@ -2941,7 +2941,7 @@
     </message>
     <message>
         <source>There are no confusions from which to make a dendrogram.</source>
-        <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm machen ließe.</translation>
+        <translation>Es gibt keine Verwechslungen, aus denen sich ein Dendrogramm berechnen ließe.</translation>
     </message>
     <message>
         <source>Points are log-worths. There are no CIs, because the participants do not differ or are too few.</source>
@@ -2949,7 +2949,7 @@
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
-        <translation>Punkte sind Log-Nutzwerte mit Firths Korrektur der Verzerrung, bezogen auf das erste Element. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
+        <translation>Punkte sind Log-Nutzwerte mit Firths Bias-Korrektur, bezogen auf das erste Element. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
     </message>
     <message>
         <source>proportion correct (for matching: of items), mean with its %1 % CI</source>
@@ -2973,7 +2973,7 @@
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
-        <translation>Alle Unähnlichkeiten sind 0: Es gibt keine Abstände zu zeigen.</translation>
+        <translation>Alle Unähnlichkeiten sind 0: Es gibt keine Abstände.</translation>
     </message>
     <message>
         <source>mean over participants</source>
@@ -3021,7 +3021,7 @@
     </message>
     <message>
         <source>Points are geometric means over the participants, bars their t-based %1 % CIs on the logarithmic scale. Response times are measured from the cue to the response.</source>
-        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der logarithmischen Skala. Die Reaktionszeiten sind vom Signal bis zur Antwort gemessen.</translation>
     </message>
     <message>
         <source>Points are geometric means over the participants. Response times are measured from the cue to the response.</source>
@@ -3045,7 +3045,7 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions, bars their t-based %1 % CIs on the logit scale.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre %1-%-Konfidenzintervalle nach t auf der Logit-Skala.</translation>
+        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions.</source>
@@ -3076,7 +3076,7 @@
     <name>FitTable</name>
     <message>
         <source>%1 was not written: no completed session has choices that count in analyses.</source>
-        <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Auswahlen, die in Auswertungen zählen.</translation>
+        <translation>%1 wurde nicht geschrieben: Keine abgeschlossene Sitzung enthält Wahlen, die in Auswertungen zählen.</translation>
     </message>
     <message>
         <source>%1 was not written: no factor of the trials has numbers as levels. A repetition (column) is not a level.</source>
@@ -3084,7 +3084,7 @@
     </message>
     <message>
         <source>%1 was not written: no participant has choices at two levels of a factor that has numbers as levels.</source>
-        <translation>%1 wurde nicht geschrieben: Von keiner Versuchsperson liegen Auswahlen auf zwei Stufen eines Faktors mit Zahlen als Stufen vor.</translation>
+        <translation>%1 wurde nicht geschrieben: Von keiner Versuchsperson liegen Wahlen auf zwei Stufen eines Faktors mit Zahlen als Stufen vor.</translation>
     </message>
 </context>
 <context>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>The camera stored a rotation with the picture; here the picture is shown without this rotation. If the orientation matters, rotate and save the picture with another program.</source>
-        <translation>Die Kamera hat mit dem Bild eine Drehung gespeichert; hier wird es ohne diese Drehung gezeigt. Kommt es auf die Ausrichtung an, das Bild mit einem anderen Programm drehen und speichern.</translation>
+        <translation>Die Kamera hat mit dem Bild eine Drehung gespeichert; hier wird es ohne diese Drehung gezeigt. Falls es auf die Ausrichtung ankommt, das Bild mit einem anderen Programm drehen und speichern.</translation>
     </message>
     <message>
         <source>%1 does not fit into the memory of this computer. Scale it down or crop it.</source>
@@ -3404,7 +3404,7 @@
     </message>
     <message>
         <source>%1 has changed since it was opened. Open it again.</source>
-        <translation>%1 hat sich geändert, seit es geöffnet wurde. Erneut öffnen.</translation>
+        <translation>%1 hat sich geändert, seit es geöffnet wurde. Das Bild erneut öffnen.</translation>
     </message>
     <message>
         <source>%1 is not a picture file; open a PNG, JPEG, TIFF, BMP or WebP file.</source>
@@ -4104,7 +4104,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol requires a device that passed; repair it, and measure it again with %4</source>
-        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das bestanden hat; den Mangel beheben und das Gerät erneut mit %4 messen</translation>
     </message>
     <message>
         <source>The stiffness of &quot;%1&quot; could not be determined or compared with the %2 N/m that the device renders without oscillation: at every place examined its force jumps or does not increase.</source>
@@ -4120,7 +4120,7 @@
     </message>
     <message>
         <source>Limit the pressing force to %1 N, or lower the friction of the surface; no friction_speed_m_per_s that the model accepts is high enough.</source>
-        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; kein Wert von friction_speed_m_per_s, den das Modell annimmt, ist hoch genug.</translation>
+        <translation>Die Andruckkraft auf %1 N begrenzen oder die Reibung der Oberfläche verringern; kein zulässiger Wert von friction_speed_m_per_s ist hoch genug.</translation>
     </message>
     <message>
         <source>Set friction_speed_m_per_s to %1 or more, or limit the pressing force to %2 N.</source>
@@ -4147,11 +4147,11 @@
     <name>RunSession</name>
     <message>
         <source>the session last ran on %1 and is resumed on %2; this is stored with the session and stated in its report</source>
-        <translation>die Sitzung lief zuletzt auf %1 und wird auf %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
+        <translation>die Sitzung lief zuletzt an %1 und wird an %2 fortgesetzt; das wird mit der Sitzung gespeichert und steht in ihrem Bericht</translation>
     </message>
     <message>
         <source>the session began on a device with which no participant can feel the surfaces, and is resumed in the same way; its report states this</source>
-        <translation>die Sitzung begann auf einem Gerät, mit dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
+        <translation>die Sitzung begann an einem Gerät, an dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
     </message>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
@@ -4171,7 +4171,7 @@
     </message>
     <message>
         <source>participant %1 has an unfinished session %2 of this protocol; resume it with --resume</source>
-        <translation>die Versuchsperson %1 hat von diesem Protokoll die unvollständige Sitzung %2; zuerst diese fortsetzen</translation>
+        <translation>Sitzung %2 der Versuchsperson %1 mit diesem Protokoll ist unvollständig; zuerst diese fortsetzen</translation>
     </message>
     <message>
         <source>participant %1 has completed all sessions of this protocol, which plans %2 per participant; choose another participant</source>
@@ -4586,7 +4586,7 @@
     </message>
     <message>
         <source>Choose the device on which the session last ran, unless a change is intended; a change is stored and stated in the report.</source>
-        <translation>Das Gerät wählen, auf dem die Sitzung zuletzt lief, sofern kein Wechsel beabsichtigt ist; ein Wechsel wird gespeichert und im Bericht genannt.</translation>
+        <translation>Das Gerät wählen, an dem die Sitzung zuletzt lief, sofern kein Wechsel beabsichtigt ist; ein Wechsel wird gespeichert und im Bericht genannt.</translation>
     </message>
     <message>
         <source>%1 The session began without a force that a participant could feel, and is resumed in the same way; the report states this.</source>
@@ -4634,7 +4634,7 @@
     </message>
     <message>
         <source>%1 The session last ran on “%2”.</source>
-        <translation>%1 Die Sitzung lief zuletzt auf „%2“.</translation>
+        <translation>%1 Die Sitzung lief zuletzt an „%2“.</translation>
     </message>
     <message>
         <source>Measured %1</source>
@@ -4924,7 +4924,7 @@
     </message>
     <message>
         <source>try the session out in Pilot, or choose a device that a participant holds</source>
-        <translation>zum Ausprobieren Pilot oder ein Gerät wählen, das eine Versuchsperson hält</translation>
+        <translation>zum Ausprobieren Pilot oder ein Gerät wählen, das von einer Versuchsperson gehalten wird</translation>
     </message>
     <message>
         <source>try the session out in Pilot, or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
@@ -5253,7 +5253,7 @@
     </message>
     <message>
         <source>There are no sessions to export yet.</source>
-        <translation>Es gibt noch keine Sitzungen zu exportieren.</translation>
+        <translation>Es gibt noch keine Sitzungen für einen Export.</translation>
     </message>
     <message>
         <source>New folder for the tables</source>
@@ -5317,7 +5317,7 @@
     </message>
     <message>
         <source>Writing the tables to %1 …</source>
-        <translation>Tabellen werden nach %1 geschrieben …</translation>
+        <translation>Tabellen werden nach %1 geschrieben…</translation>
     </message>
     <message>
         <source>Writing the tables was cancelled. No part of them remains in %1.</source>
@@ -5338,8 +5338,8 @@
     <message numerus="yes">
         <source>README.txt contains %n further warning(s).</source>
         <translation>
-            <numerusform>README.txt nennt %n weitere Warnung.</numerusform>
-            <numerusform>README.txt nennt %n weitere Warnungen.</numerusform>
+            <numerusform>README.txt enthält %n weitere Warnung.</numerusform>
+            <numerusform>README.txt enthält %n weitere Warnungen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5497,7 +5497,7 @@
     </message>
     <message>
         <source>Writing %1 …</source>
-        <translation>%1 wird geschrieben …</translation>
+        <translation>%1 wird geschrieben…</translation>
     </message>
     <message>
         <source>Writing %1 was cancelled.</source>
@@ -5680,7 +5680,7 @@
     </message>
     <message>
         <source>The decision is stored with the time; the data remain unchanged.</source>
-        <translation>Die Entscheidung wird mit der Uhrzeit gespeichert; die Daten bleiben unverändert.</translation>
+        <translation>Die Entscheidung wird mit dem Zeitpunkt gespeichert; die Daten bleiben unverändert.</translation>
     </message>
     <message>
         <source>The decision could not be stored: %1</source>
@@ -5803,11 +5803,11 @@
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Suche läuft …</translation>
+        <translation>Suche läuft…</translation>
     </message>
     <message>
         <source>Searching for devices…</source>
-        <translation>Geräte werden gesucht …</translation>
+        <translation>Geräte werden gesucht…</translation>
     </message>
     <message>
         <source>Tried: the device responds. Details are in the checklist.</source>
@@ -5815,7 +5815,7 @@
     </message>
     <message>
         <source>Opening the device…</source>
-        <translation>Das Gerät wird geöffnet …</translation>
+        <translation>Das Gerät wird geöffnet…</translation>
     </message>
 </context>
 <context>
@@ -5934,7 +5934,7 @@
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten …</translation>
+        <translation>Wird angehalten…</translation>
     </message>
     <message>
         <source>Esc, F12, Pause and Ctrl+Space do the same.</source>
@@ -6033,7 +6033,7 @@
     </message>
     <message>
         <source>Keep hands away: soft pushes, then a stop, a force that is not a number, and a program that does not respond. Each has to end in zero force.</source>
-        <translation>Hände fernhalten: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert. Jedes muss mit der Kraft null enden.</translation>
+        <translation>Hände fernhalten: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein Programm, das nicht reagiert. Jeder dieser Fälle muss mit der Kraft null enden.</translation>
     </message>
 </context>
 <context>
@@ -6184,7 +6184,7 @@
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Suche läuft …</translation>
+        <translation>Suche läuft…</translation>
     </message>
     <message>
         <source>Peak force</source>
@@ -6319,7 +6319,7 @@
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Suche läuft …</translation>
+        <translation>Suche läuft…</translation>
     </message>
 </context>
 <context>
@@ -6897,7 +6897,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Timing of the servo loop</source>
-        <translation>Zeitverhalten der Regelschleife</translation>
+        <translation>Zeitverhalten der Servoschleife</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -6953,7 +6953,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>viewed along the contact, a surface folds over itself; part of it is omitted</source>
-        <translation>eine Oberfläche überlappt sich in Richtung des Kontakts, ein Teil bleibt außer Acht</translation>
+        <translation>eine Oberfläche überlappt sich in Richtung des Kontakts; ein Teil wird weggelassen</translation>
     </message>
     <message>
         <source>the deepest point lay at the border of the region searched</source>
@@ -7078,7 +7078,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>SIMULATED: no human participant</source>
-        <translation>SIMULIERT: keine Person</translation>
+        <translation>SIMULIERT: kein Mensch</translation>
     </message>
 </context>
 <context>
@@ -7222,7 +7222,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Experimenter who read the sound level meter</source>
-        <translation>Wer den Schallpegelmesser abgelesen hat</translation>
+        <translation>Versuchsleitung am Schallpegelmesser</translation>
     </message>
     <message>
         <source>&amp;Verified by</source>
@@ -7351,7 +7351,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Session %1 of this protocol, begun %2, is unfinished.</source>
-        <translation>Sitzung %1 dieses Protokolls, begonnen %2, ist unvollendet.</translation>
+        <translation>Sitzung %1 dieses Protokolls, begonnen %2, ist unvollständig.</translation>
     </message>
     <message>
         <source>No participant is chosen.</source>
@@ -7383,7 +7383,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Session %1 of this protocol, on a simulated clock, is unfinished.</source>
-        <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollendet.</translation>
+        <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollständig.</translation>
     </message>
     <message>
         <source>Reason for resuming *</source>
@@ -7460,7 +7460,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Unfinished</source>
-        <translation>Unvollendet</translation>
+        <translation>Unvollständig</translation>
     </message>
     <message>
         <source>Last session</source>
@@ -7472,7 +7472,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Human %1</source>
-        <translation>Personen %1</translation>
+        <translation>Menschlich %1</translation>
     </message>
     <message>
         <source>Virtual %1</source>
@@ -7484,7 +7484,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Withdraw…</source>
-        <translation>Teilnahme zurückziehen …</translation>
+        <translation>Teilnahme zurückziehen…</translation>
     </message>
     <message>
         <source>Exclude the participant&apos;s data from all use, or delete them from the study.</source>
@@ -7637,7 +7637,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Surfaces in order</source>
-        <translation>Oberflächen, in Reihenfolge</translation>
+        <translation>Reihenfolge der Oberflächen</translation>
     </message>
     <message>
         <source>Question</source>
@@ -8263,7 +8263,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Bright is high: for a surface in even light, where grooves and gaps are dark. On five measured surfaces the heights matched the relief only in part, and on four of them less well than the unprocessed brightness. A photograph does not show the depth of the relief: set it below.</source>
-        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Wie tief das Relief ist, zeigt ein Foto nicht: Die Tiefe unten einstellen.</translation>
+        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Bei fünf vermessenen Oberflächen stimmten die Höhen nur zum Teil mit dem Relief überein, bei vier davon weniger gut als die unbearbeitete Helligkeit. Ein Foto zeigt die Tiefe des Reliefs nicht: Sie ist unten einzustellen.</translation>
     </message>
 </context>
 <context>
@@ -8316,7 +8316,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>There are no sessions to report yet.</source>
-        <translation>Es gibt noch keine Sitzungen, über die zu berichten wäre.</translation>
+        <translation>Es gibt noch keine Sitzungen für einen Bericht.</translation>
     </message>
     <message>
         <source>The report is being written.</source>
@@ -8348,7 +8348,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Writing the report to %1 …</source>
-        <translation>Der Bericht wird nach %1 geschrieben …</translation>
+        <translation>Der Bericht wird nach %1 geschrieben…</translation>
     </message>
     <message>
         <source>Writing the report was cancelled.</source>
@@ -8425,7 +8425,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Saving …</source>
-        <translation>Wird gespeichert …</translation>
+        <translation>Wird gespeichert…</translation>
     </message>
     <message>
         <source>The study has a stimulus of this name; you will be asked before it is replaced.</source>
@@ -8666,7 +8666,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <name>asperity::SessionDesk</name>
     <message>
         <source>A session is running. End it in its own window first.</source>
-        <translation>Eine Sitzung läuft. Zuerst in ihrem eigenen Fenster beenden.</translation>
+        <translation>Eine Sitzung läuft. Sie zuerst in ihrem eigenen Fenster beenden.</translation>
     </message>
     <message>
         <source>The sessions of virtual participants are being simulated. Stop the simulation first.</source>
@@ -8852,7 +8852,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The screen “%1” was disconnected. Its contents are now on another screen. If it was the participant&apos;s screen, pause and reconnect it.</source>
-        <translation>Der Bildschirm „%1“ wurde getrennt. Sein Inhalt ist jetzt auf einem anderen Bildschirm. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anschließen.</translation>
+        <translation>Der Bildschirm „%1“ wurde getrennt. Sein Inhalt ist jetzt auf einem anderen Bildschirm. Falls es der Bildschirm der Versuchsperson war, die Sitzung anhalten und ihn wieder anschließen.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -8887,7 +8887,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>PARTICIPANT&apos;S VIEW</source>
-        <translation>SICHT DER VERSUCHSPERSON</translation>
+        <translation>ANSICHT DER VERSUCHSPERSON</translation>
     </message>
     <message>
         <source>The participant&apos;s window is not open.</source>
@@ -9062,7 +9062,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes where a session takes an hour.</source>
-        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, wo eine Sitzung eine Stunde dauert.</translation>
+        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, eine Sitzung eine Stunde.</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -9352,7 +9352,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>One session, shown while it runs.</source>
-        <translation>Eine Sitzung, zu sehen, während sie läuft.</translation>
+        <translation>Eine Sitzung, die während des Ablaufs gezeigt wird.</translation>
     </message>
     <message>
         <source>All sessions, run in the background.</source>
@@ -9360,12 +9360,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The program assigns the labels of virtual participants; the next one is %1.</source>
-        <translation>Das Programm benennt virtuelle Versuchspersonen; die nächste ist %1.</translation>
+        <translation>Das Programm vergibt die Kürzel virtueller Versuchspersonen; das nächste ist %1.</translation>
     </message>
     <message numerus="yes">
         <source>The program assigns the labels of virtual participants; the first of the next %n is %1.</source>
         <translation>
-            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächste (%n) ist %1.</numerusform>
+            <numerusform>Das Programm vergibt die Kürzel virtueller Versuchspersonen; das nächste (%n) ist %1.</numerusform>
             <numerusform>Das Programm benennt virtuelle Versuchspersonen; die erste der nächsten %n ist %1.</numerusform>
         </translation>
     </message>
@@ -10091,7 +10091,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Creating the demo study in %1…</source>
-        <translation>Die Demostudie entsteht in %1…</translation>
+        <translation>Die Demostudie wird in %1 angelegt…</translation>
     </message>
     <message>
         <source>Psychophysics experiments on haptic texture: participants feel rendered surfaces, compare them with pictures, and report what they felt.
@@ -10208,7 +10208,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Enter who decided this; the name is stored with the time.</source>
-        <translation>Eingeben, wer dies entschieden hat; der Name wird mit der Zeit gespeichert.</translation>
+        <translation>Eingeben, wer dies entschieden hat; der Name wird mit dem Zeitpunkt gespeichert.</translation>
     </message>
     <message>
         <source>Type %1 to confirm the deletion.</source>
@@ -10216,11 +10216,11 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Deleting the data…</source>
-        <translation>Die Daten werden gelöscht …</translation>
+        <translation>Die Daten werden gelöscht…</translation>
     </message>
     <message>
         <source>Storing the withdrawal…</source>
-        <translation>Der Rückzug wird gespeichert …</translation>
+        <translation>Der Rückzug wird gespeichert…</translation>
     </message>
     <message>
         <source>Close</source>
@@ -10347,7 +10347,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Reading %1 …</source>
-        <translation>%1 wird gelesen …</translation>
+        <translation>%1 wird gelesen…</translation>
     </message>
     <message>
         <source>The file could not be opened: %1</source>
