@@ -205,21 +205,41 @@ TidyTable::TidyTable(std::string whole, std::string name)
   }
 }
 
+std::size_t TidyTable::rows_in(const std::variant<LabelColumn, NumberColumn>& cells) noexcept {
+  const auto* const labels = std::get_if<LabelColumn>(&cells);
+  return labels == nullptr ? std::get<NumberColumn>(cells).size() : labels->codes.size();
+}
+
 TidyTable::TidyTable(std::vector<Column> columns, std::string name) : name_(std::move(name)) {
+  const auto refuse_column = [this](const Column& column, const char* why) {
+    throw std::invalid_argument("the column " + column.name + " of " + name_ + why);
+  };
   for (Column& column : columns) {
-    const std::vector<std::size_t>& codes = column.labels.codes;
-    const bool is_whole = made_.empty() || codes.size() == made_.front().codes.size();
-    const bool has_names = std::all_of(codes.begin(), codes.end(), [&column](std::size_t code) {
-      return code < column.labels.names.size() || code == LabelColumn::kMissing;
-    });
-    if (!is_whole || !has_names) {
-      throw std::invalid_argument(
-          "the column " + column.name + " of " + name_ +
-          (is_whole ? " has a code without a name" : " is not as long as the first one"));
+    if (!made_.empty() && rows_in(column.cells) != rows()) {
+      refuse_column(column, " is not as long as the first one");
+    }
+    if (const auto* const labels = std::get_if<LabelColumn>(&column.cells)) {
+      const bool has_names =
+          std::all_of(labels->codes.begin(), labels->codes.end(), [labels](std::size_t code) {
+            return code < labels->names.size() || code == LabelColumn::kMissing;
+          });
+      if (!has_names) refuse_column(column, " has a code without a name");
+    } else {
+      const NumberColumn& numbers = std::get<NumberColumn>(column.cells);
+      const bool is_finite = std::all_of(
+          numbers.begin(), numbers.end(),
+          [](const std::optional<double>& number) { return !number || std::isfinite(*number); });
+      if (!is_finite) refuse_column(column, " has a number that is not finite");
     }
     add_column(std::move(column.name));
-    made_.push_back(std::move(column.labels));
+    made_.push_back(std::move(column.cells));
   }
+}
+
+const LabelColumn& TidyTable::made_names(std::size_t column) const {
+  if (const auto* const labels = std::get_if<LabelColumn>(&made_[column])) return *labels;
+  throw std::logic_error("the column " + columns_[column] + " of " + name_ +
+                         " has numbers, not names");
 }
 
 void TidyTable::add_column(std::string column) {
@@ -248,8 +268,9 @@ std::size_t TidyTable::index_of(std::string_view column) const {
 
 std::string_view TidyTable::cell(std::size_t row, std::size_t column) const {
   if (!made_.empty()) {
-    const std::size_t code = made_[column].codes[row];
-    return code == LabelColumn::kMissing ? std::string_view{} : made_[column].names[code];
+    const LabelColumn& made = made_names(column);
+    const std::size_t code = made.codes[row];
+    return code == LabelColumn::kMissing ? std::string_view{} : made.names[code];
   }
   const std::string_view text = cells_[row * columns_.size() + column];
   return is_missing(text) ? std::string_view{} : text;
@@ -272,6 +293,9 @@ std::vector<std::string_view> TidyTable::texts(std::string_view column) const {
 
 std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) const {
   const std::size_t index = index_of(column);
+  if (!made_.empty()) {
+    if (const auto* const made = std::get_if<NumberColumn>(&made_[index])) return *made;
+  }
   std::vector<std::optional<double>> numbers(rows());
   for (std::size_t row = 0; row < rows(); ++row) {
     std::string_view text = without_blanks(cell(row, index));
@@ -330,7 +354,7 @@ LabelColumn TidyTable::made_labels(const LabelColumn& made) const {
 
 LabelColumn TidyTable::labels(std::string_view column) const {
   const std::size_t index = index_of(column);
-  if (!made_.empty()) return made_labels(made_[index]);
+  if (!made_.empty()) return made_labels(made_names(index));
   LabelColumn labels{};
   labels.codes.resize(rows(), LabelColumn::kMissing);
   std::unordered_map<std::string_view, std::size_t> code_of{};

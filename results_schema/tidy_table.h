@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 namespace asperity {
@@ -20,6 +21,9 @@ struct LabelColumn {
   std::vector<std::string> names{};
   std::vector<std::size_t> codes{};  ///< by row; kMissing where the cell is empty
 };
+
+/// A column of numbers, by row; nothing where there is none.
+using NumberColumn = std::vector<std::optional<double>>;
 
 /// The cells of a file as text, with the lines on which they stand.
 ///
@@ -36,12 +40,12 @@ class TidyTable final {
   /// `name` is what messages call the file. Cells are views into `text`, which is kept: moved
   /// here, a table of hundreds of megabytes is held once.
   TidyTable(std::string text, std::string name);
-  /// Made, not read: named columns with a code for each row, in the place of text. Rows are counted
-  /// as lines from 2, as if they stood in a file. Throws std::invalid_argument for columns of
-  /// different lengths and for a code beyond its names.
+  /// A table of values instead of text: named columns of names or of numbers. Rows are counted as lines from 2, as
+  /// in a file. A column of numbers has neither texts nor labels. Throws std::invalid_argument for columns of
+  /// different lengths, for a code beyond its names, and for a number that is not finite.
   struct Column {
     std::string name{};
-    LabelColumn labels{};
+    std::variant<LabelColumn, NumberColumn> cells{};
   };
   TidyTable(std::vector<Column> columns, std::string name);
   TidyTable(TidyTable&&) = default;
@@ -49,7 +53,7 @@ class TidyTable final {
 
   const std::string& name() const noexcept { return name_; }
   std::size_t rows() const noexcept {
-    return made_.empty() ? lines_.size() : made_.front().codes.size();
+    return made_.empty() ? lines_.size() : rows_in(made_.front());
   }
   bool has(std::string_view column) const;
 
@@ -79,7 +83,10 @@ class TidyTable final {
  private:
   void add_column(std::string column);
   std::size_t index_of(std::string_view column) const;
+  static std::size_t rows_in(const std::variant<LabelColumn, NumberColumn>& cells) noexcept;
   LabelColumn made_labels(const LabelColumn& made) const;
+  /// Throws std::logic_error for a column of numbers: a mistake in the program.
+  const LabelColumn& made_names(std::size_t column) const;
   std::string_view cell(std::size_t row, std::size_t column) const;
 
   // Behind a pointer, because the characters of a moved string may move.
@@ -89,7 +96,8 @@ class TidyTable final {
   std::unordered_map<std::string, std::size_t> index_of_column_{};
   std::vector<std::string_view> cells_{};
   std::vector<std::uint32_t> lines_{};
-  std::vector<LabelColumn> made_{};  // as columns_, where the table was made
+  std::vector<std::variant<LabelColumn, NumberColumn>>
+      made_{};  // as columns_, of a table of values
 };
 
 }  // namespace asperity

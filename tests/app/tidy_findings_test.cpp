@@ -35,6 +35,19 @@ TEST(FamilyOptions, AreReadFromJson) {
   EXPECT_FALSE(FamilyOptions::of_json("[]", "case.json").has("items"));
 }
 
+TEST(FamilyOptions, AreSetAsValues) {
+  FamilyOptions options{};
+  options.set("margin", 0.1);
+  options.set("parts", std::string("12"));
+  options.set("items", std::vector<std::string>{"1", "a,b"});
+  options.set("within", {{"spacing", {"0.001", "0.002"}}, {"condition", {"slow"}}});
+  EXPECT_EQ(options.number("margin"), 0.1);
+  EXPECT_EQ(options.text("parts"), "12");
+  EXPECT_EQ(options.texts("items"), (std::vector<std::string>{"1", "a,b"}));
+  EXPECT_EQ(options.levels("within").front().first, "spacing");
+  EXPECT_EQ(options.levels("within").back().second, std::vector<std::string>{"slow"});
+}
+
 TEST(FamilyOptions, AreReadFromTheCommandLine) {
   FamilyOptions options{};
   options.add("items", "wood,2,metal");

@@ -2,6 +2,7 @@
 
 #include "results_schema/tidy_table.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -168,8 +169,8 @@ TEST(TidyTable, KeepsTheTextThatItIsGivenAndNoOther) {
 
 TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
   std::vector<TidyTable::Column> columns{
-      {"who", {.names = {"NA", "b", "c"}, .codes = {2, 0, 2}}},
-      {"what", {.names = {"x"}, .codes = {0, LabelColumn::kMissing, 0}}}};
+      {"who", LabelColumn{.names = {"NA", "b", "c"}, .codes = {2, 0, 2}}},
+      {"what", LabelColumn{.names = {"x"}, .codes = {0, LabelColumn::kMissing, 0}}}};
   const TidyTable table(columns, "made");
   EXPECT_EQ(table.rows(), 3U);
   const LabelColumn who = table.all_labels("who");  // a name is a name, whatever it looks like
@@ -178,8 +179,27 @@ TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
   EXPECT_EQ(table.texts("what")[1], "");
   EXPECT_EQ(refusal_of<ResultsError>([&] { table.all_labels("what"); }),
             "made:3:2: what is missing");
-  columns[1].labels.codes.pop_back();
+  std::get<LabelColumn>(columns[1].cells).codes.pop_back();
   EXPECT_THROW(TidyTable(columns, "made"), std::invalid_argument);
+}
+
+// What a program computed goes into a table as it is: a name that a file could not hold, a number to its last digit.
+TEST(TidyTable, HoldsValuesAsTheyAre) {
+  const double third = 1.0 / 3.0;
+  const TidyTable table({{"subject", LabelColumn{{"NA", "a,\"b\""}, {0, 1, 0}}},
+                         {"value", NumberColumn{third, std::nullopt, -0.0}}},
+                        "made");
+  EXPECT_EQ(table.rows(), 3U);
+  EXPECT_EQ(table.labels("subject").names, (std::vector<std::string>{"NA", "a,\"b\""}));
+  EXPECT_EQ(table.numbers("value"), (NumberColumn{third, std::nullopt, -0.0}));
+  EXPECT_THROW(table.all_numbers("value"), ResultsError);
+  EXPECT_THROW(table.labels("value"), std::logic_error) << "numbers are not names";
+  const auto with = [](NumberColumn numbers) {
+    return std::vector<TidyTable::Column>{{"subject", LabelColumn{{"a"}, {0}}},
+                                          {"value", std::move(numbers)}};
+  };
+  EXPECT_THROW(TidyTable(with({1.0, 2.0}), "made"), std::invalid_argument) << "one row too many";
+  EXPECT_THROW(TidyTable(with({std::nan("")}), "made"), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "app/findings/study/answer_columns.h"
 
-#include "analysis/number_text.h"
-
 namespace asperity {
 
 LabelColumn column_of_people(const GatheredAnswers& gathered) {
@@ -11,13 +9,20 @@ LabelColumn column_of_people(const GatheredAnswers& gathered) {
   return people;
 }
 
-LabelColumn column_of_times(const GatheredAnswers& gathered) {
-  LabelColumn times{};
-  for (const GatheredAnswer& answer : gathered.answers) {
-    times.codes.push_back(answer.response_time_s ? times.names.size() : LabelColumn::kMissing);
-    if (answer.response_time_s) times.names.push_back(number_text(*answer.response_time_s));
-  }
+NumberColumn column_of_times(const GatheredAnswers& gathered) {
+  NumberColumn times{};
+  for (const GatheredAnswer& answer : gathered.answers) times.push_back(answer.response_time_s);
   return times;
+}
+
+void LabelRows::add(const std::string& name) {
+  if (name.empty()) {
+    column_.codes.push_back(LabelColumn::kMissing);
+    return;
+  }
+  const auto [found, is_new] = code_of_.try_emplace(name, column_.names.size());
+  if (is_new) column_.names.push_back(name);
+  column_.codes.push_back(found->second);
 }
 
 }  // namespace asperity

@@ -2,6 +2,10 @@
 
 #pragma once
 
+#include <string>
+#include <unordered_map>
+#include <utility>
+
 #include "app/findings/study/gathered_answers.h"
 #include "results_schema/tidy_table.h"
 
@@ -10,6 +14,18 @@ namespace asperity {
 /// Who answered, by label.
 LabelColumn column_of_people(const GatheredAnswers& gathered);
 /// Response times in seconds; missing where there is none.
-LabelColumn column_of_times(const GatheredAnswers& gathered);
+NumberColumn column_of_times(const GatheredAnswers& gathered);
+
+/// A column of names that is filled row by row.
+class LabelRows final {
+ public:
+  /// An empty name is a missing cell.
+  void add(const std::string& name);
+  LabelColumn take() && { return std::move(column_); }
+
+ private:
+  LabelColumn column_{};
+  std::unordered_map<std::string, std::size_t> code_of_{};
+};
 
 }  // namespace asperity

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 
 namespace asperity {
@@ -25,7 +25,7 @@ constexpr std::size_t kFewestParticipants = 5;
 constexpr std::size_t kFewestTextures = 3;
 
 /// A row per participant and texture. Numbers stand for names, which no finding has.
-std::string rows_of(std::span<const TextureResponse> responses) {
+std::vector<TidyTable::Column> rows_of(std::span<const TextureResponse> responses) {
   struct Count {
     std::size_t hits = 0;
     std::size_t trials = 0;
@@ -36,19 +36,27 @@ std::string rows_of(std::span<const TextureResponse> responses) {
     ++count.trials;
     count.hits += one.is_hit ? 1 : 0;
   }
-  std::string text = "subject,item,correct,trials\n";
+  LabelRows subjects{};
+  LabelRows items{};
+  NumberColumn correct{};
+  NumberColumn trials{};
   for (const auto& [of, count] : counts) {
-    text += std::to_string(of.first) + ',' + std::to_string(of.second) + ',' +
-            std::to_string(count.hits) + ',' + std::to_string(count.trials) + '\n';
+    subjects.add(std::to_string(of.first));
+    items.add(std::to_string(of.second));
+    correct.push_back(static_cast<double>(count.hits));
+    trials.push_back(static_cast<double>(count.trials));
   }
-  return text;
+  return {{"subject", std::move(subjects).take()},
+          {"item", std::move(items).take()},
+          {"correct", std::move(correct)},
+          {"trials", std::move(trials)}};
 }
 
 std::vector<Finding> fitted(const CrossedResponses& crossed, const char* random) {
   TidyInput input{};
   input.tables.emplace_back(rows_of(crossed.responses), "the responses");
-  input.options.add("chance", number_text(crossed.chance));
-  if (random != nullptr) input.options.add("random", json_list(std::vector<std::string>{random}));
+  input.options.set("chance", crossed.chance);
+  if (random != nullptr) input.options.set("random", std::vector<std::string>{random});
   return analysis_of(kCrossed, "glmm", std::move(input));
 }
 

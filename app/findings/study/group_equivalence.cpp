@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 
 namespace asperity {
@@ -16,21 +16,28 @@ namespace {
 /// A table of the family `equivalence`, with the declared bounds; nothing where a group is empty.
 std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
                                      std::span<const std::optional<double>> proportions) {
-  std::string text = "subject,group,value\n";
-  std::set<std::string> groups{};
+  LabelRows subjects{};
+  LabelRows groups{};
+  NumberColumn values{};
+  std::set<std::string> sexes{};
   for (std::size_t i = 0; i < gathered.people.size(); ++i) {
     const std::string sex = gathered.people[i].sex.value_or("");
     if ((sex != "F" && sex != "M") || !proportions[i]) continue;
-    groups.insert(sex);
-    text += gathered.people[i].label + ',' + sex + ',' + number_text(*proportions[i]) + '\n';
+    sexes.insert(sex);
+    subjects.add(gathered.people[i].label);
+    groups.add(sex);
+    values.push_back(*proportions[i]);
   }
-  if (groups.size() < 2) return std::nullopt;
+  if (sexes.size() < 2) return std::nullopt;
   TidyInput input{};
-  input.tables.emplace_back(text, "the participants");
-  input.options.add("groups", R"(["F", "M"])");
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
+                                                           {"group", std::move(groups).take()},
+                                                           {"value", std::move(values)}},
+                            "the participants");
+  input.options.set("groups", std::vector<std::string>{"F", "M"});
   if (const std::optional<double> margin = gathered.declared.equivalence_margin) {
-    input.options.add("lower", number_text(-*margin));
-    input.options.add("upper", number_text(*margin));
+    input.options.set("lower", -*margin);
+    input.options.set("upper", *margin);
   }
   return input;
 }

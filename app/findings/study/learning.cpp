@@ -32,13 +32,9 @@ std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
   return numbers;
 }
 
-/// Whole numbers as the labels of a table.
-LabelColumn column_of_counts(const std::vector<std::size_t>& counts) {
-  LabelColumn column{.codes = counts};
-  const std::size_t most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
-  for (std::size_t count = 0; count <= most; ++count) {
-    column.names.push_back(std::to_string(count));
-  }
+NumberColumn column_of_counts(const std::vector<std::size_t>& counts) {
+  NumberColumn column{};
+  for (const std::size_t count : counts) column.push_back(static_cast<double>(count));
   return column;
 }
 

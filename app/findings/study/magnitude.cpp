@@ -14,6 +14,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/kinds/magnitude_analysis.h"
 #include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/study_findings.h"
@@ -93,22 +94,37 @@ std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
   return conditions;
 }
 
-std::string quoted_cell(const std::string& text) {
-  std::string cell = "\"";
-  for (const char sign : text) cell += sign == '"' ? "\"\"" : std::string(1, sign);
-  return cell + '"';
+/// The names of two of the columns: that of the conditions and that of the values.
+struct EstimateColumns {
+  const char* condition = "";
+  const char* value = "";
+};
+
+TidyTable estimates_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                          const EstimateColumns& names, double (*value_of)(double)) {
+  LabelRows subjects{};
+  LabelRows conditions{};
+  LabelRows spacings{};
+  NumberColumn values{};
+  for (const Estimated& one : estimates) {
+    subjects.add(gathered.people[one.person].label);
+    conditions.add(one.condition);
+    spacings.add(one.spacing);
+    values.push_back(value_of(one.estimate));
+  }
+  return {std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
+                                         {names.condition, std::move(conditions).take()},
+                                         {"spacing", std::move(spacings).take()},
+                                         {names.value, std::move(values)}},
+          "the estimates"};
 }
 
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates) {
-  std::string text = "subject,probe,spacing,estimate\n";
-  for (const Estimated& one : estimates) {
-    text += quoted_cell(gathered.people[one.person].label) + ',' + quoted_cell(one.condition) +
-            ',' + one.spacing + ',' + number_text(one.estimate) + '\n';
-  }
   TidyInput input{};
-  input.tables.emplace_back(text, "the estimates");
-  input.options.add("zero_rule", json_text("exclude"));
-  input.options.add("normalisation", json_text("geomean"));
+  input.tables.push_back(estimates_table(gathered, estimates, {"probe", "estimate"},
+                                         [](double estimate) { return estimate; }));
+  input.options.set("zero_rule", std::string("exclude"));
+  input.options.set("normalisation", std::string("geomean"));
   return input;
 }
 
@@ -116,16 +132,13 @@ TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estima
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
                       const std::vector<std::string>& spacings) {
-  std::string text = "subject,condition,spacing,y\n";
-  for (const Estimated& one : estimates) {
-    text += quoted_cell(gathered.people[one.person].label) + ',' + quoted_cell(one.condition) +
-            ',' + one.spacing + ',' + number_text(std::log10(one.estimate)) + '\n';
-  }
   TidyInput input{};
-  input.tables.emplace_back(text, "the estimates");
-  std::string within = "{";
-  if (conditions.size() > 1) within += "\"condition\": " + json_list(conditions) + ", ";
-  input.options.add("within", within + "\"spacing\": " + json_list(spacings) + '}');
+  input.tables.push_back(estimates_table(gathered, estimates, {"condition", "y"},
+                                         [](double estimate) { return std::log10(estimate); }));
+  std::vector<std::pair<std::string, std::vector<std::string>>> within{};
+  if (conditions.size() > 1) within.emplace_back("condition", conditions);
+  within.emplace_back("spacing", spacings);
+  input.options.set("within", within);
   return input;
 }
 

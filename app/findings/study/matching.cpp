@@ -148,13 +148,12 @@ std::uint64_t permutations(std::size_t items) {
 /// Rows of the family `matching`. What is right there is what bears the name of what was felt.
 TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
                             const char* parts) {
-  LabelColumn times{};
+  NumberColumn times{};
   LabelColumn people{};
-  LabelColumn goes{};
+  LabelColumn trials{};
   LabelColumn felt{};
   LabelColumn chosen{};
   LabelColumn groups{.names = {"F", "M"}};
-  std::map<std::size_t, std::size_t> place_of_times{};
   bool sexes[2] = {false, false};
   for (const AnsweringPerson& person : gathered.people) {
     people.names.push_back(person.label);
@@ -165,33 +164,31 @@ TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
     felt.names.push_back(gathered.word(static_cast<std::uint32_t>(word)));
   }
   chosen.names = felt.names;
-  std::vector<std::size_t> goes_of(gathered.people.size());
+  std::vector<std::size_t> trials_of(gathered.people.size());
   for (const Assignment* assignment : assignments) {
-    const std::size_t go = goes_of[assignment->person]++;
-    if (go == goes.names.size()) goes.names.push_back(std::to_string(go + 1));
-    const auto [place, is_new] = place_of_times.try_emplace(assignment->times, times.names.size());
-    if (is_new) times.names.push_back(std::to_string(assignment->times));
+    const std::size_t trial = trials_of[assignment->person]++;
+    if (trial == trials.names.size()) trials.names.push_back(std::to_string(trial + 1));
     const std::optional<std::string>& sex = gathered.people[assignment->person].sex;
     for (std::size_t i = 0; i < assignment->items(); ++i) {
       people.codes.push_back(assignment->person);
-      goes.codes.push_back(go);
+      trials.codes.push_back(trial);
       felt.codes.push_back(assignment->felt[i]);
       chosen.codes.push_back(assignment->chosen[i]);
-      times.codes.push_back(place->second);
+      times.push_back(static_cast<double>(assignment->times));
       if (sexes[0] && sexes[1]) {
         groups.codes.push_back(sex == "F" ? 0 : sex == "M" ? 1 : LabelColumn::kMissing);
       }
     }
   }
   std::vector<TidyTable::Column> columns{{"subject", std::move(people)},
-                                         {"trial", std::move(goes)},
+                                         {"trial", std::move(trials)},
                                          {"stimulus", std::move(felt)},
                                          {"response", std::move(chosen)},
                                          {"times", std::move(times)}};
   if (sexes[0] && sexes[1]) columns.push_back({"group", std::move(groups)});
   TidyInput input{};
   input.tables.emplace_back(std::move(columns), "the assignments");
-  input.options.add("parts", json_text(parts));
+  input.options.set("parts", std::string(parts));
   return input;
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/crossed_textures.h"
 #include "app/findings/study/group_equivalence.h"
 #include "app/findings/study/kinds/recognition_analysis.h"
@@ -107,7 +107,7 @@ TidyInput trials_table(const GatheredAnswers& gathered, const std::vector<Judged
                                                            {"stimulus", std::move(felt)},
                                                            {"response", std::move(chosen)}},
                             "the answers");
-  input.options.add("labels", json_list(labels));
+  input.options.set("labels", labels);
   return input;
 }
 
@@ -119,19 +119,28 @@ std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
     ++own[one.answer->person].trials;
     own[one.answer->person].hits += one.right ? 1 : 0;
   }
-  std::string text = "subject,group,correct,trials\n";
-  std::map<std::string, std::size_t> members{};
+  LabelRows subjects{};
+  LabelRows groups{};
+  NumberColumn correct{};
+  NumberColumn trials{};
+  std::set<std::string> sexes{};
   for (std::size_t i = 0; i < own.size(); ++i) {
     const std::string sex = gathered.people[i].sex.value_or("");
     if ((sex != "F" && sex != "M") || own[i].trials == 0) continue;
-    ++members[sex];
-    text += gathered.people[i].label + ',' + sex + ',' + std::to_string(own[i].hits) + ',' +
-            std::to_string(own[i].trials) + '\n';
+    sexes.insert(sex);
+    subjects.add(gathered.people[i].label);
+    groups.add(sex);
+    correct.push_back(static_cast<double>(own[i].hits));
+    trials.push_back(static_cast<double>(own[i].trials));
   }
-  if (members.size() < 2) return std::nullopt;
+  if (sexes.size() < 2) return std::nullopt;
   TidyInput input{};
-  input.tables.emplace_back(text, "the participants");
-  input.options.add("groups", R"(["F", "M"])");
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
+                                                           {"group", std::move(groups).take()},
+                                                           {"correct", std::move(correct)},
+                                                           {"trials", std::move(trials)}},
+                            "the participants");
+  input.options.set("groups", std::vector<std::string>{"F", "M"});
   return input;
 }
 
@@ -287,13 +296,21 @@ TidyInput textures_table(const GatheredAnswers& gathered, const std::vector<Judg
     ++count.trials;
     count.hits += one.right ? 1 : 0;
   }
-  std::string text = "id,k,n,p0\n";
+  LabelRows ids{};
+  NumberColumn hits{};
+  NumberColumn trials{};
+  const NumberColumn chances(by_texture.size(), 1.0 / static_cast<double>(pictures));
   for (const auto& [texture, count] : by_texture) {
-    text += texture + ',' + std::to_string(count.hits) + ',' + std::to_string(count.trials) + ',' +
-            number_text(1.0 / static_cast<double>(pictures)) + '\n';
+    ids.add(texture);
+    hits.push_back(static_cast<double>(count.hits));
+    trials.push_back(static_cast<double>(count.trials));
   }
   TidyInput input{};
-  input.tables.emplace_back(text, "the textures");
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"id", std::move(ids).take()},
+                                                           {"k", std::move(hits)},
+                                                           {"n", std::move(trials)},
+                                                           {"p0", chances}},
+                            "the textures");
   return input;
 }
 

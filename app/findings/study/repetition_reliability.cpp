@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -33,13 +33,19 @@ using Ratings = std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore>;
 
 /// What the family `icc` finds of them. Numbers stand for names, which no finding has.
 std::vector<Finding> correlations_of(const Ratings& ratings) {
-  std::string text = "target,rater,score\n";
+  LabelRows targets{};
+  LabelRows raters{};
+  NumberColumn scores{};
   for (const auto& [of, mean] : ratings) {
-    text += std::to_string(of.first) + ',' + std::to_string(of.second) + ',' +
-            number_text(mean.sum / static_cast<double>(mean.n)) + '\n';
+    targets.add(std::to_string(of.first));
+    raters.add(std::to_string(of.second));
+    scores.push_back(mean.sum / static_cast<double>(mean.n));
   }
   TidyInput input{};
-  input.tables.emplace_back(text, "the repetitions");
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"target", std::move(targets).take()},
+                                                           {"rater", std::move(raters).take()},
+                                                           {"score", std::move(scores)}},
+                            "the repetitions");
   return analysis_of(kReliability, "icc", std::move(input));
 }
 

@@ -100,14 +100,13 @@ std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
 TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<TrialFactor> factors) {
   std::vector<TidyTable::Column> columns{{"subject", column_of_people(gathered)},
                                          {"time_s", column_of_times(gathered)}};
-  std::string levels{};
+  std::vector<std::pair<std::string, std::vector<std::string>>> levels{};
   for (TrialFactor& factor : factors) {
-    levels += (levels.empty() ? "" : ", ") + json_text(factor.name) + ": " +
-              json_list(factor.levels.names);
+    levels.emplace_back(factor.name, factor.levels.names);
     columns.push_back({factor.name, std::move(factor.levels)});
   }
   TidyInput input{};
-  input.options.add("factors", '{' + levels + '}');
+  input.options.set("factors", levels);
   input.tables.emplace_back(std::move(columns), "the response times");
   return input;
 }

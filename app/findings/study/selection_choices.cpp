@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 
 namespace asperity {
@@ -45,8 +46,8 @@ class ChoiceRows final {
 
   TidyInput take(std::vector<std::string> names, const std::string& target) && {
     TidyInput input{};
-    input.options.add("renderers", json_list(names));
-    input.options.add("target", json_text(target));
+    input.options.set("renderers", names);
+    input.options.set("target", target);
     choices_.names = std::move(names);
     input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people_)},
                                                              {"sample", std::move(samples_)},
@@ -152,36 +153,58 @@ TidyInput choices_between(const Selection& selection, const ItemPair& pair) {
 }
 
 TidyInput comparisons_of(const Selection& selection) {
-  std::string text = "subject,first,second,winner,times\n";
+  LabelColumn subjects = labels_of_people(selection.gathered);
+  LabelColumn first{.names = selection.items};
+  LabelColumn second{.names = selection.items};
+  LabelColumn winner{.names = selection.items};
+  winner.names.emplace_back("tie");
+  NumberColumn times_chosen{};
   for (const auto& [key, times] : count_choices(selection)) {
     const auto& [person, offered, chosen] = key;
-    text += selection.gathered.people[person].label + ',' + selection.items[offered[0]] + ',' +
-            selection.items[offered[1]] + ',' +
-            (chosen == kNoChoice ? "tie" : selection.items[chosen]) + ',' + std::to_string(times) +
-            '\n';
+    subjects.codes.push_back(person);
+    first.codes.push_back(offered[0]);
+    second.codes.push_back(offered[1]);
+    winner.codes.push_back(chosen == kNoChoice ? selection.items.size() : chosen);
+    times_chosen.push_back(static_cast<double>(times));
   }
   TidyInput input{};
-  input.tables.emplace_back(text, "the comparisons");
-  input.options.add("items", json_list(selection.items));
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects)},
+                                                           {"first", std::move(first)},
+                                                           {"second", std::move(second)},
+                                                           {"winner", std::move(winner)},
+                                                           {"times", std::move(times_chosen)}},
+                            "the comparisons");
+  input.options.set("items", selection.items);
   return input;
 }
 
 TidyInput first_places_of(const Selection& selection) {
-  std::string text = "subject,trial,item,rank,times\n";
+  LabelColumn subjects = labels_of_people(selection.gathered);
+  LabelRows trials{};
+  LabelColumn items{.names = selection.items};
+  NumberColumn ranks{};
+  NumberColumn times_chosen{};
   std::size_t trial = 0;
   for (const auto& [key, times] : count_choices(selection)) {
     const auto& [person, offered, chosen] = key;
     if (chosen == kNoChoice) continue;
     ++trial;
     for (const std::size_t item : offered) {
-      text += selection.gathered.people[person].label + ',' + std::to_string(trial) + ',' +
-              selection.items[item] + ',' + (item == chosen ? "1" : "") + ',' +
-              std::to_string(times) + '\n';
+      subjects.codes.push_back(person);
+      trials.add(std::to_string(trial));
+      items.codes.push_back(item);
+      ranks.push_back(item == chosen ? std::optional(1.0) : std::nullopt);
+      times_chosen.push_back(static_cast<double>(times));
     }
   }
   TidyInput input{};
-  input.tables.emplace_back(text, "the first places");
-  input.options.add("items", json_list(selection.items));
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects)},
+                                                           {"trial", std::move(trials).take()},
+                                                           {"item", std::move(items)},
+                                                           {"rank", std::move(ranks)},
+                                                           {"times", std::move(times_chosen)}},
+                            "the first places");
+  input.options.set("items", selection.items);
   return input;
 }
 

@@ -6,8 +6,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
-
 #include "analysis/multiplicity.h"
 #include "analysis/number_text.h"
 #include "analysis/two_samples.h"
@@ -69,12 +67,6 @@ std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyI
   }
   for (Finding& finding : findings) finding.analysis = analysis;
   return findings;
-}
-
-std::string json_text(const std::string& text) { return nlohmann::json(text).dump(); }
-
-std::string json_list(std::span<const std::string> texts) {
-  return nlohmann::json(std::vector<std::string>(texts.begin(), texts.end())).dump();
 }
 
 void keep_findings(std::span<const Finding> findings, AnalysisOutcome& outcome,

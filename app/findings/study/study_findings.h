@@ -23,10 +23,6 @@ namespace asperity {
 /// finding `status` with the word not_applicable.
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input);
 
-/// A text, and a list of them, as FamilyOptions::add reads them.
-std::string json_text(const std::string& text);
-std::string json_list(std::span<const std::string> texts);
-
 /// Which findings to keep.
 using KeepFinding = std::function<bool(const Finding&)>;
 /// Appends them to those of the outcome.

@@ -71,6 +71,12 @@ std::vector<std::string> distinct_names(const OptionValue& option, const std::st
   return names;
 }
 
+OptionValue list_value(const std::vector<std::string>& texts) {
+  OptionValue::List list{};
+  for (const std::string& text : texts) list.push_back({text});
+  return {std::move(list)};
+}
+
 }  // namespace
 
 FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string& file_name) {
@@ -95,6 +101,26 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
     throw std::runtime_error(file_name + ": the options must be an object of names and values");
   }
   return options;
+}
+
+void FamilyOptions::set(const std::string& name, double number) {
+  options_.emplace_back(name, OptionValue{number});
+}
+
+void FamilyOptions::set(const std::string& name, std::string text) {
+  options_.emplace_back(name, OptionValue{std::move(text)});
+}
+
+void FamilyOptions::set(const std::string& name, const std::vector<std::string>& texts) {
+  options_.emplace_back(name, list_value(texts));
+}
+
+void FamilyOptions::set(
+    const std::string& name,
+    const std::vector<std::pair<std::string, std::vector<std::string>>>& levels) {
+  OptionValue::Object object{};
+  for (const auto& [factor, texts] : levels) object.emplace_back(factor, list_value(texts));
+  options_.emplace_back(name, OptionValue{std::move(object)});
 }
 
 void FamilyOptions::add(const std::string& name, const std::string& text) {

@@ -29,6 +29,13 @@ class FamilyOptions final {
   FamilyOptions() = default;
   /// An object, or `[]` for none.
   static FamilyOptions of_json(const std::string& text, const std::string& file_name);
+  /// One more, as a value.
+  void set(const std::string& name, double number);
+  void set(const std::string& name, std::string text);
+  void set(const std::string& name, const std::vector<std::string>& texts);
+  /// An object of lists: factors with their levels, in order.
+  void set(const std::string& name,
+           const std::vector<std::pair<std::string, std::vector<std::string>>>& levels);
   /// One more from the command line. Its text is read as JSON where it is that; `a,b,c` is a list.
   void add(const std::string& name, const std::string& text);
 
