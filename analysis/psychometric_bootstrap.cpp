@@ -55,7 +55,7 @@ void summarise(double confidence, ThresholdBootstrap& bootstrap) {
   }
 }
 
-// By the inverse of the distribution: one number for each draw.
+// By inversion of the distribution, so that every draw uses one random number.
 std::uint64_t binomial_draw(std::uint64_t trials, double probability, Random& random) {
   using Policy = boost::math::policies::policy<
       boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;

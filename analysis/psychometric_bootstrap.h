@@ -1,4 +1,4 @@
-// Thresholds of psychometric functions fitted to resampled counts: given ones, and drawn ones.
+// Bootstrap distributions of the threshold of a psychometric function, from given or drawn resamples.
 
 #pragma once
 
@@ -12,24 +12,24 @@
 
 namespace asperity {
 
-/// Thresholds of resampled hits. `resamples`: rows with the hits of each block in their order. A
-/// resample that `judge` does not find ok, or that is not increasing, has none.
+/// Thresholds of resampled hits. Each row of `resamples` has the hits of the blocks in their order. A
+/// resample whose status by `judge` is not ok, or that is not increasing, has no threshold.
 struct ThresholdBootstrap {
   std::vector<std::optional<double>> thresholds{};
   std::size_t valid = 0;
-  std::size_t slopes_at_bound = 0;                 ///< kept
-  std::optional<ConfidenceInterval> percentile{};  ///< quantiles of type 7; with a valid one
-  std::optional<double> standard_error{};          ///< with two
+  std::size_t slopes_at_bound = 0;                 ///< of the valid ones; they are included
+  std::optional<ConfidenceInterval> percentile{};  ///< quantiles of type 7, of one or more
+  std::optional<double> standard_error{};          ///< of two or more
 };
 ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks,
                                        std::span<const std::vector<std::uint64_t>> resamples,
                                        const PsychometricQuestion& question);
 
-/// Counts drawn from the binomial distributions of a fitted function, always the same ones
-/// (`kSeedOfTests`), and fitted again. Their thresholds show the sampling of the threshold where the
-/// delta method fails: near bounds, and with few trials. `deviance_p` is the proportion of all
-/// draws and the data whose deviance is at least that of the data: a test of the fit that does not
-/// rest on many trials per level. Both take the hits of a level as binomial.
+/// Counts drawn from the binomial distributions of a fitted function with a constant seed
+/// (`kSeedOfTests`), and fitted again. Their thresholds estimate the sampling distribution where the
+/// delta method fails: near bounds, and with few trials. `deviance_p` is the proportion of tables, among
+/// the drawn ones and the data, whose deviance is at least that of the data: a test of the fit that
+/// does not require many trials per level. Both assume that the hits of a level are binomial.
 struct ParametricBootstrap {
   ThresholdBootstrap thresholds{};
   double deviance_p = 1.0;

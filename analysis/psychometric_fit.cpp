@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
-#include <Eigen/Dense>
-#include <boost/math/tools/roots.hpp>
-
-#include "analysis/psychometric_maximum.h"
 #include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
 
+// X² = Σ (k − n·p)²/(n·p·(1 − p)), p = ψ(x).
 std::optional<double> pearson(const std::vector<PsychometricBlock>& blocks,
                               const PsychometricFunction& f) {
   double sum = 0.0;
@@ -26,54 +21,6 @@ std::optional<double> pearson(const std::vector<PsychometricBlock>& blocks,
     sum += residual * residual / (n * p * (1.0 - p));
   }
   return std::isfinite(sum) ? std::optional<double>(sum) : std::nullopt;
-}
-
-// d(threshold)/d(α, ln β, γ, λ).
-CurveParameters threshold_gradient(const PsychometricFunction& f, double performance) {
-  const double reach = 1.0 - f.gamma - f.lambda;
-  const double F = (performance - f.gamma) / reach;
-  const double t = standard_quantile(f.shape, F);
-  const double dt_dF = 1.0 / standard_curve(f.shape, t).d1;
-  // x = α + t/β, or α·e^{t/β}
-  const double x = f.inverse(performance);
-  const double dx_dt = (is_weibull(f.shape) ? x : 1.0) / f.beta;
-  CurveParameters gradient;
-  gradient << (is_weibull(f.shape) ? x / f.alpha : 1.0), -dx_dt * t,
-      dx_dt * dt_dF * (F - 1.0) / reach, dx_dt * dt_dF * F / reach;
-  return gradient;
-}
-
-std::optional<PsychometricFit::Precision> precision_of(const PsychometricLikelihood& data,
-                                                       const CurveSolution& solution,
-                                                       const PsychometricQuestion& question) {
-  const std::vector<Eigen::Index> places = places_of(solution.free);
-  const Eigen::MatrixXd information = -data.likelihood(solution.maximum.at).hessian(places, places);
-  const Eigen::LLT<Eigen::MatrixXd> factored(information);
-  if (factored.info() != Eigen::Success) {
-    return std::nullopt;
-  }
-  const auto size = static_cast<Eigen::Index>(places.size());
-  const Eigen::MatrixXd covariance = factored.solve(Eigen::MatrixXd::Identity(size, size));
-  const PsychometricFunction f = data.function(solution.maximum.at);
-  const Eigen::VectorXd gradient = threshold_gradient(f, question.performance)(places);
-  PsychometricFit::Precision answer;
-  answer.alpha_se = std::sqrt(covariance(0, 0));
-  answer.beta_se = f.beta * std::sqrt(covariance(1, 1));
-  answer.threshold_se = std::sqrt(gradient.dot(covariance * gradient));
-  const double half = normal_limit(question.confidence) * answer.threshold_se;
-  const double threshold = f.inverse(question.performance);
-  answer.threshold = {.low = threshold - half, .high = threshold + half};
-  return answer;
-}
-
-PsychometricFit::Precision overdispersed(const PsychometricFit& fit, double limit) {
-  const double factor = std::sqrt(std::max(1.0, *fit.dispersion));
-  PsychometricFit::Precision answer{.alpha_se = factor * fit.precision->alpha_se,
-                                    .beta_se = factor * fit.precision->beta_se,
-                                    .threshold_se = factor * fit.precision->threshold_se};
-  const double half = limit * answer.threshold_se;
-  answer.threshold = {.low = fit.threshold - half, .high = fit.threshold + half};
-  return answer;
 }
 
 std::optional<PsychometricFit::FreeLapses> free_lapses(std::span<const PsychometricBlock> blocks,
@@ -91,43 +38,6 @@ std::optional<PsychometricFit::FreeLapses> free_lapses(std::span<const Psychomet
       .alpha = maximum.function.alpha,
       .threshold = maximum.function.inverse(question.performance),
       .likelihood_ratio = std::max(0.0, 2.0 * (maximum.log_likelihood - log_likelihood))};
-}
-
-// Where the profile of α has fallen by half the quantile of χ², on one side. Far beyond the levels
-// the best functions of α are constant: with F(α) or less above it, with more below.
-std::optional<double> profile_end(const PsychometricLikelihood& data, const CurveSolution& solution,
-                                  double signed_error, double fall) {
-  FreeParameters others = data.free();
-  others[0] = false;
-  const double alpha = solution.maximum.at(0);
-  const double at_alpha = standard_curve(data.model().shape, 0.0).F;
-  const double far_away = data.constant(signed_error < 0.0 ? CurveRange{.low = at_alpha}
-                                                           : CurveRange{.high = at_alpha});
-  if (solution.maximum.value - far_away < fall) {
-    return std::nullopt;
-  }
-  const auto missing = [&](double at) {
-    if (is_weibull(data.model().shape) && !(at > 0.0)) {
-      return std::numeric_limits<double>::infinity();
-    }
-    CurveParameters start = solution.maximum.at;
-    start(0) = at;
-    return solution.maximum.value - climb(data, start, others).value - fall;
-  };
-  constexpr double kFurthest = 1e6;
-  for (double errors = 1.0; errors < kFurthest; errors += std::max(0.5, 0.05 * errors)) {
-    const double end = alpha + errors * signed_error;
-    if (missing(end) >= 0.0) {
-      // Bisection of the bracket by TOMS 748 needs finite ends.
-      const auto error = [&](double at) { return std::min(missing(at), 1e10); };
-      std::uintmax_t iterations = 100;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          error, std::min(alpha, end), std::max(alpha, end),
-          boost::math::tools::eps_tolerance<double>(40), iterations);
-      return low + 0.5 * (high - low);
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -158,26 +68,27 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
   if (!model.gamma || *model.gamma != 0.0 || !model.lambda || *model.lambda != 0.0) {
     return {};
   }
-  // Wrong below, right above, at most one level between: no slope is the likeliest.
+  // Only incorrect responses below, only correct ones above, at most one level with both between them: the
+  // likelihood grows with the slope without limit.
   std::optional<double> mixed;
-  std::optional<double> last_wrong;
-  std::optional<double> first_right;
+  std::optional<double> last_incorrect;
+  std::optional<double> first_correct;
   double before = 0.0;
   for (const auto& [x, count] : levels) {
-    const double share = proportion(count);
-    if (share < before) {
+    const double correct = proportion(count);
+    if (correct < before) {
       return {};
     }
-    before = share;
-    if (share > 0.0 && share < 1.0) {
+    before = correct;
+    if (correct > 0.0 && correct < 1.0) {
       if (mixed) {
         return {};
       }
       mixed = x;
-    } else if (share == 0.0) {
-      last_wrong = x;
-    } else if (!first_right) {
-      first_right = x;
+    } else if (correct == 0.0) {
+      last_incorrect = x;
+    } else if (!first_correct) {
+      first_correct = x;
     }
   }
   if (mixed) {
@@ -185,7 +96,7 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
             .bracket = ConfidenceInterval{.low = *mixed, .high = *mixed}};
   }
   return {.status = PsychometricStatus::separated,
-          .bracket = ConfidenceInterval{.low = *last_wrong, .high = *first_right}};
+          .bracket = ConfidenceInterval{.low = *last_incorrect, .high = *first_correct}};
 }
 
 std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBlock> blocks,
@@ -194,7 +105,7 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
     throw std::invalid_argument(
         "blocks: these data have no maximum-likelihood function; call judge first");
   }
-  const double z = normal_limit(question.confidence);  // refuses improbable confidence
+  normal_limit(question.confidence);  // throws for a confidence outside (0, 1)
   const PsychometricLikelihood data(blocks, question.model);
   const CurveSolution solution = greatest_likelihood(data);
   if (!is_increasing(data, solution.maximum)) {
@@ -219,16 +130,18 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
   if (fit.beta_at_bound) {
     return fit;
   }
-  fit.precision = precision_of(data, solution, question);
-  const auto t = t_limit({.confidence = question.confidence, .df = fit.deviance_df});
-  if (fit.precision && fit.dispersion && t) {
-    fit.overdispersed = overdispersed(fit, *t);
+  fit.precision = delta_method_precision(data, solution, question);
+  if (!fit.precision) {
+    return fit;
   }
-  if (fit.precision) {
-    const double fall = 0.5 * z * z;
-    fit.profile_low = profile_end(data, solution, -fit.precision->alpha_se, fall);
-    fit.profile_high = profile_end(data, solution, fit.precision->alpha_se, fall);
+  if (fit.dispersion) {
+    fit.overdispersed = overdispersed_precision(*fit.precision, fit.function, question,
+                                                {.value = *fit.dispersion, .df = fit.deviance_df});
   }
+  const ProfileInterval profile =
+      profile_interval(data, solution, *fit.precision, question.confidence);
+  fit.profile_low = profile.low;
+  fit.profile_high = profile.high;
   return fit;
 }
 

@@ -10,7 +10,9 @@
 namespace asperity {
 namespace {
 
-StandardCurve gumbel_curve(double scaled) {  // 1 − exp(−e^s), derivatives by s
+// F = 1 − exp(−e^s). With e = e^s and Q = exp(−e): dF/ds = e·Q and d²F/ds² = e·Q·(1 − e). For large s,
+// where Q is 0 and e may be infinite, both are 0.
+StandardCurve gumbel_curve(double scaled) {
   const double e = std::exp(scaled);
   StandardCurve s{.F = -std::expm1(-e), .Q = std::exp(-e)};
   if (s.Q > 0.0) {
@@ -25,6 +27,7 @@ StandardCurve gumbel_curve(double scaled) {  // 1 − exp(−e^s), derivatives b
 StandardCurve standard_curve(PsychometricShape shape, double t) {
   switch (shape) {
     case PsychometricShape::logistic: {
+      // F′ = F·Q and F″ = F·Q·(Q − F). By e^{−|t|} neither F nor Q cancels.
       const double e = std::exp(-std::abs(t));
       const double big = 1.0 / (1.0 + e);
       const double small = e / (1.0 + e);
@@ -32,14 +35,14 @@ StandardCurve standard_curve(PsychometricShape shape, double t) {
       s.d2 = s.d1 * (s.Q - s.F);
       return s;
     }
-    case PsychometricShape::normal: {
+    case PsychometricShape::normal: {  // F′ = φ(t) and F″ = −t·φ(t), 0 at infinity
       StandardCurve s{.F = 0.5 * std::erfc(-t / std::numbers::sqrt2),
                       .Q = 0.5 * std::erfc(t / std::numbers::sqrt2),
                       .d1 = std::exp(-0.5 * t * t) / std::sqrt(2.0 * std::numbers::pi)};
       s.d2 = s.d1 > 0.0 ? -t * s.d1 : 0.0;
       return s;
     }
-    case PsychometricShape::gumbel: {
+    case PsychometricShape::gumbel: {  // 10^t = e^s with s = t·ln 10
       StandardCurve s = gumbel_curve(std::numbers::ln10 * t);
       s.d1 *= std::numbers::ln10;
       s.d2 *= std::numbers::ln10 * std::numbers::ln10;

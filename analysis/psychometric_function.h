@@ -1,4 +1,4 @@
-// Psychometric functions: how performance grows with a stimulus.
+// Psychometric functions: the proportion of correct responses as a function of the level of a stimulus.
 
 #pragma once
 
@@ -10,14 +10,16 @@ namespace asperity {
 ///   normal    F = Φ(β(x − α))
 ///   gumbel    F = 1 − exp(−10^{β(x−α)})   for a logarithmic x
 ///   weibull   F = 1 − exp(−(x/α)^β)       for x ≥ 0, α > 0
+///
+/// α has the unit of the level x; β has its inverse, and no unit for a weibull.
 enum class PsychometricShape { logistic, normal, gumbel, weibull };
 
 struct PsychometricFunction {
   PsychometricShape shape = PsychometricShape::logistic;
   double alpha = 0.0;
   double beta = 1.0;
-  double gamma = 0.0;   ///< share of right answers without any stimulus
-  double lambda = 0.0;  ///< lapses: share of wrong ones with the strongest
+  double gamma = 0.0;   ///< guess rate: the proportion of correct responses without a stimulus
+  double lambda = 0.0;  ///< lapse rate: the proportion of incorrect ones at the strongest
 
   double value(double x) const;
   double slope(double x) const;  ///< dψ/dx
@@ -25,15 +27,15 @@ struct PsychometricFunction {
   double inverse(double performance) const;
 };
 
-/// F by t = β(x − α), or β·ln(x/α), with its complement and its derivatives.
+/// F as a function of t = β(x − α), or β·ln(x/α) for a weibull.
 struct StandardCurve {
   double F = 0.0;
-  double Q = 1.0;  ///< 1 − F, with its own digits
-  double d1 = 0.0;
-  double d2 = 0.0;
+  double Q = 1.0;   ///< 1 − F, computed without cancellation
+  double d1 = 0.0;  ///< dF/dt
+  double d2 = 0.0;  ///< d²F/dt²
 };
 StandardCurve standard_curve(PsychometricShape shape, double t);
-/// t(F), the inverse: infinite at 0 and 1, NaN beyond.
+/// t(F), the inverse: infinite at 0 and 1, NaN outside of [0, 1].
 double standard_quantile(PsychometricShape shape, double F);
 /// t of a level: −∞ at x = 0 of a weibull.
 double standard_argument(const PsychometricFunction& f, double x);

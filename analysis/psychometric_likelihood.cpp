@@ -16,12 +16,12 @@ namespace asperity {
 namespace {
 
 constexpr double kGreatestGamma = 0.5;
-constexpr double kSlopeRange = 12.0;  // ln β may be this much below its bound
-constexpr double kSteepest = 0.99;    // F from 1 − this to this within the smallest gap
+constexpr double kSlopeRange = 12.0;  // the range of ln β below its upper bound
+constexpr double kSteepest = 0.99;    // F at the end of the smallest gap, 1 − this at its start
 constexpr double kLeastProbability = 1e-300;
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-// A count of 0 has no term: 0·ln 0 would make the whole sum undefined.
+// A count of 0 has no term: 0·ln 0 would make the sum NaN.
 double log_probability_of(const PsychometricBlock& block, const PsychometricFunction& f,
                           const StandardCurve& s) {
   const double reach = 1.0 - f.gamma - f.lambda;
@@ -204,6 +204,12 @@ void PsychometricLikelihood::add_derivatives(const PsychometricBlock& block,
                                              const PsychometricFunction& f, double t,
                                              const StandardCurve& s,
                                              CurveLikelihood& answer) const {
+  // ψ = γ + r·F(t) with r = 1 − γ − λ, and t = β(x − α) or β·ln(x/α). By ln β, t is its own derivative:
+  //
+  //   ∂ψ/∂α = r·F′·t_α      ∂ψ/∂ln β = r·F′·t      ∂ψ/∂γ = 1 − F      ∂ψ/∂λ = −F
+  //
+  // with t_α = −β and t_αα = 0, or −β/α and β/α². For a term k·ln p,
+  // ∇ = k/p·∇p and ∇∇ᵀ = k·(∇∇ᵀp/p − (∇p/p)(∇p/p)ᵀ); for (n − k)·ln(1 − p), p and its derivatives change sign.
   const bool weibull = is_weibull(model_.shape);
   const double t_alpha = weibull ? -f.beta / f.alpha : -f.beta;
   const double t_alpha_alpha = weibull ? f.beta / (f.alpha * f.alpha) : 0.0;

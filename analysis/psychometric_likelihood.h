@@ -1,4 +1,4 @@
-// The likelihood of counts by level, with its exact derivatives.
+// The likelihood of a psychometric function given counts by level, with its exact derivatives.
 
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace asperity {
 
-/// k right of n trials at one level x. Levels without trials are left out; a level may come twice.
+/// k hits in n trials at one level x. Levels without trials are left out; several blocks may have one level.
 struct PsychometricBlock {
   double x = 0.0;
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;
 };
 
-/// What is fitted besides α and ln β. A rate is fixed at a value, or free: γ in [0, ½], λ in
+/// The parameters that are fitted in addition to α and ln β. A rate is fixed at a value, or free: γ in [0, ½], λ in
 /// [0, `greatest_lambda`].
 struct PsychometricModel {
   PsychometricShape shape = PsychometricShape::logistic;
@@ -30,23 +30,23 @@ struct PsychometricModel {
   double greatest_lambda = 0.1;
 };
 
-/// Whether the count has the probability 0 whatever the function: hits at x = 0 of a weibull with
-/// γ = 0.
+/// Whether the count has the probability 0 under every function of the model: hits at x = 0 of a weibull
+/// with γ = 0.
 bool is_impossible(const PsychometricBlock& block, const PsychometricModel& model);
 
-/// The blocks with trials. Throws std::invalid_argument for more hits than trials, levels that are not
+/// The blocks with trials. Errors: std::invalid_argument for more hits than trials, levels that are not
 /// finite (or negative for a weibull), impossible counts, and rates outside [0, 1).
 std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock> blocks,
                                                const PsychometricModel& model);
 
-/// The distinct levels in order, as the shape takes them: ln x for a weibull, where 0 is none.
+/// The distinct levels in ascending order: x, or ln x for a weibull, without x = 0.
 std::vector<double> distinct_levels(std::span<const PsychometricBlock> blocks,
                                     PsychometricShape shape);
 
 /// α, ln β, γ, λ; γ and λ keep their places when they are fixed.
 using CurveParameters = Eigen::Vector4d;
 using FreeParameters = std::array<bool, 4>;
-/// Of those that are free.
+/// The indices of the parameters that are free.
 std::vector<Eigen::Index> places_of(const FreeParameters& free);
 
 struct CurveBounds {
@@ -66,14 +66,16 @@ struct CurveLikelihood {
   Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
 };
 
-/// The log likelihood as a function of the parameters, binomial coefficients included.
+/// The log likelihood as a function of the parameters:
 ///
-/// The slope has a bound, because few levels cannot tell a steep function from a step: F may not
-/// rise from 0.01 to 0.99 within less than the smallest gap between neighbouring levels (of ln x for
-/// a weibull).
+///   ln L = Σ ln(n over k) + k·ln ψ(x) + (n − k)·ln(1 − ψ(x))
+///
+/// The slope has an upper bound, because data at few levels do not distinguish a steep function from a
+/// step: F may not rise from 0.01 to 0.99 within less than the smallest gap between neighbouring levels
+/// (of ln x for a weibull).
 class PsychometricLikelihood final {
  public:
-  /// Throws as `answered_blocks` does, and for fewer than two levels.
+  /// Errors: those of `answered_blocks`, and std::invalid_argument for fewer than two levels.
   PsychometricLikelihood(std::span<const PsychometricBlock> blocks, const PsychometricModel& model);
 
   const CurveBounds& bounds() const noexcept { return bounds_; }
@@ -85,10 +87,10 @@ class PsychometricLikelihood final {
   PsychometricFunction function(const CurveParameters& at) const;
   double value(const CurveParameters& at) const;
   CurveLikelihood likelihood(const CurveParameters& at) const;
-  /// With a probability of its own for each block: no model does better.
+  /// The log likelihood with a separate probability k/n for each block: the upper limit of all models.
   double saturated() const;
-  /// The greatest of a function that is constant over the levels, which β → 0 approaches: with
-  /// values between those of F = `F.low` and `F.high`. At x = 0 a weibull stays γ.
+  /// The greatest log likelihood of functions that are constant over the levels, the limit of β → 0, with
+  /// values between those of F = `F.low` and `F.high`. At x = 0 a weibull remains γ.
   double constant(const CurveRange& F = {}) const;
 
  private:

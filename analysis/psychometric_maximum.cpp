@@ -17,7 +17,7 @@ struct CurveSearch {
   CurveParameters at = CurveParameters::Zero();
 };
 
-// BOBYQA needs no derivatives and keeps to the bounds. It is scaled to the range of the levels.
+// BOBYQA needs no derivatives and respects the bounds. Its first steps are scaled to the range of the levels.
 CurveMaximum bobyqa(const PsychometricLikelihood& data, const CurveParameters& start) {
   CurveSearch search{.data = data, .places = places_of(data.free()), .at = start};
   const CurveBounds& bounds = data.bounds();
@@ -55,7 +55,7 @@ CurveMaximum bobyqa(const PsychometricLikelihood& data, const CurveParameters& s
   try {
     optimizer.optimize(point, value);
   } catch (const nlopt::roundoff_limited&) {
-    // What it reached is the start of Newton's steps.
+    // The point that it reached is good enough as the start of Newton's method.
   }
   CurveParameters at = start;
   for (std::size_t i = 0; i < point.size(); ++i) {
@@ -64,7 +64,7 @@ CurveMaximum bobyqa(const PsychometricLikelihood& data, const CurveParameters& s
   return {.at = at, .value = data.value(at)};
 }
 
-// Distinct good starts: the likelihood of a guessing observer has several maxima.
+// The best points of a grid that lie apart from each other: with guessing the likelihood has several maxima.
 std::vector<CurveParameters> starts(const PsychometricLikelihood& data) {
   constexpr int kPositions = 41;
   constexpr std::size_t kMost = 6;
@@ -137,7 +137,7 @@ CurveMaximum climb(const PsychometricLikelihood& data, CurveParameters at,
     if (places.empty()) {
       break;
     }
-    // In units of the curvatures, so that damping weighs all parameters alike.
+    // Scaled by the curvatures, so that the smallest accepted one means the same for all parameters.
     Eigen::MatrixXd information = -here.hessian(places, places);
     Eigen::VectorXd scale = information.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt();
     information.array().colwise() /= scale.array();
@@ -181,7 +181,8 @@ CurveSolution greatest_likelihood(const PsychometricLikelihood& data) {
       best = found;
     }
   }
-  // A bound is taken where it is as likely: on it, no standard error would mean anything.
+  // At a bound a standard error has no meaning, so that a maximum as good on the bound is preferred and the
+  // parameter reported as not free.
   const CurveBounds& bounds = data.bounds();
   constexpr double kNear = 1e-4;
   constexpr double kAsLikely = 1e-9;
@@ -223,8 +224,8 @@ CurveSolution greatest_likelihood(const PsychometricLikelihood& data) {
 }
 
 bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maximum) {
-  constexpr double kNotLikelier = 1e-6;  // by less the slope cannot be told from none
-  return maximum.value > data.constant() + kNotLikelier;
+  constexpr double kNotGreater = 1e-6;  // a smaller gain cannot be distinguished from a slope of 0
+  return maximum.value > data.constant() + kNotGreater;
 }
 
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,

@@ -1,4 +1,4 @@
-// Where the likelihood of a psychometric function is greatest.
+// The maximum of the likelihood of a psychometric function.
 
 #pragma once
 
@@ -15,8 +15,8 @@ struct CurveMaximum {
 };
 
 /// Newton's method within the bounds over the parameters in `free`, from a point near the maximum. A
-/// parameter that the gradient presses against its bound stands still; where the surface is not
-/// concave the step is damped.
+/// parameter at a bound stays there while the gradient points outwards; where the log likelihood is not
+/// concave, the step is an ascent direction by the absolute curvatures, and it is halved until it ascends.
 CurveMaximum climb(const PsychometricLikelihood& data, CurveParameters at,
                    const FreeParameters& free);
 
@@ -31,24 +31,24 @@ struct AtBound {
 struct CurveSolution {
   CurveMaximum maximum{};
   AtBound at_bound{};
-  FreeParameters free{};  ///< without what is at a bound
+  FreeParameters free{};  ///< without the parameters at a bound
 };
 
-/// The greatest likelihood over all starts of a grid: BOBYQA from the best of them, then `climb`; a
-/// parameter within reach of its bound is set on it where that is as likely.
+/// The greatest likelihood over the starts of a grid: BOBYQA from the best of them, then `climb`. A
+/// parameter close to its bound is set to the bound where the likelihood is the same.
 CurveSolution greatest_likelihood(const PsychometricLikelihood& data);
 
-/// Whether an increasing function is likelier than every constant one. If not, there is no likeliest
-/// function: the likelihood grows towards that of a constant as β → 0 and α → ±∞.
+/// Whether an increasing function has a greater likelihood than every constant. If not, the likelihood has
+/// no maximum: it grows towards that of a constant as β → 0 and α → ±∞.
 bool is_increasing(const PsychometricLikelihood& data, const CurveMaximum& maximum);
 
-/// As far as resampling needs it: the function alone, whatever `judge` says as long as the slope has
-/// a bound (at least two levels).
+/// The fit without its precision, as resampling needs it. Defined for at least two levels, whatever the
+/// result of `judge`.
 struct PsychometricMaximum {
   PsychometricFunction function{};
   double log_likelihood = 0.0;  ///< its supremum where the function is not increasing
-  double deviance = 0.0;        ///< against a probability of its own for each block
-  bool increases = true;  ///< `is_increasing`; otherwise the function is where the search ended
+  double deviance = 0.0;        ///< relative to the saturated model
+  bool increases = true;  ///< `is_increasing`; otherwise `function` is the end point of the search
   bool beta_at_bound = false;
 };
 PsychometricMaximum maximise_psychometric(std::span<const PsychometricBlock> blocks,

@@ -1,4 +1,4 @@
-// Fits functions to the very shares that known ones give, and holds what has no fit to its word.
+// Fits psychometric functions to the exact proportions of known ones, and to data without a fit.
 
 #include "analysis/psychometric_fit.h"
 
@@ -18,7 +18,7 @@ using Blocks = std::vector<PsychometricBlock>;
 
 constexpr std::uint64_t kMany = 1'000'000'000;
 
-// Shares of so many trials that rounding them to counts says nothing.
+// Hits of so many trials that rounding to whole numbers is negligible.
 Blocks blocks_of(const PsychometricFunction& f, const std::vector<double>& levels) {
   Blocks blocks;
   for (const double x : levels) {
@@ -47,7 +47,7 @@ TEST(PsychometricFit, RecoversEveryShapeAndBothRates) {
   }
 }
 
-TEST(PsychometricFunction, IsAtItsThresholdWhatWasAsked) {
+TEST(PsychometricFunction, HasTheAskedPerformanceAtItsThreshold) {
   for (const PsychometricShape shape : {PsychometricShape::logistic, PsychometricShape::normal,
                                         PsychometricShape::gumbel, PsychometricShape::weibull}) {
     const PsychometricFunction f{
@@ -62,7 +62,7 @@ PsychometricStatus status_of(const Blocks& blocks, const PsychometricModel& mode
   return judge(blocks, model).status;
 }
 
-TEST(PsychometricJudgement, HasAWordForDataWithoutAFit) {
+TEST(PsychometricJudgement, StatesWhyDataHaveNoFit) {
   EXPECT_EQ(status_of({}), PsychometricStatus::no_data);
   EXPECT_EQ(status_of({{1, 4, 4}, {2, 4, 4}}), PsychometricStatus::all_correct);
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 0}, {3, 0, 0}}), PsychometricStatus::all_wrong);
@@ -71,7 +71,7 @@ TEST(PsychometricJudgement, HasAWordForDataWithoutAFit) {
             PsychometricStatus::one_level);
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::quasi_separated);
   EXPECT_EQ(status_of({{1, 4, 1}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::ok);
-  // With a rate of guessing the wrong answers below a step are not the likeliest.
+  // With a guess rate of 1/2, only incorrect responses below a step are improbable.
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 4}}, {.gamma = 0.5}), PsychometricStatus::ok);
   const PsychometricJudgement step = judge(Blocks{{5, 4, 4}, {1, 4, 0}, {2, 4, 0}}, {});
   EXPECT_EQ(step.status, PsychometricStatus::separated);
@@ -80,7 +80,7 @@ TEST(PsychometricJudgement, HasAWordForDataWithoutAFit) {
 }
 
 // A step between guessing and knowing: as steep as the levels allow, and no standard errors.
-TEST(PsychometricFit, StopsAtTheSlopeThatTheLevelsCanTell) {
+TEST(PsychometricFit, LimitsTheSlopeToWhatTheLevelsDetermine) {
   const Blocks blocks{{1, 20, 10}, {2, 20, 10}, {3, 20, 20}, {4, 20, 20}};
   const auto fit = fit_psychometric(blocks, {.model = {.gamma = 0.5}, .performance = 0.75});
   ASSERT_TRUE(fit);
