@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/columns/export_tables.h"
 #include "app/exports/sidecar.h"
 #include "app/records/attempt_detail.h"
 #include "app/study_files/program.h"

@@ -10,7 +10,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/exports/bids_events.h"
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
+#include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/made_by.h"
 #include "results_schema/study.h"

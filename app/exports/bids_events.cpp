@@ -9,8 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/column_making.h"
-#include "app/exports/event_columns.h"
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/export_tables.h"
+#include "app/exports/columns/table_columns.h"
 #include "app/words/event_kinds.h"
 
 namespace asperity {

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
+#include "app/exports/columns/study_vocabulary.h"
 #include "app/records/session_timeline.h"
 
 namespace asperity {

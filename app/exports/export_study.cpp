@@ -14,6 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/bids.h"
+#include "app/exports/columns/codebook.h"
+#include "app/exports/columns/export_tables.h"
+#include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/fit_table.h"
 #include "app/exports/import_scripts.h"
 #include "app/exports/psych_ds.h"
@@ -21,7 +24,6 @@
 #include "app/exports/sav_table.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
-#include "app/exports/vocabulary.h"
 #include "app/exports/wide_table.h"
 #include "app/findings/study/own_scales.h"
 #include "app/records/session_timeline.h"
@@ -335,7 +337,7 @@ class StudyExport final {
       codebook_.add(name, columns);
       if (file.name == "responses" && options.audience == ExportAudience::published) {
         for (const std::string& question : questionnaire()) {
-          if (!vocabulary_.goes_to_public(question)) {
+          if (!vocabulary_.is_published(question)) {
             left_out.push_back(left_out_answers_to(question));
           }
         }
@@ -436,7 +438,7 @@ class StudyExport final {
     }
     for (const std::string& name : vocabulary_.for_public) {
       const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
-      if (is_asked && vocabulary_.goes_to_public(name)) continue;
+      if (is_asked && vocabulary_.is_published(name)) continue;
       throw std::invalid_argument("answers to \"" + name + "\" cannot be published: " +
                                   (is_asked
                                        ? "they are free text"
@@ -478,7 +480,7 @@ class StudyExport final {
     for (const ResponseRow& answer : answers) {
       ExportPlace here = at;
       here.response = &answer;
-      here.response_is_withheld = !vocabulary_.goes_to_public(answer.question);
+      here.response_is_withheld = !vocabulary_.is_published(answer.question);
       add("responses", here);
       files.add_session_answer(here);
     }

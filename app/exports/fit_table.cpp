@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/column_making.h"
+#include "app/exports/columns/column_making.h"
 #include "app/findings/study/gathered_answers.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/table_file.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
 #include "app/exports/export_folder.h"
 #include "app/words/phrase.h"
 

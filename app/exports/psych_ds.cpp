@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/columns/export_tables.h"
+
 namespace asperity {
 
 namespace {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
+#include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/made_by.h"
 

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "app/exports/columns/export_tables.h"
+
 namespace asperity {
 
 namespace {
@@ -56,5 +58,7 @@ std::string publication_text_of_any_study() {
   vocabulary.questions["NAME"].free_text = false;
   return publication_text(export_files(vocabulary));
 }
+
+std::string left_out_answers_to(const std::string& question) { return "answer(" + question + ")"; }
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
 #include "results_schema/sav_file.h"
 
 namespace asperity {

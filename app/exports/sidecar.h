@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
 
 namespace asperity {
 

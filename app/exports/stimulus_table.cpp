@@ -7,7 +7,7 @@
 
 #include "analysis/spectrum.h"
 #include "analysis/summary.h"
-#include "app/exports/column_making.h"
+#include "app/exports/columns/column_making.h"
 #include "app/study_files/height_field_files.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/table_file.h"

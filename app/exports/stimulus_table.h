@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
 #include "app/exports/export_folder.h"
 #include "app/words/phrase.h"
 

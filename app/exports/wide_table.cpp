@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/columns/export_tables.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/sav_file.h"
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
+#include "app/exports/columns/study_vocabulary.h"
 
 namespace asperity {
 

@@ -1,23 +1,19 @@
-#include "app/exports/event_columns.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/column_making.h"
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/table_columns.h"
 #include "app/records/session_timeline.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/event_kinds.h"
 
-namespace asperity {
-
-using namespace export_columns;
-
+namespace asperity::export_columns {
 namespace {
 
-/// Of the members of the data those that may be published; missing where none is left.
+// The members of the event's data that may be published; missing if there are none.
 Cell published_data(const EventRow& event) {
   const EventKind* const kind = event_kind(event.kind);
   const auto data = nlohmann::ordered_json::parse(event.data_json, nullptr, false);
@@ -50,7 +46,7 @@ ExportColumn kind_column() {
 
 }  // namespace
 
-std::vector<ExportColumn> event_columns() {
+Columns event_columns() {
   Columns columns = keys_to(Key::attempt);
   for (ExportColumn& made : columns) {
     if (made.name == "trial" || made.name == "attempt") {
@@ -107,4 +103,4 @@ std::vector<ExportColumn> event_columns() {
   return columns;
 }
 
-}  // namespace asperity
+}  // namespace asperity::export_columns

@@ -1,4 +1,4 @@
-#include "app/exports/column_making.h"
+#include "app/exports/columns/column_making.h"
 
 #include <utility>
 
@@ -12,7 +12,6 @@ Cell optional_boolean(const std::optional<bool>& value) { return value ? boolean
 
 Cell integer(std::int64_t value) { return value; }
 
-/// On the clock of the session, whose zero is at started_utc.
 Cell seconds_in_session(const ExportPlace& at, std::int64_t time_ns) {
   return static_cast<double>(time_ns - at.session->clock_zero_ns) / 1e9;
 }

@@ -1,4 +1,4 @@
-// The parts that the columns of exported tables are made of.
+// Functions that build the columns of exported tables, and the cells in them.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/exports/columns.h"
+#include "app/exports/columns/export_column.h"
 
 namespace asperity::export_columns {
 
@@ -23,10 +23,10 @@ template <class Value>
 Cell optional_cell(const std::optional<Value>& value) {
   return value ? Cell{*value} : Cell{};
 }
-/// On the clock of the session, whose zero is at started_utc.
+/// Seconds on the clock of the session, whose zero is at started_utc.
 Cell seconds_in_session(const ExportPlace& at, std::int64_t time_ns);
 Cell seconds_in_session(const ExportPlace& at, const std::optional<std::int64_t>& time_ns);
-/// The member of this name, absent where there is none.
+/// The member with this name, missing if the object has none.
 Cell member_of(const nlohmann::json* object, const std::string& name);
 
 ExportColumn column(std::string name, std::string type, std::string unit, std::string description,
@@ -39,7 +39,7 @@ ExportColumn dropped(ExportColumn made);
 
 enum class Key { participant, session, trial, attempt };
 
-/// The keys down to `last`, then what no table may be without: who is virtual, and in which mode.
+/// The keys down to `last`, then the columns that every table has: `virtual` and `mode`.
 Columns keys_to(Key last);
 
 }  // namespace asperity::export_columns

@@ -1,4 +1,4 @@
-#include "app/exports/vocabulary.h"
+#include "app/exports/columns/study_vocabulary.h"
 
 #include <algorithm>
 #include <tuple>
@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/stored_protocol.h"
+#include "renderers/force/force_model.h"
+#include "results_schema/study.h"
 
 namespace asperity {
-
 namespace {
 
 std::string place_in(const ProtocolRow& protocol, const std::string& pointer) {
@@ -32,7 +33,8 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
     const bool free_text = meaning.free_text;
     const auto [question, is_new] = vocabulary.questions.insert({name, std::move(meaning)});
-    question->second.questionnaire = true;  // also where a trial of another protocol asks the same
+    question->second.questionnaire =
+        true;  // even if a trial of another protocol asks the same question
     if (!is_new && free_text) question->second.free_text = true;
   }
   for (const auto& [block, asked] : specified.trial_questions) {
@@ -46,7 +48,7 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   }
 }
 
-/// A number may be written in other digits in the protocol than in a table.
+// The HED tags of a level. The protocol may spell a number with other digits than the table.
 std::string tags_of(const std::string& level, const std::map<std::string, std::string>& hed) {
   for (const auto& [declared, tags] : hed) {
     const std::optional<double> number = number_in(declared);
@@ -111,6 +113,11 @@ void learn_declaration(const std::string& model, const Parameter& parameter,
 
 }  // namespace
 
+bool StudyVocabulary::is_published(const std::string& question) const {
+  const auto known = questions.find(question);
+  return known != questions.end() && !known->second.free_text && for_public.contains(question);
+}
+
 StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
   StudyVocabulary vocabulary{};
   const StudyWords words = study.words();
@@ -136,7 +143,7 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
     const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
   }
-  // Translations of one protocol; two files in the same language may ask different things.
+  // Translations of one protocol. Two files in the same language may ask different questions.
   struct Wordings {
     std::string first_sha256{};
     std::set<std::string> languages{};

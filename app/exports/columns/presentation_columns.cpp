@@ -1,0 +1,115 @@
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/table_columns.h"
+
+namespace asperity::export_columns {
+namespace {
+
+using Place = ExportPlace;
+
+}  // namespace
+
+Columns presentation_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::attempt);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  const auto text = [&add](const char* name, const char* description, auto member) {
+    add(column(name, "text", "", description,
+               [member](const Place& at) { return at.presentation->*member; }));
+  };
+  add(at_least(1, column("position", "integer", "", "place in the order of the trial's surfaces",
+                         [](const Place& at) { return integer(at.presentation->position); })));
+  text("role", "role of the surface in the trial", &PresentationRow::role);
+  columns.back().levels = {"alternative", "target", "anchor"};
+  text("item", "name of the surface in the responses", &PresentationRow::item);
+  text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
+  text("model", "force model", &PresentationRow::model);
+  text("model_version", "version of the force model", &PresentationRow::model_version);
+  add(missing("no texture is involved",
+              column("texture", "text", "", "texture of the protocol", [](const Place& at) -> Cell {
+                const std::string& texture = at.presentation->texture;
+                return texture.empty() ? Cell{} : Cell{texture};
+              })));
+  add(missing(
+      "no height field is involved",
+      column("height_field_sha256", "text", "",
+             "SHA-256 of the height field's sidecar, which contains that of its picture",
+             [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
+  const auto sha256 = [&add](const char* name, const char* description, auto member) {
+    add(missing("the tool of the model is a point",
+                column(name, "text", "", description, [member](const Place& at) {
+                  return optional_cell(at.presentation->*member);
+                })));
+  };
+  sha256("surface_sha256", "SHA-256 of the body that was touched (docs/formats/study.md)",
+         &PresentationRow::surface_sha256);
+  sha256("tool_sha256", "SHA-256 of the body that was held (docs/formats/study.md)",
+         &PresentationRow::tool_sha256);
+  text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
+  const auto time = [&add](const char* name, const char* description, const char* when,
+                           auto member) {
+    add(missing(when, column(name, "number", "s", description, [member](const Place& at) {
+                  return seconds_in_session(at, at.presentation->*member);
+                })));
+  };
+  time("onset_s", "first tick with the surface present, since the session began",
+       "the surface was not presented", &PresentationRow::onset_ns);
+  time("contact_onset_s", "first tick with the probe in the surface, since the session began",
+       "the surface was not touched", &PresentationRow::contact_ns);
+  time("offset_s", "last tick with the surface present, since the session began",
+       "the surface was not presented", &PresentationRow::offset_ns);
+  add(at_least(0, column("contact_s", "number", "s", "time in contact",
+                         [](const Place& at) { return at.presentation->contact_s; })));
+  add(missing("no equal force was requested",
+              at_least(0, column("matched_texture_force_N", "number", "N",
+                                 "intended RMS of the texture force on the prescribed path",
+                                 [](const Place& at) {
+                                   return optional_cell(at.presentation->matched_texture_force_N);
+                                 }))));
+  add(missing("too short in contact",
+              at_least(0, column("achieved_texture_force_N", "number", "N",
+                                 "RMS of the texture force along the participant's own path",
+                                 [](const Place& at) {
+                                   return optional_cell(at.presentation->achieved_texture_force_N);
+                                 }))));
+  const auto listed = [](const std::set<std::string>& models) {
+    std::string of{};
+    for (const std::string& model : models) of += (of.empty() ? "" : ", ") + model;
+    return of;
+  };
+  for (const auto& [kind, models] : vocabulary.limits) {
+    add(missing("the model does not monitor this limit",
+                at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
+                                   "ticks in which the force model exceeded this limit of valid "
+                                   "rendering (docs/models.md); models: " +
+                                       listed(models),
+                                   [kind = kind](const Place& at) -> Cell {
+                                     for (const ModelLimitRow& limit : at.presentation->limits) {
+                                       if (limit.kind == kind) return limit.ticks;
+                                     }
+                                     return {};
+                                   }))));
+  }
+  for (const auto& [name, parameter] : vocabulary.parameters) {
+    const std::string of = listed(parameter.models);
+    const bool numeric = parameter.levels.empty();
+    std::string meaning{};
+    for (const std::string& each : parameter.meanings) meaning += each + "; ";
+    ExportColumn made =
+        missing("the model does not have this parameter",
+                column("parameter_" + name, numeric ? "number" : "text",
+                       numeric ? parameter.unit.value_or(unit_at_end_of(name).value_or("1")) : "",
+                       meaning + "parameter of the force model as rendered; models: " + of,
+                       [name = name](const Place& at) { return member_of(at.parameters, name); }));
+    made.source = parameter.meanings.empty() ? "what was rendered" : "force model";
+    made.minimum = parameter.minimum;
+    made.maximum = parameter.maximum;
+    made.levels.assign(parameter.levels.begin(), parameter.levels.end());
+    columns.push_back(std::move(made));
+  }
+  return columns;
+}
+
+}  // namespace asperity::export_columns

@@ -1,0 +1,88 @@
+#include <string>
+#include <utility>
+
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/table_columns.h"
+
+namespace asperity::export_columns {
+namespace {
+
+using Place = ExportPlace;
+
+}  // namespace
+
+Columns response_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::attempt);
+  for (ExportColumn& made : columns) {
+    if (made.name == "trial" || made.name == "attempt") {
+      made.missing = "the question belongs to the session, not to a trial";
+    }
+  }
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(column("question", "text", "", "name of the question",
+             [](const Place& at) { return at.response->question; }));
+  add(at_least(1,
+               column("item", "integer", "",
+                      "1 for a choice or a number; the position of the surface for an assignment",
+                      [](const Place& at) { return integer(at.response->item); })));
+  std::string questions{};
+  for (const auto& [name, question] : vocabulary.questions) {
+    questions += (questions.empty() ? "; " : " · ") + name + ": " + question.prompt;
+    std::string options{};
+    for (const std::string& option : question.options) {
+      options += (options.empty() ? " (" : " | ") + option;
+    }
+    if (!options.empty()) questions += options + ")";
+  }
+  add(column("answer", "text", "", "the response, by its name in the protocol" + questions,
+             [](const Place& at) { return at.response->answer; }));
+  columns.back().publication = Publication::without_questionnaires;
+  columns.back().missing = "never, except for answers to questionnaires in a public export";
+  add(missing(
+      "the response is not a number, or is an answer to a questionnaire in a public export",
+      column("answer_number", "number", "", "the response as a number: the estimate of a magnitude",
+             [](const Place& at) { return optional_cell(at.response->answer_number); })));
+  columns.back().publication = Publication::without_questionnaires;
+  add(missing("no response is correct or incorrect",
+              column("correct", "boolean", "", "1: correct response",
+                     [](const Place& at) { return optional_boolean(at.response->correct); })));
+  add(column("options_json", "json", "", "the options in the order in which they were shown",
+             [](const Place& at) { return at.response->options_json; }));
+  add(column("time_s", "number", "s", "time of the response, since the session began",
+             [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
+  add(missing("there was no contact before",
+              at_least(0, column("from_contact_s", "number", "s",
+                                 "time from the first contact of the attempt to the response",
+                                 [](const Place& at) {
+                                   return optional_cell(at.response->from_contact_s);
+                                 }))));
+  add(missing(
+      "not measured",
+      at_least(0, column("from_cue_s", "number", "s",
+                         "time from the cue, when the question was first asked, to the response",
+                         [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
+  add(column("source", "text", "",
+             "how the response was given: keyboard; virtual, by a virtual participant; "
+             "virtual_guess, by one that ignores the surface or has no expectation",
+             [](const Place& at) { return at.response->source; }));
+  add(missing("the estimate was not re-elicited",
+              column("doubted_estimate", "number", "",
+                     "the first estimate, where the magnitude was re-elicited because the estimate "
+                     "was at least ten times, or at most a tenth of, an earlier one for the same "
+                     "stimulus; the response is the second estimate",
+                     [](const Place& at) { return optional_cell(at.doubted_estimate); })));
+  add(missing(
+      "the response is not an estimate of a magnitude, or the participant has none in some cell",
+      column("normalised_estimate", "number", "",
+             "the estimate of a magnitude with the participant's own scale removed: multiplied by "
+             "the geometric mean of all participants and divided by that of the participant; both "
+             "of this protocol, version and kind of session, over valid attempts of the main "
+             "phase, without excluded attempts and anchors",
+             [](const Place& at) -> Cell {
+               if (!at.own_scale || !at.response->answer_number) return {};
+               return *at.own_scale * *at.response->answer_number;
+             })));
+  return columns;
+}
+
+}  // namespace asperity::export_columns

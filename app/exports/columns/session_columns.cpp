@@ -1,0 +1,98 @@
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/table_columns.h"
+#include "protocols/kinds/experiment_kind.h"
+
+namespace asperity::export_columns {
+namespace {
+
+using Place = ExportPlace;
+
+}  // namespace
+
+Columns session_columns() {
+  Columns columns = keys_to(Key::session);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  const auto text = [&add](const char* name, const char* description, auto member) {
+    add(missing("unknown", column(name, "text", "", description,
+                                  [member](const Place& at) { return at.session->*member; })));
+  };
+  const auto of_protocol = [&add](const char* name, const char* description, auto member) {
+    add(column(name, "text", "", description,
+               [member](const Place& at) { return at.protocol->*member; }));
+  };
+  of_protocol("protocol", "name of the protocol", &ProtocolRow::name);
+  of_protocol("protocol_version", "version of the protocol", &ProtocolRow::version);
+  of_protocol("kind", "kind of the protocol", &ProtocolRow::kind);
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    columns.back().levels.emplace_back(kind->id);
+  }
+  of_protocol("design", "as published or improved", &ProtocolRow::design);
+  columns.back().levels = {"chapter", "improved"};
+  of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",
+              &ProtocolRow::source_sha256);
+  add(with_levels(column("state", "text", "", "state of the session",
+                         [](const Place& at) { return text_of(at.session->state); }),
+                  {"open", "completed", "stopped", "crashed"}));
+  text("seed", "seed of all random numbers of the session, a 64-bit integer", &SessionRow::seed);
+  text("generator", "name and version of the random number generator", &SessionRow::generator);
+  add(at_least(
+      0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
+                [](const Place& at) { return integer(at.session->counterbalance_row); })));
+  add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
+             [](const Place& at) { return boolean(at.session->mirrored); }));
+  text("program_version", "version of the program", &SessionRow::program_version);
+  text("program_commit", "commit the program was built from", &SessionRow::program_commit);
+  text("program_build", "how the program was built", &SessionRow::program_build);
+  text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
+  text("instruction_set", "instruction set of the numerical code", &SessionRow::instruction_set);
+  text("os", "operating system, with the release of its kernel", &SessionRow::os);
+  columns.back().publication = Publication::dropped;  // its name can be an institution's own
+  text("device", "driver and model of the haptic device", &SessionRow::device);
+  text("pacing", "real_time, or stepped on a simulated clock", &SessionRow::pacing);
+  columns.back().levels = {"stepped", "real_time"};
+  text("scheduling", "scheduling of the servo thread", &SessionRow::scheduling);
+  columns.back().missing = "there is no servo thread";
+  add(at_least(0, column("rate_Hz", "number", "Hz", "rate of the servo loop",
+                         [](const Place& at) { return at.session->rate_Hz; })));
+  add(at_least(0, column("stimulus_files", "integer", "1", "files that the session used",
+                         [](const Place& at) {
+                           return integer(static_cast<std::int64_t>(at.session->files.size()));
+                         })));
+  add(missing("no files",
+              column("stimulus_files_json", "json", "",
+                     "SHA-256 of each file that the session used, by path within the study",
+                     [](const Place& at) -> Cell {
+                       nlohmann::json files = nlohmann::json::object();
+                       for (const StimulusFileRow& file : at.session->files) {
+                         files[file.path] = file.sha256;
+                       }
+                       return files.empty() ? Cell{} : Cell{files.dump()};
+                     })));
+  add(missing("a human participant",
+              column("observer_json", "json", "", "how the virtual participant judged, as declared",
+                     [](const Place& at) -> Cell {
+                       const std::string& json = at.session->observer_json;
+                       return json == "null" ? Cell{} : Cell{json};
+                     })));
+  add(missing("the protocol requires no consent",
+              column("consent_version", "text", "", "version of the consent text agreed to",
+                     [](const Place& at) { return optional_cell(at.session->consent_version); })));
+  add(dropped(
+      missing("the protocol requires no consent",
+              column("consent_utc", "utc_time", "", "when consent was given",
+                     [](const Place& at) { return optional_cell(at.session->consent_utc); }))));
+  add(dropped(column("started_utc", "utc_time", "",
+                     "when the session began; all times in seconds are relative to it",
+                     [](const Place& at) { return at.session->started_utc; })));
+  add(dropped(
+      missing("the session has not ended",
+              column("ended_utc", "utc_time", "", "when the session ended",
+                     [](const Place& at) { return optional_cell(at.session->ended_utc); }))));
+  return columns;
+}
+
+}  // namespace asperity::export_columns

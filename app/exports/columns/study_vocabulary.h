@@ -1,0 +1,73 @@
+// The vocabulary of a study: the names in its rows, and how protocols and force models declare them.
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/exports/columns/export_column.h"
+#include "protocols/design/analysis_declaration.h"
+
+namespace asperity {
+
+class ModelRegistry;
+class Study;
+
+/// The names that the rows and protocols of a study use, with their declarations by the protocols and the
+/// force models.
+struct StudyVocabulary {
+  struct FactorMeaning {
+    std::string meaning{};
+    std::string unit{};
+    std::string source = "plans of the trials";
+    std::vector<std::string> levels{};
+    std::map<std::string, LevelMeaning> level_meanings{};
+    bool numeric = true;
+  };
+  struct ParameterMeaning {
+    std::set<std::string> models{};    ///< with this parameter
+    std::set<std::string> levels{};    ///< if it is not a number
+    std::set<std::string> meanings{};  ///< as the models declare them
+    std::optional<std::string> unit{};
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
+  };
+  struct AnswerMeaning {
+    std::string prompt{};
+    bool free_text = true;      ///< false if a protocol declares a choice or a number
+    bool questionnaire = true;  ///< about a participant or a session, not about a trial
+    std::vector<std::string> options{};
+    std::map<std::string, LevelMeaning> option_meanings{};  ///< if shown as another text
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
+    std::string source{};
+  };
+  std::map<std::string, FactorMeaning> factors{};
+  std::map<std::string, ParameterMeaning> parameters{};
+  std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that monitor it
+  /// The spacings of textures that protocol files for magnitude estimation declare, by the file's SHA-256.
+  std::map<std::string, EstimationDeclaration> estimations{};
+  std::set<std::string> participant_answers{};
+  std::map<std::string, AnswerMeaning> questions{};  ///< by name, of all protocols
+  /// The questions of questionnaires in each protocol file, by the SHA-256 of the file and the name.
+  std::map<std::pair<std::string, std::string>, AnswerMeaning> questions_of_source{};
+  /// By the SHA-256 of a protocol file, that of the first file that differs from it in texts only, which may be
+  /// the file itself.
+  std::map<std::string, std::string> first_wording{};
+  /// Questions of questionnaires that were named to be published.
+  std::set<std::string> for_public{};
+
+  /// Whether a public export includes the responses to this question of a questionnaire. False for free text,
+  /// and for a question that no protocol declares.
+  bool is_published(const std::string& question) const;
+};
+
+/// A protocol that cannot be read and a model that this program does not know declare nothing: their columns
+/// have only the facts from the rows.
+StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models);
+
+}  // namespace asperity

@@ -1,0 +1,27 @@
+// The columns of each table of an export. Each table has a source file with the name of its function.
+
+#pragma once
+
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/study_vocabulary.h"
+
+namespace asperity::export_columns {
+
+// Of a column that two tables have.
+inline constexpr const char* kMissedInContact =
+    "ticks that missed their deadline while a surface was touched; only these affect whether an "
+    "attempt counts";
+inline constexpr const char* kNotCountedApart =
+    "the attempt was made by version 0.1, which did not count them separately";
+
+Columns participant_columns(const StudyVocabulary& vocabulary);
+Columns session_columns();
+Columns trial_columns(const StudyVocabulary& vocabulary);
+Columns attempt_columns();
+Columns presentation_columns(const StudyVocabulary& vocabulary);
+Columns response_columns(const StudyVocabulary& vocabulary);
+Columns servo_columns();
+Columns compliance_columns();
+Columns event_columns();
+
+}  // namespace asperity::export_columns

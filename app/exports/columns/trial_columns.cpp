@@ -1,0 +1,74 @@
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exports/columns/column_making.h"
+#include "app/exports/columns/table_columns.h"
+
+namespace asperity::export_columns {
+namespace {
+
+using Place = ExportPlace;
+
+// Roughness is a function of the distance of a texture's elements. A factor either is that distance or names a
+// texture whose distance the protocol declares.
+ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
+  ExportColumn made = missing(
+      "the protocol requests no magnitudes, or specifies no spacing of the trial's texture",
+      column("texture_spacing_m", "number", "m", "spacing of the elements of the texture",
+             [estimations = vocabulary.estimations](const Place& at) -> Cell {
+               const auto estimation = estimations.find(at.protocol->source_sha256);
+               if (estimation == estimations.end()) return {};
+               const auto level = at.factors->find(estimation->second.spacing);
+               if (level == at.factors->end()) return {};
+               if (level->is_number()) return level->get<double>();
+               const auto& spacing_m = estimation->second.spacing_m;
+               const auto spacing =
+                   level->is_string() ? spacing_m.find(level->get<std::string>()) : spacing_m.end();
+               return spacing == spacing_m.end() ? Cell{} : Cell{spacing->second};
+             }));
+  made.source = "protocol";
+  return made;
+}
+
+}  // namespace
+
+Columns trial_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::trial);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(column("protocol", "text", "", "name of the protocol",
+             [](const Place& at) { return at.protocol->name; }));
+  add(column("block", "text", "", "block of the protocol",
+             [](const Place& at) { return at.trial->block; }));
+  add(at_least(
+      1, column("block_ordinal", "integer", "",
+                "number of the block within the session; each run of a block has its own number",
+                [](const Place& at) { return integer(at.trial->block_ordinal); })));
+  add(with_levels(column("phase", "text", "", "only the main phase is analysed",
+                         [](const Place& at) { return at.trial->phase; }),
+                  {"familiarisation", "practice", "main"}));
+  add(at_least(
+      0, column("repetition", "integer", "", "repetition of the same conditions; 0 for an anchor",
+                [](const Place& at) { return integer(at.trial->repetition); })));
+  for (const auto& [name, factor] : vocabulary.factors) {
+    ExportColumn made = missing(
+        "the trial does not have this factor",
+        column("factor_" + name, factor.numeric ? "number" : "text",
+               factor.unit.empty() && factor.numeric ? unit_at_end_of(name).value_or("1")
+                                                     : factor.unit,
+               factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
+               [name = name](const Place& at) { return member_of(at.factors, name); }));
+    made.levels = factor.levels;
+    made.level_meanings = factor.level_meanings;
+    made.source = factor.source;
+    if (factor.numeric && !factor.levels.empty()) {
+      made.minimum = number_in(factor.levels.front());
+      made.maximum = number_in(factor.levels.back());
+    }
+    columns.push_back(std::move(made));
+  }
+  if (!vocabulary.estimations.empty()) add(texture_spacing(vocabulary));
+  return columns;
+}
+
+}  // namespace asperity::export_columns
