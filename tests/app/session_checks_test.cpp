@@ -1,6 +1,6 @@
-// The checklist before a session, against real studies.
+// Tests the checklist before a session with real studies.
 
-#include "app/tasks/session_checks.h"
+#include "app/tasks/checks/session_checks.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/session/rig/clock.h"
+#include "app/tasks/checks/disk_check.h"
+#include "app/tasks/checks/noise_check.h"
+#include "app/tasks/checks/protocol_check.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/utc_time.h"
@@ -403,7 +406,7 @@ TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
   EXPECT_EQ(check("force_zero").id, "absent");
 
   inputs.tried = tried_falcon();
-  inputs.device_hindrance = "It is used by another program.";
+  inputs.device_blocker = "It is used by another program.";
   EXPECT_EQ(check("device").state, State::stop);
   EXPECT_EQ(check("device").text.english(), "It is used by another program.");
 }

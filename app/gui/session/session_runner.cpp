@@ -8,7 +8,7 @@
 
 #include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
-#include "app/tasks/session_checks.h"
+#include "app/tasks/checks/protocol_check.h"
 #include "app/words/reason.h"
 #include "protocols/file/diagnostic.h"
 

@@ -22,7 +22,7 @@
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
-#include "app/tasks/session_checks.h"
+#include "app/tasks/checks/noise_check.h"
 
 namespace asperity {
 

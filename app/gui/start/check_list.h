@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/tasks/session_checks.h"
+#include "app/tasks/checks/session_check.h"
 
 class QGridLayout;
 class QLabel;

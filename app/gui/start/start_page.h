@@ -16,7 +16,7 @@
 #include "app/gui/session/session_runner.h"
 #include "app/gui/start/start_draft.h"
 #include "app/gui/start/start_facts.h"
-#include "app/tasks/session_checks.h"
+#include "app/tasks/checks/session_check.h"
 #include "app/tasks/simulation.h"
 
 class QBoxLayout;

@@ -17,6 +17,8 @@
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 #include "app/records/participant_answers.h"
+#include "app/tasks/checks/noise_check.h"
+#include "app/tasks/checks/protocol_check.h"
 
 namespace asperity {
 

@@ -21,6 +21,7 @@
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
+#include "app/tasks/checks/session_checks.h"
 #include "renderers/built_in_models.h"
 
 namespace asperity {
@@ -97,7 +98,7 @@ void StartPage::check() {
       .device = setup_->device().device(),
       .device_name = setup_->device().name().toStdString(),
       .driver_options = driver_options(setup_->device().device()),
-      .device_hindrance = setup_->device().hindrance(),
+      .device_blocker = setup_->device().hindrance(),
       .trial = study_.device_trial(),
       .tried = setup_->device().tried(),
       .rehearsal = rehearsal_,

@@ -13,6 +13,8 @@
 
 #include "app/gui/base/settings.h"
 #include "app/gui/look/words.h"
+#include "app/tasks/checks/disk_check.h"
+#include "app/tasks/checks/session_checks.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"

@@ -1,0 +1,43 @@
+#include "app/tasks/checks/protocol_check.h"
+
+#include "results_schema/sha256.h"
+
+namespace asperity {
+namespace {
+
+using State = SessionCheck::State;
+
+}  // namespace
+
+SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol) {
+  SessionCheck check{};
+  const std::string sha256 = sha256_of(protocol.source);
+  if (!inputs.protocol_sha256.empty() && sha256 != inputs.protocol_sha256) {
+    check.state = State::stop;
+    check.text =
+        phrase("SessionChecks",
+               "The file has changed since it was chosen: its SHA-256 was %1 and is now %2.")
+            .with(short_hash(inputs.protocol_sha256), short_hash(sha256));
+    check.remedy =
+        phrase("SessionChecks",
+               "Choose the protocol again to read the new version, or restore the earlier file.");
+    return check;
+  }
+  check.text = phrase("SessionChecks", "Valid, version %1, SHA-256 %2.")
+                   .with(protocol.version, short_hash(sha256));
+  return check;
+}
+
+void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256) {
+  const std::string now = sha256_of_file(protocol);
+  if (now == sha256) return;
+  throw ProtocolChangedSinceCheck(
+      phrase("SessionChecks",
+             "the protocol %1 has changed since it was checked: its SHA-256 was %2 and is now %3; "
+             "choose it again to read and check the new version")
+          .with(protocol.string(), short_hash(sha256), short_hash(now)));
+}
+
+std::string short_hash(const std::string& sha256) { return sha256.substr(0, 8); }
+
+}  // namespace asperity

@@ -1,0 +1,29 @@
+// Checks whether the protocol file is still the one that was shown or checked.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/tasks/checks/session_check.h"
+#include "app/words/phrase.h"
+#include "protocols/design/protocol.h"
+
+namespace asperity {
+
+SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol);
+
+/// The protocol file differs from the one that was checked.
+class ProtocolChangedSinceCheck final : public PhrasedError {
+  using PhrasedError::PhrasedError;
+};
+
+/// Compares the file with the SHA-256 of its content at the time of the check.
+///
+/// Errors: ProtocolChangedSinceCheck; ResultsError if there is no such file.
+void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256);
+
+/// The first eight digits of a SHA-256, for display.
+std::string short_hash(const std::string& sha256);
+
+}  // namespace asperity

@@ -1,0 +1,15 @@
+// Checks the files that a protocol uses.
+
+#pragma once
+
+#include "app/tasks/checks/session_check.h"
+#include "protocols/design/protocol.h"
+#include "renderers/force/force_model.h"
+
+namespace asperity {
+
+/// Refuses missing and changed files, and in a session that is resumed files other than those with which it began.
+SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
+                           const ModelRegistry& models);
+
+}  // namespace asperity
