@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include <Eigen/Dense>
 
@@ -19,22 +20,22 @@ void require_equal(std::size_t one, std::size_t other) {
   }
 }
 
-void require_equal(const SweepLeg& leg) {
+void require_equal(const ForcedMotion& leg) {
   require_equal(leg.time_s.size(), leg.position_m.size());
   require_equal(leg.time_s.size(), leg.force_N.size());
 }
 
-/// One push with what of it does not depend on the delay: integrals over the motion that was read, and
-/// the force's, at each tick.
+// One push with everything that does not depend on the delay: the integrals of the measured motion and of the
+// force up to each tick. Positions are integrated by trapezoids; the force is constant from tick to tick.
 struct IntegratedPush {
   const Push* push = nullptr;
-  double steady_N = 0.0;  // what stands against it all the time
+  double steady_N = 0.0;  // the constant part of the resistance: K·x₀ + c ± F_c
   std::vector<double> moved_m_s{};
   std::vector<double> moved_m_s2{};
   std::vector<double> impulse_N_s{};
   std::vector<double> impulse_N_s2{};
 
-  /// The force's double integral up to `s_s`.
+  // The double integral of the force up to `s_s`, between ticks too.
   double force_integral_N_s2(double s_s) const noexcept {
     const std::vector<double>& t = push->time_s;
     const auto after = std::upper_bound(t.begin(), t.end(), s_s);
@@ -73,7 +74,8 @@ struct MassFit {
   double mass_kg = 0.0;
   double left_m2 = 0.0;
 };
-/// The inverse of the mass by least squares of x = r/m.
+// m·x = r by least squares over 1/m: 1/m = Σrx/Σr², with the residual Σx² − (Σrx)²/Σr². Before L nothing has
+// moved: r is 0, and x is residual.
 std::optional<MassFit> fit_mass(const std::vector<IntegratedPush>& pushes,
                                 const Resistance& resistance, double delay_s) {
   double rr = 0.0;
@@ -96,7 +98,7 @@ std::optional<MassFit> fit_mass(const std::vector<IntegratedPush>& pushes,
   return MassFit{rr / rx, xx - rx * rx / rr};
 }
 
-/// Slope of the straight line that fits best.
+// Slope of the line of least squares.
 double slope(std::span<const double> x, std::span<const double> y) {
   const auto n = static_cast<double>(x.size());
   const double x_mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
@@ -138,13 +140,13 @@ std::optional<PushResponse> push_response(const std::vector<Push>& pushes,
   return best;
 }
 
-std::optional<SweepResponse> sweep_response(const std::vector<SweepLeg>& legs) {
+std::optional<SweepResponse> sweep_response(const std::vector<ForcedMotion>& legs) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double speeds = 0.0;
   int up = 0;
   int down = 0;
-  for (const SweepLeg& leg : legs) {
+  for (const ForcedMotion& leg : legs) {
     require_equal(leg);
     if (leg.time_s.size() < 2) continue;
     const double velocity_m_per_s = slope(leg.time_s, leg.position_m);
@@ -175,11 +177,11 @@ std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepRe
                     .offset_N = 0.5 * (slow.offset_N + fast.offset_N)};
 }
 
-std::optional<double> position_error_m(const std::vector<SweepLeg>& legs) {
+std::optional<double> position_error_m(const std::vector<ForcedMotion>& legs) {
   constexpr int kCubic = 4;
   double squares = 0.0;
   std::size_t freedom = 0;
-  for (const SweepLeg& leg : legs) {
+  for (const ForcedMotion& leg : legs) {
     require_equal(leg);
     for (std::size_t begin = 0; begin + kSmoothWindow <= leg.time_s.size();
          begin += kSmoothWindow) {
@@ -224,9 +226,17 @@ std::optional<std::complex<double>> component_at(double frequency_Hz,
   return std::complex<double>(found(0), found(1));
 }
 
+std::optional<FrequencyResponse> frequency_response(double frequency_Hz, const ForcedMotion& motion,
+                                                    double least_force_N) {
+  const auto moved = component_at(frequency_Hz, motion.time_s, motion.position_m);
+  const auto pushed = component_at(frequency_Hz, motion.time_s, motion.force_N);
+  if (!moved || !pushed || std::abs(*pushed) < least_force_N) return {};
+  return FrequencyResponse{frequency_Hz, std::abs(*moved) / std::abs(*pushed)};
+}
+
 std::optional<double> resonance_Hz(const std::vector<FrequencyResponse>& responses) {
   if (responses.size() < 3) return {};
-  std::vector<double> per_force(responses.size());  // ω²|X/F|: 1/m of a mass alone
+  std::vector<double> per_force(responses.size());  // ω²|X/F|
   std::transform(responses.begin(), responses.end(), per_force.begin(), [](const auto& one) {
     const double omega = 2.0 * std::numbers::pi * one.frequency_Hz;
     return omega * omega * one.response_m_per_N;
@@ -249,6 +259,54 @@ std::optional<double> resonance_Hz(const std::vector<FrequencyResponse>& respons
   const double offset =
       curvature < 0.0 ? std::clamp(-at_peak / (2.0 * curvature), left, right) : 0.0;
   return std::exp(log_f(peak) + offset);
+}
+
+double rounding_error_m(double step_m) { return step_m / std::sqrt(12.0); }
+
+double step_of_rounding_m(double error_m) { return std::sqrt(12.0) * error_m; }
+
+bool is_swinging(std::span<const double> position_m, double step_m) {
+  constexpr double kStill_m = 0.1e-3;
+  if (position_m.empty()) return false;
+  const auto [low, high] = std::minmax_element(position_m.begin(), position_m.end());
+  return *high - *low > std::max(kStill_m, 4.0 * step_m);
+}
+
+double motion_without_friction_m(const HeldPush& push) {
+  return push.force_N * std::min(0.5 * push.duration_s * push.duration_s / push.mass_kg,
+                                 1.0 / push.stiffness_N_per_m);
+}
+
+std::optional<double> mean_motion_m(const PushTrain& train, const ForcedMotion& motion,
+                                    double judged_s) {
+  require_equal(motion.time_s.size(), motion.position_m.size());
+  const auto mean_before_m = [&](double end_s) -> std::optional<double> {
+    double sum_m = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < motion.time_s.size(); ++i) {
+      if (motion.time_s[i] <= end_s - judged_s || motion.time_s[i] > end_s) continue;
+      sum_m += motion.position_m[i];
+      ++count;
+    }
+    if (count == 0) return {};
+    return sum_m / static_cast<double>(count);
+  };
+  double sum_m = 0.0;
+  int counted = 0;
+  for (int number = 0; number < train.pushes; ++number) {
+    const double begins_s = train.first_s + 2.0 * number * train.length_s;
+    const auto before_m = mean_before_m(begins_s);
+    const auto after_m = mean_before_m(begins_s + train.length_s);
+    if (!before_m || !after_m) continue;
+    sum_m += (number % 2 == 0 ? 1.0 : -1.0) * (*after_m - *before_m);
+    ++counted;
+  }
+  if (counted == 0) return {};
+  return sum_m / counted;
+}
+
+double four_standard_errors_m(double step_m, const MotionReadings& readings) {
+  return rounding_error_m(step_m) * 4.0 / std::sqrt(0.5 * readings.each * readings.pushes);
 }
 
 }  // namespace asperity
