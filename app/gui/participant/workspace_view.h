@@ -12,8 +12,8 @@
 #include <glm/vec3.hpp>
 
 #include "app/gui/look/background_task.h"
-#include "app/gui/participant/body_picture.h"
-#include "app/gui/participant/workspace_picture.h"
+#include "app/gui/scene/body_picture.h"
+#include "app/gui/scene/workspace_picture.h"
 
 namespace asperity {
 

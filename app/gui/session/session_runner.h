@@ -110,6 +110,3 @@ class SessionRunner final : public QObject {
 };
 
 }  // namespace asperity
-
-Q_DECLARE_METATYPE(asperity::SessionOrder)
-Q_DECLARE_METATYPE(asperity::SessionEnd)

@@ -14,7 +14,7 @@
 
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
-#include "app/gui/participant/body_picture.h"
+#include "app/gui/scene/body_picture.h"
 
 namespace asperity {
 

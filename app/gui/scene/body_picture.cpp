@@ -1,4 +1,4 @@
-#include "app/gui/participant/body_picture.h"
+#include "app/gui/scene/body_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,12 @@
 #include <glm/matrix.hpp>
 
 namespace asperity {
-
 namespace {
 
-// Deviations below this are steps of the displacements, and no relief that a hand could feel.
+// Smaller deviations are steps of the displacements, not a relief.
 constexpr double kLeastSlope = 2e-3;
 
-/// Light, 0 to 1, as a level of the screen.
+// The level of the screen for a linear light from 0 to 1.
 class Levels final {
  public:
   Levels() {
@@ -32,14 +31,15 @@ class Levels final {
   std::array<int, 4096> levels_{};
 };
 
-/// How a quantity of the corners changes with a step of a column and of a row.
+// The change of a quantity of the corners over a step of a column and of a row: (first, second)·M⁻¹ with the texel
+// coordinates M of both edges.
 std::array<glm::dvec3, 2> along_texels(const glm::dmat2& inverse, const glm::dvec3& first,
                                        const glm::dvec3& second) {
   return {first * inverse[0][0] + second * inverse[0][1],
           first * inverse[1][0] + second * inverse[1][1]};
 }
 
-/// Where a picture's point lies in a triangle; outside, one of the three is negative.
+// Barycentric coordinates in a triangle of the plane; outside, one of the three is negative.
 struct Barycentric {
   glm::dvec2 origin{};
   glm::dvec2 a{};
@@ -59,11 +59,9 @@ struct Barycentric {
   }
 };
 
-/// A relief without jumps at the lattice of the pattern: 1 on a point, 0 off it.
+// 1 on a point of the pattern, 0 outside, without a jump between them.
 double on_point(double first_m, double second_m) {
-  const auto off = [](double x_m) {
-    return x_m - kPatternSpacing_m * (std::floor(x_m / kPatternSpacing_m) + 0.5);
-  };
+  const auto off = [](double x_m) { return x_m - nearest_pattern_point_m(x_m); };
   const double away_m = std::hypot(off(first_m), off(second_m));
   return std::clamp(1.5 - away_m / kPatternPoint_m, 0.0, 1.0);
 }
@@ -117,8 +115,8 @@ SeenBody::SeenBody(std::shared_ptr<const TexturedMesh> mesh, SurfaceLook look, c
     const auto& corners = mesh_->triangles[i];
     const glm::dmat2 texels(places[1] - places[0], places[2] - places[0]);
     const double area = glm::determinant(texels);
-    // A face of a texel or two has no relief; nor has one that bends round an edge of the body, whose
-    // deviations are the edge's and would make those of all other faces look small.
+    // A face of a few texels has no relief. A face around an edge of the body is left out because the deviations of the
+    // edge would make those of all other faces look small.
     if (std::abs(area) < 16.0 || bends_sharply(corners)) continue;
     const glm::dmat2 inverse = glm::inverse(texels);
     const auto over = [&](const std::vector<glm::dvec3>& of) {
@@ -176,7 +174,7 @@ glm::dvec3 SeenBody::deviation_at(std::size_t face, const glm::dvec3& weights) c
   const double column_m =
       0.5 * (displacement_m(at.x + 1.0, at.y) - displacement_m(at.x - 1.0, at.y));
   const double row_m = 0.5 * (displacement_m(at.x, at.y + 1.0) - displacement_m(at.x, at.y - 1.0));
-  // The surface lies at p + d·n, and all three change from texel to texel.
+  // The derivatives of the surface p + d·n from texel to texel: ∂p + ∂d·n + d·∂n. Their cross product is its normal.
   const Face& of = faces_[face];
   const glm::dvec3 first = of.along_texel_m[0] + column_m * normal + here_m * of.turn[0];
   const glm::dvec3 second = of.along_texel_m[1] + row_m * normal + here_m * of.turn[1];
@@ -210,7 +208,7 @@ glm::dvec3 SeenBody::colour_at(std::size_t face, const glm::dvec3& weights,
   const double covered = facing.z == most   ? on_point(point_m.x, point_m.y)
                          : facing.x == most ? on_point(point_m.y, point_m.z)
                                             : on_point(point_m.x, point_m.z);
-  // No point bends round an edge: it fades before.
+  // Points fade out before an edge, so that none continues around it.
   const double faces = std::clamp((most - 0.80) / 0.18, 0.0, 1.0);
   return colour * (1.0 - 0.45 * covered * faces);
 }
@@ -238,7 +236,7 @@ void SeenBody::rasterise(const WorkspaceCamera& camera, const SeenPose& pose, Bo
     const Corner& b = corners[of[1]];
     const Corner& c = corners[of[2]];
     const Barycentric inside(a.at, b.at, c.at);
-    // Rows count downwards: counter-clockwise in the world is clockwise in the picture.
+    // Rows are counted downwards: counter-clockwise in the world is clockwise in the picture.
     if (!(inside.inverse < 0.0) || std::min({a.nearness, b.nearness, c.nearness}) <= 0.0) continue;
     const int left = std::max(0, static_cast<int>(std::floor(std::min({a.at.x, b.at.x, c.at.x}))));
     const int right =
@@ -263,7 +261,7 @@ void SeenBody::rasterise(const WorkspaceCamera& camera, const SeenPose& pose, Bo
           pixels[column] = 0;
           continue;
         }
-        // Nearness is linear in the picture, what lies on the face is linear on the face.
+        // Perspective-correct interpolation: 1/depth is linear in the picture, weights are linear on the face.
         const glm::dvec3 on_face =
             glm::dvec3{weights.x * a.nearness, weights.y * b.nearness, weights.z * c.nearness} /
             static_cast<double>(nearness);
@@ -292,13 +290,22 @@ QRect SeenBody::area(const WorkspaceCamera& camera, const SeenPose& pose) const 
   return area.toAlignedRect().adjusted(-1, -1, 1, 1) & QRect({0, 0}, camera.size());
 }
 
+SeenPatch seen_patch_of(const TexturedMesh& body, const SurfacePatch& patch) {
+  const BodyBounds bounds = bounds_of(body);
+  SeenPatch seen{.patch = patch};
+  seen.patch.centre_m += glm::dvec3{0.5 * (bounds.low_m.x + bounds.high_m.x),
+                                    0.5 * (bounds.low_m.y + bounds.high_m.y), bounds.high_m.z};
+  seen.patch.extent_m = {bounds.high_m.x - bounds.low_m.x, bounds.high_m.y - bounds.low_m.y};
+  seen.thickness_m = bounds.high_m.z - bounds.low_m.z;
+  return seen;
+}
+
 QImage picture_of_body(const std::shared_ptr<const TexturedMesh>& mesh, int side_px) {
-  const SeenBody::Colour kBodyStone{0.80, 0.775, 0.735};
   const SeenPatch seen = seen_patch_of(*mesh, SurfacePatch{});
   const QSize size(side_px, side_px);
   const WorkspaceCamera camera(seen.patch, size, seen.thickness_m);
   BodyLayer layer(QRect(QPoint(0, 0), size), 2);
-  SeenBody(mesh, SurfaceLook::relief, kBodyStone).draw(camera, {}, layer);
+  SeenBody(mesh, SurfaceLook::relief, kSceneStone).draw(camera, {}, layer);
   return layer.image();
 }
 
@@ -319,7 +326,7 @@ double lift_above_m(const TexturedMesh& tool, const SeenPose& tool_pose,
     const glm::dvec3& b = surface.vertices_m[j];
     const glm::dvec3& c = surface.vertices_m[k];
     const Barycentric inside({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
-    // Its upper side, where the tool is over it.
+    // Only faces of the upper side that the tool is above.
     if (!(inside.inverse > 0.0) || std::max({a.x, b.x, c.x}) < reach.low_m.x ||
         std::min({a.x, b.x, c.x}) > reach.high_m.x || std::max({a.y, b.y, c.y}) < reach.low_m.y ||
         std::min({a.y, b.y, c.y}) > reach.high_m.y || std::max({a.z, b.z, c.z}) < reach.low_m.z) {

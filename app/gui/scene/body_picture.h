@@ -1,4 +1,4 @@
-// Bodies of the workspace as they are seen: textured meshes, drawn on the CPU.
+// Pictures of textured meshes in the workspace, drawn on the CPU.
 
 #pragma once
 
@@ -13,12 +13,13 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/gui/participant/workspace_picture.h"
+#include "app/gui/scene/workspace_camera.h"
 #include "stimuli/meshes/textured_mesh.h"
+#include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
 
-/// Where a body is seen: a point p of its mesh stands at rotation·p + position in the device's frame.
+/// The pose of a body: a point p of its mesh is at rotation·p + position in the device's frame.
 struct SeenPose {
   glm::dmat3 rotation{1.0};
   glm::dvec3 position_m{0.0};
@@ -30,15 +31,23 @@ struct BodyBounds {
 };
 BodyBounds bounds_of(const TexturedMesh& mesh) noexcept;
 
-/// A part of the picture with what is nearest to the eye in every pixel.
+/// The patch over a whole body: its centre is in the plane of the highest point, its extent is that of the body seen from
+/// above. `thickness_m` is the height of the body.
+struct SeenPatch {
+  SurfacePatch patch{};
+  double thickness_m = 0.0;
+};
+SeenPatch seen_patch_of(const TexturedMesh& body, const SurfacePatch& patch);
+
+/// A part of the picture with a depth buffer.
 class BodyLayer final {
  public:
-  /// `area` of the picture in its pixels, drawn `fineness` times as fine.
+  /// `area` in pixels of the picture, drawn with `fineness` times as many along each side.
   BodyLayer(QRect area, int fineness);
 
-  /// Empty pixels are transparent. In the size of the area, smoothed.
+  /// In the size of the area, smoothed. Pixels without a body are transparent.
   QImage image() const;
-  /// Takes away from a picture as large as the area what no body stands behind.
+  /// Makes all pixels transparent, of a picture with the size of the area, at which there is no body.
   void keep_covered(QImage& picture) const;
 
  private:
@@ -49,12 +58,11 @@ class BodyLayer final {
   std::vector<float> nearness_{};
 };
 
-/// A mesh prepared for drawing: shaded by its normals and, where it shows its relief, by how the
-/// displaced surface deviates from them, exaggerated until it is plain to see as `draw_workspace` does.
-/// What makes a shape round is part of its displacements and no deviation.
+/// A mesh prepared for drawing: shaded by its normals and, for SurfaceLook::relief, by the deviation of the displaced
+/// surface from them, scaled as in `draw_workspace`. The curvature of the shape itself is not a deviation.
 class SeenBody final {
  public:
-  /// Linear, from 0 to 1.
+  /// Linear RGB, from 0 to 1.
   using Colour = glm::dvec3;
 
   SeenBody(std::shared_ptr<const TexturedMesh> mesh, SurfaceLook look, const Colour& colour);
@@ -62,24 +70,24 @@ class SeenBody final {
   const TexturedMesh& mesh() const noexcept { return *mesh_; }
   const BodyBounds& bounds() const noexcept { return bounds_; }
 
-  /// What of it is nearer than what is in the layer already.
+  /// Draws the pixels that are nearer than those in the layer.
   void draw(const WorkspaceCamera& camera, const SeenPose& pose, BodyLayer& layer) const;
-  /// Nothing is drawn, but what lies behind it stays hidden.
+  /// Draws nothing, but hides everything behind the body.
   void hide_behind(const WorkspaceCamera& camera, const SeenPose& pose, BodyLayer& layer) const;
-  /// The pixels that it can touch.
+  /// The bounding rectangle in the picture.
   QRect area(const WorkspaceCamera& camera, const SeenPose& pose) const;
 
  private:
   struct Face {
-    std::array<glm::dvec3, 2> along_texel_m{};  ///< a step of a column, of a row
-    std::array<glm::dvec3, 2> turn{};           ///< of the normal, over the same steps
-    bool is_flat = true;                        ///< no relief, or nothing to look it up with
+    std::array<glm::dvec3, 2> along_texel_m{};  ///< ∂p over a step of a column, of a row
+    std::array<glm::dvec3, 2> turn{};           ///< ∂n over the same steps
+    bool is_flat = true;                        ///< without a relief, or too small to look it up
   };
   void rasterise(const WorkspaceCamera& camera, const SeenPose& pose, BodyLayer& layer,
                  bool colours) const;
   glm::dvec3 normal_at(std::size_t face, const glm::dvec3& weights) const;
   glm::dvec3 colour_at(std::size_t face, const glm::dvec3& weights, const glm::dmat3& turn) const;
-  /// Of the displaced surface, less its smooth normal.
+  /// The normal of the displaced surface minus the smooth normal.
   glm::dvec3 deviation_at(std::size_t face, const glm::dvec3& weights) const;
   bool bends_sharply(const std::array<std::uint32_t, 3>& corners) const;
   double displacement_m(double column, double row) const;
@@ -92,11 +100,11 @@ class SeenBody final {
   double exaggeration_ = 0.0;
 };
 
-/// A body by itself for a list, seen as in the workspace; transparent around it. Some 20 ms.
+/// A body alone, as seen in the workspace, on a transparent ground. Takes some 20 ms.
 QImage picture_of_body(const std::shared_ptr<const TexturedMesh>& mesh, int side_px);
 
-/// How far a tool has to be raised so that none of its corners lies below the surface's upper side, at
-/// most `most_m`: more is no contact that gives way but a tool at another side, and stays as it is.
+/// The height by which a tool has to be raised so that none of its corners is below the upper side of the surface.
+/// Corners deeper than `most_m` are ignored: they belong to a tool at another side, not to a compliant contact.
 double lift_above_m(const TexturedMesh& tool, const SeenPose& tool_pose,
                     const TexturedMesh& surface, const glm::dvec3& surface_m, double most_m);
 
