@@ -1,53 +1,51 @@
-// A delta, omega, sigma or lambda of Force Dimension, through its maker's SDK.
-
 #include "device/force_dimension/force_dimension_device.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "device/force_dimension/find_zero.h"
+#include "device/force_dimension/open_unit.h"
 #include "device/small_turn.h"
 #include "device/units_in_use.h"
 
 namespace asperity {
+
+using namespace force_dimension;
+
 namespace {
 
 constexpr std::int64_t kLongestStale_ns = 50'000'000;
 constexpr std::int64_t kLongestFailure_ns = 200'000'000;
 constexpr std::chrono::milliseconds kBetweenTrials(250);
-// How many pushes in full it takes before motors that were saturated are no news any more: two seconds' worth.
+// After this many pushes without saturation, some two seconds, earlier saturation is no longer reported.
 constexpr int kPushesToForget = 2000;
-constexpr const char* kForceDimension = "force_dimension";
 constexpr double kGripped_rad = 10.0 * std::numbers::pi / 180.0;
 constexpr double kLetGo_rad = 15.0 * std::numbers::pi / 180.0;
 constexpr std::uint32_t kGripperButton = 2;  // the bit
 
-// The SDK's x is towards the participant and its y to their right; ours are their right and away from them.
+// The SDK's x points to the participant and its y to the participant's right; ours point right and away.
 glm::dvec3 ours_from(const glm::dvec3& theirs) noexcept { return {theirs.y, -theirs.x, theirs.z}; }
 glm::dvec3 theirs_from(const glm::dvec3& ours) noexcept { return {-ours.y, ours.x, ours.z}; }
 
-// The same turn, told in our axes: C·R·Cᵀ, where the rows of C are our axes in theirs.
+// The same rotation in our axes: C·R·Cᵀ, where the rows of C are our axes in those of the SDK.
 glm::dquat orientation_from(const double (&rows)[3][3]) noexcept {
   const auto column = [&rows](int j) { return ours_from({rows[0][j], rows[1][j], rows[2][j]}); };
   return glm::quat_cast(glm::dmat3(column(1), -column(0), column(2)));
 }
 
-std::string place_of(int index) { return "dhd " + std::to_string(index); }
-
-// Of the SDK: what switched the force off.
+// Causes of the SDK for a force that is off.
 constexpr int kByButton = 1;
 constexpr int kByVelocityGuard = 2;
 constexpr int kByDeadman = 6;
 
-// A person, or the guard over what a person did, switched the force off: it is theirs to switch on again.
+// The user, or a guard against an action of the user, switched the force off: only the user may switch it on again.
 bool is_for_people(int cause) noexcept {
   return cause == kByButton || cause == kByVelocityGuard || cause == kByDeadman;
 }
@@ -72,248 +70,12 @@ std::string cause_of(int cause) {
   }
 }
 
-std::string last_error_of(const DhdFunctions& sdk) {
-  const char* words = sdk.dhdErrorGetLastStr();
-  return words == nullptr ? "the SDK states no reason" : words;
-}
-
-// What the SDK says of the device with this index while it is open; its own number for it.
-struct Identity {
-  char index = 0;
-  char id = 0;
-  int type = -1;
-  std::string serial{};
-  bool is_robotic = false;  ///< opened by libdrd as well
-};
-
-void close_device(const DhdFunctions& sdk, const Identity& identity) {
-  identity.is_robotic ? sdk.drdClose(identity.id) : sdk.dhdClose(identity.id);
-}
-
 }  // namespace
 
 struct ForceDimensionDevice::Opened {
   Identity identity{};
   DhdModel model{};
 };
-
-namespace {
-
-Identity identity_of(const DhdFunctions& sdk, int index, int id) {
-  Identity identity{.index = static_cast<char>(index),
-                    .id = static_cast<char>(id),
-                    .type = sdk.dhdGetSystemType(static_cast<char>(id))};
-  unsigned short serial = 0;
-  if (sdk.dhdGetSerialNumber(&serial, identity.id) >= 0) identity.serial = std::to_string(serial);
-  return identity;
-}
-
-Identity open_index(const DhdFunctions& sdk, int index) {
-  const int id = sdk.dhdOpenID(static_cast<char>(index));
-  if (id < 0) {
-    throw std::runtime_error("The Force Dimension device at " + place_of(index) +
-                             " cannot be opened: " + last_error_of(sdk) +
-                             ". Check that no other program uses it and that this user may open it "
-                             "(udev rule for USB vendor 1451).");
-  }
-  return identity_of(sdk, index, id);
-}
-
-std::string unknown_type(int type) {
-  return "This device of Force Dimension is of the system type " + std::to_string(type) +
-         ", which is unknown to this program: its force limits are unknown, too. Use a device of a "
-         "known type.";
-}
-
-// What its controller says, which is also what its lamp shows.
-bool knows_its_zero(const DhdFunctions& sdk, const Identity& identity) {
-  int status[DhdFunctions::kStatusSize] = {};
-  return sdk.dhdGetStatus(status, identity.id) >= 0 && status[DhdFunctions::kStatusReset] != 0;
-}
-
-// What was asked of it before it was let go of, it would give again when somebody switches its force on.
-bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
-  return sdk.dhdSetForceAndTorqueAndGripperForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id) >= 0;
-}
-
-// That something is over, for threads that wait for it.
-class Ending final {
- public:
-  void come() {
-    {
-      const std::lock_guard lock(mutex_);
-      has_come_ = true;
-    }
-    changed_.notify_all();
-  }
-  /// Whether it had come before the stop.
-  bool wait(const std::stop_token& stop) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait(lock, stop, [this] { return has_come_; });
-  }
-  /// Whether it came in that time.
-  bool wait_for(std::chrono::milliseconds longest) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, longest, [this] { return has_come_; });
-  }
-
- private:
-  std::mutex mutex_{};
-  std::condition_variable_any changed_{};
-  bool has_come_ = false;
-};
-
-// While it lives, a stop ends the movement for which another thread waits in drdAutoInit.
-//
-// That function hears of no stop. Its regulation is a thread of the SDK's, which every other call reaches while it
-// runs. What nobody outside knows is whether it switches the force on once more before it gives up, and whether each of
-// the two calls returns meanwhile: so both are made again and again until it has given up, each from a thread of its
-// own, and neither waits for the other.
-class MovementEnder final {
- public:
-  MovementEnder(const DhdFunctions& sdk, char id, const std::stop_token& stop)
-      : takes_force_([this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.dhdStop(id); }); }),
-        ends_regulation_(
-            [this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.drdStop(false, id); }); }) {}
-  ~MovementEnder() { ending_.come(); }
-  MovementEnder(const MovementEnder&) = delete;
-  MovementEnder& operator=(const MovementEnder&) = delete;
-
- private:
-  static constexpr std::chrono::milliseconds kBetweenStops{10};
-
-  template <typename Call>
-  void repeat(const std::stop_token& stop, const Call& call) {
-    if (ending_.wait(stop)) return;
-    do call();
-    while (!ending_.wait_for(kBetweenStops));
-  }
-
-  Ending ending_{};
-  std::jthread takes_force_;
-  std::jthread ends_regulation_;
-};
-
-// Tells, once, where it still lives a second after a stop. It calls nothing of the SDK's: that its functions do not
-// return is what may have to be told.
-class OverdueStop final {
- public:
-  OverdueStop(const std::stop_token& stop, std::function<void()> tell)
-      : thread_([this, stop, tell = std::move(tell)] {
-          if (!ending_.wait(stop) && !ending_.wait_for(kToGiveUp)) tell();
-        }) {}
-  ~OverdueStop() { ending_.come(); }
-  OverdueStop(const OverdueStop&) = delete;
-  OverdueStop& operator=(const OverdueStop&) = delete;
-
- private:
-  static constexpr std::chrono::seconds kToGiveUp{1};
-
-  Ending ending_{};
-  std::jthread thread_;
-};
-
-// Refuses a device whose regulation may go on.
-void require_let_go(const DhdFunctions& sdk, char id, const std::string& who, bool is_stopped) {
-  // true: force stays ours to send. While the SDK's own regulation runs, it is not.
-  if (sdk.drdStop(!is_stopped, id) >= 0) return;
-  const std::string words = last_error_of(sdk);
-  // What the ender has switched off already may be nothing to switch off.
-  if (sdk.drdIsRunning != nullptr && !sdk.drdIsRunning(id)) return;
-  if (is_stopped && sdk.drdIsRunning == nullptr) {
-    throw std::runtime_error(
-        who +
-        " was stopped on request while it moved to find its zero, and the SDK did not confirm that "
-        "it stopped (" +
-        words + "). Watch the handle from a distance; if it moves, switch the device off.");
-  }
-  throw std::runtime_error("The SDK does not release " + who + " (" + words +
-                           ") and may still move it: switch the device off.");
-}
-
-// Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
-void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& model,
-               const ForceDimensionDevice::MayMove& may_move, const std::stop_token& stop,
-               const ForceDimensionDevice::Tell& tell) {
-  if (knows_its_zero(sdk, identity)) return;
-  const std::string who = model + " " + identity.serial;
-  if (!sdk.has_robotics()) {
-    throw std::runtime_error(
-        who +
-        " is not calibrated, and libdhd alone cannot calibrate it: install libdrd of the same SDK, "
-        "or calibrate the device with its manufacturer's program.");
-  }
-  if (!may_move) {
-    throw std::runtime_error(who +
-                             " has lost its zero, as happens when it is switched off, and has to "
-                             "move by itself to find it. It was not moved, because the user cannot "
-                             "be asked here. First run \"asperity device-test force_dimension" +
-                             (identity.serial.empty() ? "" : ":" + identity.serial) +
-                             sdk.library_option() +
-                             "\", which requests confirmation before the device moves, or "
-                             "calibrate the device as its manufacturer's manual describes.");
-  }
-  const auto require_no_stop = [&] {
-    if (!stop.stop_requested()) return;
-    throw OpeningStopped(who + " was closed and not moved: opening it was stopped on request");
-  };
-  // Others may look for devices while somebody thinks.
-  const UnitInUse asked_about(
-      kForceDimension,
-      {.model = model, .serial = identity.serial, .place = place_of(identity.index)});
-  const bool is_agreed =
-      may_move("the handle of " + who +
-               " will move by itself, through its workspace and for some seconds, to find its "
-               "zero.\n  Let it hang free, keep hands and hair away, and make sure that it is not "
-               "held. If something is in its way, switch the device off.");
-  require_no_stop();
-  if (!is_agreed) {
-    throw std::runtime_error(
-        who +
-        " has lost its zero and was not moved, because the movement was not confirmed. Open it "
-        "again and confirm, or calibrate it with its manufacturer's program.");
-  }
-  // By its index: the SDK's pages hand out the ID of a device that is open already.
-  const int id = sdk.drdOpenID(identity.index);
-  identity.is_robotic = id == identity.id;
-  if (!identity.is_robotic) {
-    if (id >= 0) sdk.drdClose(static_cast<char>(id));
-    throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
-                             ". It was not moved; check that no other program uses it.");
-  }
-  require_no_stop();
-  bool found = false;
-  bool is_stopped = false;
-  std::string words;
-  {
-    const OverdueStop overdue(stop, [&who, &tell] {
-      if (!tell) return;
-      tell("The SDK still moves " + who +
-           " after a request to stop: switch the device off, and keep away from its handle.");
-    });
-    {
-      const MovementEnder ender(sdk, identity.id, stop);
-      found = sdk.drdAutoInit(identity.id) >= 0;
-      if (!found) words = last_error_of(sdk);  // of this thread's last call
-    }
-    is_stopped = stop.stop_requested();
-    if (is_stopped) sdk.dhdStop(identity.id);
-    require_let_go(sdk, identity.id, who, is_stopped);
-  }
-  if (is_stopped) {
-    throw OpeningStopped(
-        who +
-        " was stopped on request while it moved to find its zero: its force is off, and its handle "
-        "sinks slowly. Open it again to repeat the movement; confirmation is requested first.");
-  }
-  if (!found) {
-    throw std::runtime_error(
-        who + " did not find its zero: " + words +
-        ". Clear its workspace, release the handle and open the device again.");
-  }
-}
-
-}  // namespace
 
 ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
                                            const MayMove& may_move, const std::stop_token& stop,
@@ -325,7 +87,7 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
           if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
           opened.model = *std::move(model);
           find_zero(*sdk, opened.identity, opened.model.capability.model, may_move, stop, tell);
-          if (!is_at_zero(*sdk, opened.identity.id) ||
+          if (!set_zero_force(*sdk, opened.identity.id) ||
               sdk->dhdEnableForce(1, opened.identity.id) < 0) {
             throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
                                      " cannot switch its force on: " + last_error_of(*sdk) +
@@ -355,9 +117,9 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
       type_(opened.identity.type),
       has_wrist_(opened.model.has_wrist),
       has_gripper_(opened.model.has_gripper && sdk_->dhdGetGripperAngleRad != nullptr),
-      in_use_(kForceDimension, {.model = capability().model,
-                                .serial = capability().serial,
-                                .place = place_of(opened.identity.index)}) {
+      in_use_(kDriver, {.model = capability().model,
+                        .serial = capability().serial,
+                        .place = place_of(opened.identity.index)}) {
   keeper_ = std::thread([this] { keep(); });
 }
 
@@ -381,7 +143,7 @@ void ForceDimensionDevice::keep() {
     if (!is_given_up_.load(std::memory_order_acquire)) continue;
     if (!is_closed_) close_device(*sdk_, {.id = id_, .is_robotic = is_robotic_});
     is_closed_ = true;
-    // Somebody looks for devices, or opens one: there is a next time.
+    // While somebody searches for devices or opens one, the next trial follows.
     const std::unique_lock alone(UnitInUse::looking(), std::try_to_lock);
     if (!alone.owns_lock() || !reopen()) continue;
     is_closed_ = false;
@@ -389,19 +151,19 @@ void ForceDimensionDevice::keep() {
   }
 }
 
-// The ID of the device with our serial number, opened, at whatever place it is now.
+// Opens the device with our serial number, at any place. Its ID.
 std::optional<char> ForceDimensionDevice::find_again() {
   const std::string& serial = capability().serial;
   if (sdk_->dhdOpenSerial != nullptr && !serial.empty()) {
     const int id = sdk_->dhdOpenSerial(std::stoi(serial));
     if (id >= 0) return static_cast<char>(id);
   }
-  // A model or an SDK that cannot be asked by serial number: each has to be opened to tell its own, which nobody
-  // else may be using.
+  // Without a search by serial number each device has to be opened to read its number, which must not happen while one
+  // is used.
   const int count = sdk_->dhdGetDeviceCount();
   const bool all_are_free = sdk_->dhdGetAvailableCount != nullptr &&
                             sdk_->dhdGetAvailableCount() >= count &&
-                            UnitInUse::of(kForceDimension).size() == 1;
+                            UnitInUse::of(kDriver).size() == 1;
   if (!all_are_free || (serial.empty() && count != 1)) return std::nullopt;
   for (int index = 0; index < count; ++index) {
     const int id = sdk_->dhdOpenID(static_cast<char>(index));
@@ -423,11 +185,11 @@ bool ForceDimensionDevice::reopen() {
   const bool answers = sdk_->dhdGetStatus(status, *id) >= 0;
   const bool knows_zero = status[DhdFunctions::kStatusReset] != 0;
   if (answers) has_lost_zero_.store(!knows_zero);
-  // What people or their guard had switched off when it was lost, or have switched off since, stays off.
+  // A force that the user or a guard switched off, before the loss or since, stays off.
   const bool stays_off = is_for_people(force_off_cause_.load()) ||
                          (status[DhdFunctions::kStatusForce] == 0 &&
                           is_for_people(status[DhdFunctions::kStatusForceOffCause]));
-  if (!answers || !knows_zero || !is_at_zero(*sdk_, *id) ||
+  if (!answers || !knows_zero || !set_zero_force(*sdk_, *id) ||
       (!stays_off && sdk_->dhdEnableForce(1, *id) < 0)) {
     sdk_->dhdClose(*id);
     return false;
@@ -437,7 +199,7 @@ bool ForceDimensionDevice::reopen() {
   return true;
 }
 
-// Whether the SDK did what it was asked; keeps its words for the first time that it did not.
+// Whether a call to the SDK succeeded. Stores the error of the first one that did not.
 bool ForceDimensionDevice::take(int answer, const char* function) noexcept {
   if (answer >= 0) return true;
   if (!has_failed_.load(std::memory_order_relaxed)) {
@@ -455,17 +217,18 @@ bool ForceDimensionDevice::take(int answer, const char* function) noexcept {
   return false;
 }
 
-// At every reading: a hand that is off the handle for a moment, or a button that is pressed twice, must not find the
-// force of before.
+// At every reading: after the hand left the handle for a moment, or a button was pressed twice, the previous force must
+// not return.
 void ForceDimensionDevice::look_at_status() noexcept {
   int status[DhdFunctions::kStatusSize] = {};
-  if (sdk_->dhdGetStatus(status, id_) < 0) return;  // whether it answers, its position tells
+  if (sdk_->dhdGetStatus(status, id_) < 0)
+    return;  // a device that does not answer is found by its position
   force_is_on_ = status[DhdFunctions::kStatusForce] != 0;
   force_off_cause_.store(force_is_on_ ? -1 : status[DhdFunctions::kStatusForceOffCause],
                          std::memory_order_relaxed);
 }
 
-// Of a device for the left hand the angle counts the other way.
+// A device for the left hand counts the angle in the opposite direction.
 void ForceDimensionDevice::look_at_gripper(ProbeState& state) noexcept {
   double angle_rad = 0.0;
   if (sdk_->dhdGetGripperAngleRad(&angle_rad, id_) >= 0) {
@@ -528,7 +291,7 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
 
 bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
   if (is_given_up_.load(std::memory_order_acquire)) return false;
-  // What it holds while its force is off, it gives when somebody switches it on.
+  // A force that is sent while the force is off would be exerted as soon as it is switched on.
   const Wrench sent = force_is_on_ ? limited : Wrench{};
   const glm::dvec3 force_N = theirs_from(sent.force_N);
   const glm::dvec3 torque_N_m = theirs_from(sent.torque_N_m);
@@ -548,9 +311,9 @@ bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
 
 std::string ForceDimensionDevice::trouble() const {
   const std::string who = capability().model + " " + capability().serial;
-  std::string told;
-  const auto tell = [&told](const std::string& sentence) {
-    told += (told.empty() ? "" : " ") + sentence;
+  std::string sentences;
+  const auto tell = [&sentences](const std::string& sentence) {
+    sentences += (sentences.empty() ? "" : " ") + sentence;
   };
   if (has_lost_zero_.load()) {
     tell(who +
@@ -570,113 +333,7 @@ std::string ForceDimensionDevice::trouble() const {
     tell("The motors of " + who + " exerted less force than requested " +
          std::to_string(saturated) + (saturated == 1 ? " time." : " times."));
   }
-  return told;
-}
-
-namespace {
-
-DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
-  DriverSurvey survey{.found = sdk.description(), .attached = UnitInUse::of(kForceDimension)};
-  const std::vector<AttachedDevice> ours = survey.attached;
-  const int count = std::max(0, sdk.dhdGetDeviceCount());
-  // The SDK hands an open device out again without a word, and closing it would end it under whoever uses it.
-  // Which index is whose can change with what is plugged in: while one is used, none is opened.
-  const bool one_is_used =
-      !ours.empty() || (sdk.dhdGetAvailableCount != nullptr && sdk.dhdGetAvailableCount() < count);
-  for (int index = 0; index < count && !stop.stop_requested(); ++index) {
-    AttachedDevice device{.model = "Force Dimension", .place = place_of(index)};
-    if (std::any_of(ours.begin(), ours.end(),
-                    [&device](const AttachedDevice& used) { return used.place == device.place; })) {
-      continue;
-    }
-    if (one_is_used) {
-      device.hindrance =
-          "A device of Force Dimension is in use; its model can be read when it is free.";
-      survey.attached.push_back(device);
-      continue;
-    }
-    try {
-      const Identity identity = open_index(sdk, index);
-      device.serial = identity.serial;
-      if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
-        device.model = model->capability.model;
-        device.remark =
-            sdk.has_robotics()
-                ? "After it was switched off it has to move by itself, for some seconds, to find "
-                  "its zero; confirmation is requested before it moves."
-                : "";
-      } else {
-        device.hindrance = unknown_type(identity.type);
-      }
-      sdk.dhdClose(identity.id);
-    } catch (const std::runtime_error& refusal) {
-      device.hindrance = refusal.what();
-    }
-    survey.attached.push_back(device);
-  }
-  return survey;
-}
-
-// Asks while others may look for devices. A yes is one to a movement now: who waited may have put a hand there again.
-bool agrees_now(const DriverOptions& options, const std::string& sentence) {
-  constexpr std::chrono::seconds kLongestAfterYes(1);
-  bool is_agreed = false;
-  std::chrono::steady_clock::time_point answered{};
-  {
-    const LetOthersLook meanwhile(options.alone, options.stop);
-    is_agreed = options.may_move(sentence);
-    answered = std::chrono::steady_clock::now();
-  }
-  const auto waited = std::chrono::steady_clock::now() - answered;
-  if (is_agreed && !options.stop.stop_requested() && waited > kLongestAfterYes) {
-    throw std::runtime_error(
-        "The device was not moved: another search for devices delayed it by more than a second "
-        "after the confirmation. Open it again, and confirm again.");
-  }
-  return is_agreed;
-}
-
-}  // namespace
-
-Driver force_dimension_driver() {
-  return {.id = "force_dimension",
-          .name = "Force Dimension",
-          .summary =
-              "delta, omega, sigma and lambda of Force Dimension, through the manufacturer's SDK.",
-          .velocity = ForceDimensionDevice::kWindow,
-          .find =
-              [](const DriverOptions& options) {
-                try {
-                  const DhdFunctions sdk(options.library);
-                  return survey_of(sdk, options.stop);
-                } catch (const std::runtime_error& refusal) {
-                  return DriverSurvey{.hindrance = refusal.what()};
-                }
-              },
-          .open = [](const std::string& which,
-                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
-            auto sdk = std::make_shared<const DhdFunctions>(options.library);
-            const std::vector<AttachedDevice> attached = survey_of(*sdk, options.stop).attached;
-            if (options.stop.stop_requested()) {
-              throw OpeningStopped(
-                  "no device of Force Dimension was opened: opening was stopped on request");
-            }
-            ForceDimensionDevice::MayMove may_move{};
-            if (options.may_move) {
-              may_move = [&options](const std::string& sentence) {
-                return agrees_now(options, sentence);
-              };
-            }
-            const std::string place =
-                choose_attached("device of Force Dimension", attached, which).place;
-            for (std::size_t index = 0; index < attached.size(); ++index) {
-              if (attached[index].place != place) continue;
-              return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
-                                                            may_move, options.stop, options.tell);
-            }
-            throw std::logic_error(
-                "the chosen device is not attached; plug it in, or choose another device");
-          }};
+  return sentences;
 }
 
 }  // namespace asperity

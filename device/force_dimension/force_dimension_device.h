@@ -1,4 +1,4 @@
-// A delta, omega, sigma or lambda of Force Dimension, through its maker's SDK.
+// A delta, omega, sigma or lambda of Force Dimension, through the manufacturer's SDK.
 
 #pragma once
 
@@ -23,30 +23,30 @@
 
 namespace asperity {
 
-/// One device that the SDK has opened.
+/// A device that the SDK has opened.
 ///
-/// Velocity is our own estimate (velocity_estimator.h), because the SDK's is a mean over 20 ms: at 0.1 m/s
-/// two millimetres of texture. A reading that the SDK gives twice (its time guard) is not
-/// taken for a new one; when none is new for 50 ms, the device does not answer.
+/// Velocity is our own estimate (velocity_estimator.h), because that of the SDK is a mean over 20 ms, which at 0.1 m/s
+/// are two millimetres of texture. A reading that the SDK returns twice (its time guard) does not count as new; if none
+/// is new for 50 ms, the device does not answer.
 ///
-/// The SDK's watchdog and velocity guard stay as its maker set them. When they, the device's own button
-/// or its power switch the force off, the next tick sees it: zero is sent and `do_send` refuses, so that the servo
-/// loop's fault tells and its ramp brings the force back; `trouble` says which it was. Opening a device switches its
-/// force on, at zero. With less force than was asked for (motors saturated) it goes on: the push is marked as
-/// limited in force, and `trouble` counts until two seconds of pushes were given in full.
+/// The watchdog and the velocity guard of the SDK keep the manufacturer's settings. When they, the button of the device
+/// or its power switch the force off, the next tick detects it: zero is sent and `do_send` refuses, so that the servo
+/// loop has a fault and ramps the force up again afterwards; `trouble` states the cause. Opening a device switches its
+/// force on, at zero. If the motors are saturated, the push is marked as limited in force, and `trouble` counts such
+/// pushes until two seconds have passed without one.
 ///
-/// A device that fails for 200 ms is given up; a thread of the driver's looks for its serial number four times a second and
-/// goes on with it when it is back and still knows its zero. Its force is switched on again, at zero, unless a person
-/// or the velocity guard had switched it off. It is never moved by itself in a session. The destructor sends zero and
-/// leaves the motors to the SDK's electromagnetic brakes (dhdStop); it waits for a look that is under way, which takes
-/// as long as the SDK takes to open a device.
+/// A device that fails for 200 ms is closed. A thread of the driver searches for its serial number four times a second and
+/// resumes when it is back and still knows its zero. Its force is switched on again, at zero, unless the user
+/// or the velocity guard had switched it off. In a session the device never moves by itself. The destructor sends zero and
+/// applies the electromagnetic brakes (dhdStop); it waits for a search in progress, which takes as long as the SDK
+/// takes to open a device.
 ///
-/// Frame: ours, x to the participant's right, y away from them, z up; origin the device's.
-/// A gripper is the second button: pressed once its parts are less than 10° apart, until they are more than 15° apart,
-/// whichever hand the device is for. It gets no force, and its angle is not recorded. The angles are ours.
+/// Frame: ours, x to the participant's right, y away from the participant, z up; origin of the device.
+/// A gripper is the second button: pressed when its parts are less than 10° apart, until they are more than 15° apart,
+/// for devices of either hand. It gets no force, and its angle is not recorded. The angles are our choice.
 ///
-/// Errors: the constructor throws std::runtime_error with a sentence when the device cannot be opened, is of
-/// a kind that we do not know, or has lost its zero and may not or cannot find it.
+/// Errors: the constructor throws std::runtime_error with a sentence if the device cannot be opened, is of
+/// an unknown type, or has lost its zero and may not or cannot find it.
 ///
 /// Threads: `trouble` from any; the rest as HapticDevice.
 ///
@@ -59,18 +59,18 @@ class ForceDimensionDevice final : public HapticDevice {
   /// DriverOptions::tell.
   using Tell = std::function<void(const std::string& sentence)>;
 
-  /// Opens the one with this index. One that was switched off has lost its zero, and has to move by itself to find
-  /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved. It is not
-  /// moved either once `stop` was asked for, and stopped where it moves already: its force and its regulation are
-  /// switched off, from two threads, until libdrd has given up, and then OpeningStopped is thrown. Where libdrd has not
-  /// given up and let go a second after the stop, or one of its functions does not return, `tell` is told what to do,
-  /// once, from another thread; what does not return is waited for all the same.
+  /// Opens the device with this index. A device that was switched off has lost its zero and has to move by itself, for
+  /// some seconds, to find it (find_zero.h): only with libdrd, and after `may_move` returned true; otherwise it is
+  /// refused without a movement. After `stop` was requested it is not moved. A movement in progress is ended: two
+  /// threads switch force and regulation off until libdrd has ended, and then OpeningStopped is thrown. If that takes more
+  /// than a second, or a function of the SDK does not return, `tell` receives once, in another thread, what the user has
+  /// to do; the constructor still waits.
   ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
                        const MayMove& may_move = {}, const std::stop_token& stop = {},
                        const Tell& tell = {});
   ~ForceDimensionDevice() override;
 
-  /// Of the velocities: 2 ms late at 1 kHz, and σ·316/s of noise for an error σ of each position.
+  /// For velocities: a delay of 2 ms at 1 kHz, and noise of σ·316/s for an error σ of each position.
   static constexpr VelocityWindow kWindow{.samples = 5};
 
   std::string trouble() const override;
@@ -92,22 +92,22 @@ class ForceDimensionDevice final : public HapticDevice {
 
   std::shared_ptr<const DhdFunctions> sdk_;
   char id_ = 0;
-  bool is_robotic_ = false;  ///< opened by libdrd as well
+  bool is_robotic_ = false;  ///< also opened by libdrd
   int type_ = -1;
   bool has_wrist_ = false;
   bool has_gripper_ = false;
   UnitInUse in_use_;
 
-  // The servo's thread, and while the device is given up the keeper's: `is_given_up_` hands `id_` over.
+  // Of the servo thread, and of the keeper while `is_given_up_` is set.
   std::atomic<bool> is_given_up_{false};
   std::atomic<bool> has_lost_zero_{false};
   std::thread keeper_{};
   std::mutex mutex_{};
   std::condition_variable wake_{};
   bool ends_ = false;
-  bool is_closed_ = false;  ///< given up, and the SDK told so
+  bool is_closed_ = false;  ///< the SDK has closed it
 
-  // The servo's thread.
+  // Of the servo thread.
   ProbeState last_{};
   bool has_read_ = false;
   std::optional<std::int64_t> failing_since_ns_{};
@@ -117,18 +117,18 @@ class ForceDimensionDevice final : public HapticDevice {
   VelocityEstimator velocity_{kWindow};
   VelocityEstimator angular_velocity_{kWindow};
   int pushes_since_saturated_ = 0;
-  glm::dvec3 turned_rad_{0.0};  ///< the sum of all small turns so far, each about its own axis
+  glm::dvec3 turned_rad_{0.0};  ///< the sum of all small rotations, each about its axis
 
   std::atomic<std::uint64_t> saturated_{0};
   std::atomic<bool> answers_{true};
   std::atomic<bool> is_stale_{false};
   std::atomic<int> force_off_cause_{-1};  ///< of the SDK; −1 while the force is on
-  // Written once, before has_failed_, for the first failure of this device's life.
+  // Written once, before `has_failed_`: the first failure.
   std::array<char, 160> failure_{};
   std::atomic<bool> has_failed_{false};
 };
 
-/// "force_dimension": every device that the SDK sees. `which` is a serial number, or a place such as "dhd 0".
+/// "force_dimension": all devices that the SDK lists. `which` is a serial number, or a place such as "dhd 0".
 Driver force_dimension_driver();
 
 }  // namespace asperity
