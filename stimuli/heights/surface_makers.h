@@ -1,4 +1,4 @@
-// How the kinds of synthetic surfaces are made; synthetic_surface.h is the way in.
+// What the makers of synthetic surfaces share: canvas, parameters and round elements.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/random.h"
-#include "stimuli/heights/synthetic_surface.h"
+#include "stimuli/heights/surface_declaration.h"
 
 namespace asperity {
 
@@ -24,7 +24,7 @@ struct SurfaceMaker {
 std::vector<SurfaceMaker> pattern_makers();
 std::vector<SurfaceMaker> material_makers();
 
-/// A parameter that is a length in metres, which most of them are.
+/// A parameter with a length in metres.
 Parameter length_parameter(std::string_view name, double minimum_m, double maximum_m,
                            double default_m, std::string_view meaning);
 Parameter plain_parameter(std::string_view name, double minimum, double maximum,
@@ -32,11 +32,11 @@ Parameter plain_parameter(std::string_view name, double minimum, double maximum,
 
 double pitch_of(const SurfaceCanvas& canvas) noexcept;
 
-/// Refuses a length that is shorter than two pixels, by its parameter's name.
+/// Refuses a length of fewer than two pixels, with the name of its parameter.
 void require_resolved(const ParameterValues& values, std::string_view name,
                       const SurfaceCanvas& canvas);
 
-/// Where pixel (row, column) lies; the canvas's centre is the origin, y points up.
+/// The position of pixel (row, column), with the origin at the centre of the canvas and y upwards.
 struct SurfacePoint {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -46,12 +46,12 @@ SurfacePoint point_of(const SurfaceCanvas& canvas, std::size_t row, std::size_t 
 /// A round element of a surface: its height above the ground falls with the distance from its axis.
 struct RoundElement {
   SurfacePoint at{};
-  double radius_m = 0.0;  ///< of its foot
+  double radius_m = 0.0;  ///< at its base
   double height_m = 0.0;
 };
 
-/// Raises the heights to those of the element where it is higher, across the canvas's borders.
-/// `profile` maps distance/radius in [0, 1] to the share of the height.
+/// Raises the heights to those of the element where it is higher, continued periodically across the borders.
+/// `profile` maps distance/radius in [0, 1] to a fraction of the height.
 template <class Profile>
 void raise(Heights& heights_m, const SurfaceCanvas& canvas, const RoundElement& element,
            const Profile& profile) {

@@ -1,5 +1,3 @@
-// Finds the maker of a kind and checks what it is asked for.
-
 #include "stimuli/heights/synthetic_surface.h"
 
 #include <algorithm>
@@ -11,7 +9,6 @@
 #include "stimuli/heights/surface_makers.h"
 
 namespace asperity {
-
 namespace {
 
 std::vector<SurfaceMaker> all_makers() {
@@ -20,23 +17,23 @@ std::vector<SurfaceMaker> all_makers() {
   return makers;
 }
 
-constexpr double kFewestSamples = 8.0;  // of a wave; of fewer the crests lie between them
-constexpr double kWholeWaves = 1e-3;    // of a wave: less of a seam is rounding
+constexpr double kFewestSamples = 8.0;  // of a wave
+constexpr double kWholeWaves = 1e-3;    // of a wave: a smaller seam is rounding
 
-/// Without the last bits that a division leaves.
+// Rounded to nanometres, without the last bits of a division.
 std::string length_text(double length_m) {
   constexpr double kNanometres_per_m = 1e9;
   return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m) + " m";
 }
 
-/// What repeats at equal distances along an axis of the canvas.
+// A structure that repeats at equal distances along an axis of the canvas.
 struct RegularRepeat {
   double length_m = 0.0;
   std::string words{};  ///< "waves of 0.002 m (spacing_m)"
   const char* axis = "";
 };
 
-/// The complete values of a kind that is there; nothing where `make_surface` would refuse.
+// The complete values of a kind; empty if `make_surface` would refuse them.
 std::optional<ParameterValues> values_of_kind(std::string_view kind,
                                               const ParameterValues& values) {
   for (const SurfaceMaker& maker : all_makers()) {
@@ -51,19 +48,19 @@ std::optional<ParameterValues> values_of_kind(std::string_view kind,
 }
 
 std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValues& values) {
-  const auto spacings = [&values](const char* axis, double share = 1.0) {
-    const double length_m = number_of(values, "spacing_m") / share;
+  const auto spacings = [&values](const char* axis, double part = 1.0) {
+    const double length_m = number_of(values, "spacing_m") / part;
     return RegularRepeat{length_m,
                          "spacings of " + length_text(length_m) +
-                             (share == 1.0 ? " (spacing_m)" : " (spacing_m over its angle)"),
+                             (part == 1.0 ? " (spacing_m)" : " (spacing_m over its angle)"),
                          axis};
   };
   if (kind == "sinusoid") {
     std::vector<RegularRepeat> repeats{};
     const double angle_rad = number_of(values, "angle_rad");
-    for (const auto& [axis, share] : {std::pair{"x", std::abs(std::cos(angle_rad))},
-                                      std::pair{"y", std::abs(std::sin(angle_rad))}}) {
-      if (share > kWholeWaves) repeats.push_back(spacings(axis, share));
+    for (const auto& [axis, part] : {std::pair{"x", std::abs(std::cos(angle_rad))},
+                                     std::pair{"y", std::abs(std::sin(angle_rad))}}) {
+      if (part > kWholeWaves) repeats.push_back(spacings(axis, part));
     }
     return repeats;
   }
@@ -152,48 +149,6 @@ HeightField make_surface(std::string_view kind, const ParameterValues& values,
       complete_values(maker->declaration.kind, maker->declaration.parameters, values);
   return {{.rows = canvas.pixels, .columns = canvas.pixels, .pitch_m = pitch_of(canvas)},
           maker->make(complete, canvas)};
-}
-
-Parameter length_parameter(std::string_view name, double minimum_m, double maximum_m,
-                           double default_m, std::string_view meaning) {
-  Parameter parameter = plain_parameter(name, minimum_m, maximum_m, default_m, meaning);
-  parameter.unit = "m";
-  return parameter;
-}
-
-Parameter plain_parameter(std::string_view name, double minimum, double maximum,
-                          double default_value, std::string_view meaning) {
-  return {.name = std::string(name),
-          .kind = ParameterKind::number,
-          .unit = "1",
-          .minimum = minimum,
-          .maximum = maximum,
-          .choices = {},
-          .default_value = default_value,
-          .meaning = std::string(meaning)};
-}
-
-double pitch_of(const SurfaceCanvas& canvas) noexcept {
-  return canvas.width_m / static_cast<double>(canvas.pixels);
-}
-
-void require_resolved(const ParameterValues& values, std::string_view name,
-                      const SurfaceCanvas& canvas) {
-  const double length_m = number_of(values, name);
-  const double pitch_m = pitch_of(canvas);
-  if (length_m < 2.0 * pitch_m) {
-    throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
-                                std::to_string(canvas.pixels) + " pixels over " +
-                                number_text(canvas.width_m) + " m show nothing shorter than " +
-                                number_text(2.0 * pitch_m) + " m; use more pixels.");
-  }
-}
-
-SurfacePoint point_of(const SurfaceCanvas& canvas, std::size_t row, std::size_t column) noexcept {
-  const double pitch_m = pitch_of(canvas);
-  const double middle = 0.5 * static_cast<double>(canvas.pixels - 1);
-  return {.x_m = (static_cast<double>(column) - middle) * pitch_m,
-          .y_m = (middle - static_cast<double>(row)) * pitch_m};
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Inside the readers of mesh files: a text's words, and a mesh that grows face by face.
+// What the readers of mesh files share: the words of a text, and a mesh that is built face by face.
 
 #pragma once
 
@@ -9,11 +9,16 @@
 #include <string_view>
 #include <vector>
 
-#include "stimuli/meshes/mesh_file.h"
+#include "stimuli/meshes/read_mesh.h"
 
 namespace asperity {
 
-/// A text, word by word, that knows its line.
+/// Whether a character separates words of a line.
+constexpr bool is_mesh_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/// Reads a text word by word, with the number of its line for errors.
 class MeshText final {
  public:
   MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
@@ -27,7 +32,7 @@ class MeshText final {
   double number_in(std::string_view word) const;
   std::int64_t integer_in(std::string_view word) const;
   std::size_t rest_bytes() const noexcept { return text_.size(); }
-  /// Where the text goes on, in the bytes that were given.
+  /// The current position in the bytes of the text.
   const char* position() const noexcept { return text_.data(); }
 
   [[noreturn]] void refuse(const std::string& sentence) const;
@@ -39,12 +44,12 @@ class MeshText final {
   std::string name_;
 };
 
-/// A mesh that grows.
+/// Builds a mesh, and refuses invalid indices and too many triangles.
 class GrowingMesh final {
  public:
   GrowingMesh(const MeshReading& reading, std::string name);
 
-  /// Room for so many; refuses at once more triangles than may be.
+  /// Reserves memory, and refuses more triangles than permitted.
   void reserve(std::size_t vertices, std::size_t triangles);
   void add_vertex(const glm::dvec3& in_units);
   std::size_t vertices() const noexcept { return read_.mesh.vertices_m.size(); }
@@ -52,7 +57,7 @@ class GrowingMesh final {
   void add_face(std::span<const std::int64_t> corners);
   /// Corners one after the other, −1 between strips; every second triangle runs the other way.
   void add_strips(std::span<const std::int64_t> corners);
-  /// The mesh, once every index is known to have its vertex.
+  /// Checks that every index has a vertex. The mesh.
   ReadMesh finish(MeshFormat format);
 
  private:
@@ -76,9 +81,9 @@ ReadMesh decode_stl_binary(std::string_view content, const MeshReading& reading,
                            const std::string& name);
 ReadMesh decode_off(std::string_view text, const MeshReading& reading, const std::string& name);
 
-/// What a binary STL of so many triangles is long: 80 bytes of anything, a count, 50 bytes each.
+/// The length of a binary STL: 80 bytes of any content, a count, 50 bytes per triangle.
 constexpr std::size_t binary_stl_bytes(std::size_t triangles) { return 84 + 50 * triangles; }
-/// The count that stands in a binary STL; `content` has at least 84 bytes.
+/// The count of triangles that a binary STL states; `content` has at least 84 bytes.
 std::uint32_t binary_stl_triangles(std::string_view content);
 
 }  // namespace asperity

@@ -1,31 +1,31 @@
-// The steps from brightness to heights one by one, for whoever keeps what they give.
+// The steps from brightness to heights one by one, for callers that keep intermediate results.
 
 #pragma once
 
 #include <string>
 
 #include "stimuli/heights/height_field.h"
-#include "stimuli/photographs/texture_from_photograph.h"
+#include "stimuli/photographs/texture_recipe.h"
 #include "stimuli/pictures/grey_image.h"
 #include "stimuli/pictures/picture_filter.h"
 
 namespace asperity {
 
-// Formulas and symbols are those of texture_from_photograph.h. Every step gives the same numbers
-// whatever the number of `threads`.
+// Formulas and symbols are those of texture_from_photograph.h. The results do not depend on the number of
+// `threads`.
 
-/// Errors: std::invalid_argument as texture_from_photograph, save for missing contrast.
+/// Errors: those of texture_from_photograph, except for missing contrast.
 void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
                   const std::string& name);
 void refuse_unless_positive(double value, const char* field);
 
 GreyImage with_histogram(const GreyImage& photograph, HistogramTransformation transformation);
 
-/// 1/ν₀ of H_h in the shape of RadialFilter, and of H_g; in pixels.
+/// The cut-off wavelengths of H_h and H_g in the form of RadialFilter, in pixels.
 double homomorphic_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept;
 double gaussian_cutoff(const TextureRecipe& recipe, const GreyImage& photograph) noexcept;
 
-/// ℱ ln(b + ε), with room for a filter of that cut-off.
+/// ℱ ln(b + ε), with a border for a filter with that cut-off.
 PictureSpectrum logarithm_spectrum(const GreyImage& grey, double homomorphic_cutoff, int threads);
 /// f
 GreyImage evened_light(const PictureSpectrum& logarithm, const TextureRecipe& recipe, int threads);
@@ -40,7 +40,7 @@ struct Residual {
   double mean = 0.0;
   double deviation = 0.0;
 };
-/// Errors: std::invalid_argument where there is nothing left but rounding.
+/// Errors: std::invalid_argument if the residual is no more than rounding.
 Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
                      const TextureRecipe& recipe, const std::string& name);
 

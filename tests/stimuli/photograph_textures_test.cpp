@@ -11,6 +11,7 @@
 
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/synthetic_photograph.h"
+#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 namespace {

@@ -1,0 +1,52 @@
+#include "stimuli/heights/surface_makers.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+Parameter length_parameter(std::string_view name, double minimum_m, double maximum_m,
+                           double default_m, std::string_view meaning) {
+  Parameter parameter = plain_parameter(name, minimum_m, maximum_m, default_m, meaning);
+  parameter.unit = "m";
+  return parameter;
+}
+
+Parameter plain_parameter(std::string_view name, double minimum, double maximum,
+                          double default_value, std::string_view meaning) {
+  return {.name = std::string(name),
+          .kind = ParameterKind::number,
+          .unit = "1",
+          .minimum = minimum,
+          .maximum = maximum,
+          .choices = {},
+          .default_value = default_value,
+          .meaning = std::string(meaning)};
+}
+
+double pitch_of(const SurfaceCanvas& canvas) noexcept {
+  return canvas.width_m / static_cast<double>(canvas.pixels);
+}
+
+void require_resolved(const ParameterValues& values, std::string_view name,
+                      const SurfaceCanvas& canvas) {
+  const double length_m = number_of(values, name);
+  const double pitch_m = pitch_of(canvas);
+  if (length_m < 2.0 * pitch_m) {
+    throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
+                                std::to_string(canvas.pixels) + " pixels over " +
+                                number_text(canvas.width_m) + " m show nothing shorter than " +
+                                number_text(2.0 * pitch_m) + " m; use more pixels.");
+  }
+}
+
+SurfacePoint point_of(const SurfaceCanvas& canvas, std::size_t row, std::size_t column) noexcept {
+  const double pitch_m = pitch_of(canvas);
+  const double middle = 0.5 * static_cast<double>(canvas.pixels - 1);
+  return {.x_m = (static_cast<double>(column) - middle) * pitch_m,
+          .y_m = (middle - static_cast<double>(row)) * pitch_m};
+}
+
+}  // namespace asperity

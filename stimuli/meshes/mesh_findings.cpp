@@ -1,0 +1,37 @@
+#include "stimuli/meshes/mesh_findings.h"
+
+#include <cmath>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+std::string millimetres(double length_m) {
+  return number_text(std::round(length_m * 1e6) / 1e3) + " mm";
+}
+
+std::vector<std::string> sentences_of(const MeshFindings& found) {
+  std::vector<std::string> sentences{};
+  const auto state = [&sentences](const std::string& what, std::size_t count) {
+    if (count > 0) sentences.push_back(what + ": " + std::to_string(count) + '.');
+  };
+  state("Vertices joined with another one in the same place", found.vertices_welded);
+  state("Faces left out because two corners lay in one place", found.degenerate_faces);
+  state("Faces left out because another one has the same corners", found.duplicate_faces);
+  state("Faces reversed because their orientation differed from that of their neighbours",
+        found.faces_turned);
+  state("Edges of more than two faces, separated", found.non_manifold_edges);
+  state("Vertices added where surfaces met only in a point or at such an edge",
+        found.vertices_split);
+  state("Edges divided because others had the same two ends", found.edges_divided);
+  state("Holes closed, up to " + millimetres(found.widest_hole_m) + " wide", found.holes_filled);
+  state("Parts left out as debris, each far smaller than the whole", found.debris_parts);
+  state("Parts left out because they are flat and enclose nothing", found.flat_parts);
+  state("Faces left out with these parts", found.dropped_faces);
+  state("Parts inverted because they were inside out", found.inside_out_parts);
+  state("Cavities, which nothing reaches from outside", found.cavities);
+  if (found.parts > 1) state("Separate parts", found.parts);
+  return sentences;
+}
+
+}  // namespace asperity

@@ -1,0 +1,80 @@
+#include "stimuli/photographs/texture_recipe.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+
+ParameterValues parameter_values(const TextureRecipe& recipe) {
+  return {
+      {"width_m", recipe.width_m},
+      {"histogram",
+       std::string(recipe.histogram == HistogramTransformation::none ? "none" : "equalize")},
+      {"homomorphic_wavelength_m", recipe.homomorphic_wavelength_m},
+      {"gamma_low", recipe.gamma_low},
+      {"gamma_high", recipe.gamma_high},
+      {"gaussian_wavelength_m", recipe.gaussian_wavelength_m},
+      {"rms_m", recipe.rms_m},
+      {"sign", recipe.sign == HeightSign::bright_is_high ? 1.0 : -1.0},
+  };
+}
+
+std::vector<Parameter> texture_recipe_parameters() {
+  const TextureRecipe defaults{};
+  const auto number = [](const char* name, const char* unit, double minimum, double maximum,
+                         double default_value, const char* meaning) {
+    return Parameter{.name = name,
+                     .kind = ParameterKind::number,
+                     .unit = unit,
+                     .minimum = minimum,
+                     .maximum = maximum,
+                     .choices = {},
+                     .default_value = default_value,
+                     .meaning = meaning};
+  };
+  return {
+      number("width_m", "m", 0.001, 1.0, defaults.width_m,
+             "Width of the surface in the photograph, from its left to its right edge"),
+      {.name = "histogram",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"none", "equalize"},
+       .default_value = std::string("none"),
+       .meaning = "none: brightness as stored; equalize: every brightness is made equally "
+                  "frequent, which removes the relation of brightness to height"},
+      number("homomorphic_wavelength_m", "m", 0.0005, 0.5, defaults.homomorphic_wavelength_m,
+             "Changes of brightness that are longer than this count as lighting, shorter ones as "
+             "the surface"),
+      number("gamma_low", "1", 0.05, 2.0, defaults.gamma_low,
+             "Factor applied to slow changes of the lighting; below 1 evens them out"),
+      number("gamma_high", "1", 0.2, 5.0, defaults.gamma_high,
+             "Factor applied to fine detail; above 1 raises its contrast"),
+      number("gaussian_wavelength_m", "m", 0.0002, 0.2, defaults.gaussian_wavelength_m,
+             "Waves longer than about this are left out of the heights: they are shape, not "
+             "texture"),
+      number("rms_m", "m", 1e-6, 2e-3, defaults.rms_m,
+             "Roughness of the relief: the root mean square of its heights. A photograph does not "
+             "show it"),
+  };
+}
+
+TextureRecipe texture_recipe(const ParameterValues& values) {
+  ParameterValues complete = parameter_values(TextureRecipe{});
+  for (const auto& [name, value] : values) complete[name] = value;
+  const std::string& histogram = choice_of(complete, "histogram");
+  if (histogram != "none" && histogram != "equalize") {
+    throw std::invalid_argument("histogram is \"" + histogram + "\"; it must be none or equalize.");
+  }
+  return {.width_m = number_of(complete, "width_m"),
+          .histogram = histogram == "none" ? HistogramTransformation::none
+                                           : HistogramTransformation::equalize,
+          .homomorphic_wavelength_m = number_of(complete, "homomorphic_wavelength_m"),
+          .gamma_low = number_of(complete, "gamma_low"),
+          .gamma_high = number_of(complete, "gamma_high"),
+          .gaussian_wavelength_m = number_of(complete, "gaussian_wavelength_m"),
+          .rms_m = number_of(complete, "rms_m"),
+          .sign = number_of(complete, "sign") > 0.0 ? HeightSign::bright_is_high
+                                                    : HeightSign::dark_is_high};
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// The parameters by which a photograph becomes heights.
+
+#pragma once
+
+#include <vector>
+
+#include "stimuli/properties/parameter.h"
+
+namespace asperity {
+
+enum class HistogramTransformation {
+  none,
+  equalize,  ///< every brightness equally frequent
+};
+
+/// Which end of the brightness scale is high. A photograph alone does not determine this; its photographer does.
+enum class HeightSign { bright_is_high, dark_is_high };
+
+/// The parameters of the pipeline (texture_from_photograph.h). [Wu 2009] states no values; the defaults are ours.
+struct TextureRecipe {
+  double width_m = 0.10;  ///< of the surface, from the left to the right edge of the picture
+  HistogramTransformation histogram = HistogramTransformation::none;
+  double homomorphic_wavelength_m = 0.020;  ///< λ_h
+  double gamma_low = 0.5;                   ///< γ_L, the factor of the longest wavelengths
+  double gamma_high = 2.0;                  ///< γ_H, the factor of the shortest
+  double gaussian_wavelength_m = 0.005;     ///< λ_g
+  double rms_m = 1e-4;                      ///< root mean square of the heights
+  HeightSign sign = HeightSign::bright_is_high;
+};
+
+/// The recipe with the names of the command line and of the sidecar of a height field; `sign` is 1 or −1.
+ParameterValues parameter_values(const TextureRecipe& recipe);
+
+/// The declarations for a form: unit, range, default and meaning, in the order of the steps. The
+/// ranges are those of surfaces that a hand can feel; except for the width the pipeline accepts more.
+std::vector<Parameter> texture_recipe_parameters();
+
+/// The inverse of `parameter_values`; missing values have their defaults.
+///
+/// Errors: std::invalid_argument for a value of the wrong kind or an unknown histogram.
+TextureRecipe texture_recipe(const ParameterValues& values);
+
+}  // namespace asperity
