@@ -427,14 +427,6 @@ class FigureDrawing final {
 
 }  // namespace
 
-FigureColors print_colors() {
-  return {.ground = QColor("#FFFFFF"),
-          .text = QColor("#000000"),
-          .muted = QColor("#4A4A4A"),
-          .line = QColor("#D9D9D9"),
-          .strong = QColor("#08306B")};
-}
-
 double figure_height(const Figure& figure, double width, const FigureLook& look) {
   return FigureLayout(figure, width, look).height();
 }

@@ -1,4 +1,4 @@
-// Where the parts of a figure stand, and where its numbers do.
+// The layout of a figure: the positions of its parts and of its numbers.
 
 #pragma once
 
@@ -9,11 +9,12 @@
 #include <QtGui/QFont>
 
 #include "app/figures/axis_ticks.h"
-#include "app/figures/draw_figure.h"
+#include "app/figures/figure_look.h"
+#include "app/findings/figure.h"
 
 namespace asperity {
 
-/// Text broken into lines, and the room that they take.
+/// Text broken into lines, and the size of these.
 struct TextLines {
   QStringList lines{};
   double width = 0.0;
@@ -27,22 +28,22 @@ struct LaidTick {
 
 /// A sample of a style with its name.
 struct KeyItem {
-  std::size_t series = 0;  ///< of the figure, the first of that name
+  std::size_t series = 0;  ///< of the figure, the first with that name
   QPointF at{};            ///< the left end of the sample, at half its height
   QString name{};
 };
 
-/// Lays a figure out into a width, from 0 0 at the top left. All lengths are in units of the painter
-/// and go by the size of letters: the same figure on a wider sheet has more room, not larger letters.
+/// Lays a figure out for a width, with the origin at the top left. All lengths are in units of the painter
+/// and proportional to the font size: on a wider sheet a figure has more space, not larger letters.
 class FigureLayout final {
  public:
   FigureLayout(const Figure& figure, double width, const FigureLook& look);
 
   double height() const noexcept { return height_; }
-  /// What the axes enclose.
+  /// The rectangle between the axes.
   const QRectF& plot() const noexcept { return plot_; }
   double x_of(double value) const;
-  /// Numbers rise upwards, places go down.
+  /// Numbers increase upwards, places downwards.
   double y_of(double value) const;
 
   const std::vector<LaidTick>& x_ticks() const noexcept { return x_ticks_; }
@@ -51,7 +52,7 @@ class FigureLayout final {
   const TextLines& y_name() const noexcept { return y_name_; }
   bool has_upright_x_labels() const noexcept { return upright_x_labels_; }
   const std::vector<KeyItem>& key() const noexcept { return key_; }
-  /// The scale of the shades of cells; empty without cells.
+  /// The scale of shades; empty without cells.
   const QRectF& shades() const noexcept { return shades_; }
   const TextLines& sentence() const noexcept { return sentence_; }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <variant>
 
+#include <QtCore/QCoreApplication>
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QScrollBar>
@@ -13,7 +14,6 @@
 #include "app/figures/figures_of.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/study_tests.h"
-#include "app/gui/data/analysis_page.h"
 #include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/look/controls.h"
@@ -22,6 +22,11 @@
 namespace asperity {
 
 namespace {
+
+// The texts belong to the page of the analyses.
+struct OutcomeText {
+  Q_DECLARE_TR_FUNCTIONS(asperity::AnalysisPage)
+};
 
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
@@ -111,8 +116,8 @@ void add_folded(const QString& words, const QString& text, QVBoxLayout& layout, 
 }
 
 QString people_text(int count) {
-  return count == 1 ? AnalysisPage::tr("1 participant")
-                    : AnalysisPage::tr("%n participants", nullptr, count);
+  return count == 1 ? OutcomeText::tr("1 participant")
+                    : OutcomeText::tr("%n participants", nullptr, count);
 }
 
 /// What belongs to an outcome, one under the other.
@@ -144,7 +149,7 @@ class OutcomeColumn final {
       if (is_first) about();
       add_table(question.table);
       if (question.method.empty()) continue;
-      add_folded(AnalysisPage::tr("How it was computed"), words_as_published(question.method),
+      add_folded(OutcomeText::tr("How it was computed"), words_as_published(question.method),
                  *layout_, page_);
     }
     for (const NamedTable& table : outcome_.tables) add_table(table.name);
@@ -170,7 +175,7 @@ class OutcomeColumn final {
   /// Who answered, and what is to be known before a number is believed.
   void about() {
     layout_->addWidget(
-        make_text(AnalysisPage::tr("%1 %2 · %3 · %4 counted")
+        make_text(OutcomeText::tr("%1 %2 · %3 · %4 counted")
                       .arg(QString::fromStdString(outcome_.protocol),
                            QString::fromStdString(outcome_.version),
                            people_text(static_cast<int>(outcome_.count.participants)),
@@ -195,7 +200,7 @@ class OutcomeColumn final {
       }
       layout_->addWidget(make_table(table, page_));
       if (table.note.empty()) continue;
-      add_folded(AnalysisPage::tr("How to read this table"), words_as_published(table.note),
+      add_folded(OutcomeText::tr("How to read this table"), words_as_published(table.note),
                  *layout_, page_);
     }
   }
@@ -226,8 +231,8 @@ class OutcomeColumn final {
 }  // namespace
 
 QString answers_text(int count) {
-  return count == 1 ? AnalysisPage::tr("1 response")
-                    : AnalysisPage::tr("%n responses", nullptr, count);
+  return count == 1 ? OutcomeText::tr("1 response")
+                    : OutcomeText::tr("%n responses", nullptr, count);
 }
 
 QWidget* make_outcome(const AnalysisOutcome& outcome, const FigureWishes& wishes) {

@@ -1,4 +1,4 @@
-// An outcome of an analysis as people read it: question, answer, figure, table, method.
+// Shows the outcome of an analysis: question, answer, figure, table, method.
 
 #pragma once
 
@@ -13,13 +13,13 @@ class QWidget;
 
 namespace asperity {
 
-/// What a person wants of a figure.
+/// The actions that a figure offers.
 struct FigureWishes {
   std::function<void(const Figure&, double width_mm)> save{};
   std::function<void(const Figure&)> copy{};
 };
 
-/// A new widget without a parent, which keeps nothing of `outcome`.
+/// A new widget without a parent; it does not refer to `outcome` afterwards.
 QWidget* make_outcome(const AnalysisOutcome& outcome, const FigureWishes& wishes);
 
 /// "1 answer", "2 answers".
