@@ -1,0 +1,234 @@
+// Which contact of a tick continues which one of the previous tick, and how their shares rise and fall.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "renderers/pd_gradient/contact/textured_contacts.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kLeastShare = 1e-9;  // smaller shares are rounding
+constexpr double kAlike = 0.1;        // of a force: the change of a share in a millisecond
+
+}  // namespace
+
+// The contact with the same id; otherwise, of those in whose window it was, the one with the nearest deepest place.
+// contacts_.size() if there is none.
+std::size_t TexturedContacts::successor_of(const TexturedContact& last) const noexcept {
+  std::size_t nearest = contacts_.size();
+  const auto away_m = [&](std::size_t i) {
+    return glm::distance(deepest_m(contacts_[i]), deepest_m(last));
+  };
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (contacts_[i].id == last.id) return i;
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (!is_part_of(last.frame, contacts_[i])) continue;
+    if (nearest == contacts_.size() || away_m(i) < away_m(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
+// The contact of the previous tick that continues as this one, among those whose successor it is. If others merged with
+// it, that is the one with the nearest deepest place. There is none (kMostContacts) if the deepest place was in no window
+// before, or if the force under another id would differ.
+std::size_t TexturedContacts::predecessor_of(std::size_t contact, const Successors& successors,
+                                             const Pose& a, const Pose& b) const noexcept {
+  const TexturedContact& now = contacts_[contact];
+  std::size_t predecessor = kMostContacts;
+  std::size_t nearest = kMostContacts;
+  bool others_joined = false;
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    if (successors[i] != contact) continue;
+    const bool is_same = before_[i].id == now.id;
+    others_joined = others_joined || (!is_same && !before_[i].is_fading);
+    if (is_same && !before_[i].is_fading) predecessor = i;
+    const auto away_m = [&](std::size_t last) {
+      return glm::distance(deepest_m(before_[last]), deepest_m(now));
+    };
+    if (nearest == kMostContacts || away_m(i) < away_m(nearest)) nearest = i;
+  }
+  if (predecessor == kMostContacts || others_joined) predecessor = nearest;
+  if (predecessor == kMostContacts) return predecessor;
+  const TexturedContact& last = before_[predecessor];
+  const glm::dvec3 way_m = last.frame.to_frame(deepest_m(now) - last.frame.origin_m);
+  const bool was_seen = std::max(std::abs(way_m.x), std::abs(way_m.y)) <= 0.5 * last.grid.width_m;
+  if (!was_seen || (last.id != now.id && !is_felt_on(last, now, a, b))) return kMostContacts;
+  return is_cut_off(last, now, a, b) ? kMostContacts : predecessor;
+}
+
+// Whether a contact exerts the force of the previous one, extrapolated: its deepest place moves with A relative to B by
+// Δx, so that the depth becomes δ + ∇δ·Δx.
+bool TexturedContacts::is_felt_on(const TexturedContact& last, const TexturedContact& now,
+                                  const Pose& a, const Pose& b) const noexcept {
+  const ContactFrame frame = continued(last, a, b).frame;
+  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
+  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
+  const glm::dvec3 gradient = frame.to_world({last.penetration.slope, -1.0});
+  const double depth_m = last.penetration.depth_m + glm::dot(gradient, place_m - on_b_m);
+  const glm::dvec3 gradient_now = now.frame.to_world({now.penetration.slope, -1.0});
+  return glm::distance(now.penetration.depth_m * gradient_now, depth_m * gradient) <=
+         kAlike * now.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;
+}
+
+// Whether the bound of a depth changed, so that the depth may fall at once.
+bool TexturedContacts::is_cut_off(const TexturedContact& last, const TexturedContact& now,
+                                  const Pose& a, const Pose& b) const noexcept {
+  return (is_cut_short(last) || is_cut_short(now)) && !is_felt_on(last, now, a, b);
+}
+
+// After a contact has divided: the part that is nearest to its deepest place and exerts its force inherits its share.
+void TexturedContacts::divide(const TexturedContact& last, std::size_t predecessor, const Pose& a,
+                              const Pose& b, Begun& begun) noexcept {
+  std::size_t nearest = predecessor;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const TexturedContact& contact = contacts_[i];
+    if (!begun[i] || i == predecessor || !is_felt(contact)) continue;
+    if (!is_part_of(contact.frame, last) || !is_felt_on(last, contact, a, b)) continue;
+    if (glm::distance(deepest_m(contact), deepest_m(last)) <
+        glm::distance(deepest_m(contacts_[nearest]), deepest_m(last))) {
+      nearest = i;
+    }
+  }
+  std::swap(contacts_[nearest].share, contacts_[predecessor].share);
+  std::swap(begun[nearest], begun[predecessor]);
+}
+
+// Whether it would have been rendered in the previous tick, to first order. False if it has moved by more than half a
+// window since, because then it cannot be identified.
+bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& a,
+                                const Pose& b) const noexcept {
+  if (is_first_ || !is_felt(contact)) return false;
+  const glm::dvec3 now_m = deepest_m(contact);
+  const glm::dvec3 before_m = a_before_.rotation * in_body(a, now_m) + a_before_.position_m;
+  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, before_m) + b.position_m;
+  const glm::dvec3 way_m = contact.frame.to_frame(now_m - on_b_m);
+  if (glm::length(way_m) > 0.5 * contact.grid.width_m) return false;
+  const glm::dvec3 gradient{contact.penetration.slope, -1.0};
+  return contact.penetration.depth_m - glm::dot(gradient, way_m) > 0.0;
+}
+
+double TexturedContacts::share_before(const TexturedContact& contact) const noexcept {
+  for (const TexturedContact& last : before_) {
+    if (last.id == contact.id && is_felt(last) && !last.is_fading) return last.share;
+  }
+  return 0.0;
+}
+
+// The contact that renders the place of each contact: of those at one place the one that did before, otherwise the
+// deepest.
+TexturedContacts::Successors TexturedContacts::owners() const noexcept {
+  const auto goes_before = [this](std::size_t one, std::size_t other) {
+    const auto rank = [this](std::size_t i) {
+      return std::pair{share_before(contacts_[i]), contacts_[i].penetration.depth_m};
+    };
+    return rank(one) != rank(other) ? rank(one) > rank(other) : one < other;
+  };
+  Successors owners{};
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    owners[i] = i;
+    for (std::size_t j = 0; j < contacts_.size(); ++j) {
+      if (j == i || !are_at_one_place(contacts_[i], contacts_[j])) continue;
+      if (goes_before(j, owners[i])) owners[i] = j;
+    }
+  }
+  const auto first_of = [&owners](std::size_t i) {
+    while (owners[i] != i) i = owners[i];
+    return i;
+  };
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (!is_beside_curve(contacts_[i])) continue;
+    for (std::size_t j = 0; owners[i] == i && j < contacts_.size(); ++j) {
+      if (shows_place_of(contacts_[i], contacts_[j])) owners[i] = first_of(j);
+    }
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) owners[i] = first_of(i);
+  return owners;
+}
+
+void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexcept {
+  const std::size_t now = contacts_.size();
+  const Successors owner = owners();
+  Successors successors{};
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const bool counts = is_felt(before_[i]) && before_[i].share > 0.0;
+    const std::size_t successor = counts ? successor_of(before_[i]) : now;
+    successors[i] = successor < now ? owner[successor] : now;
+  }
+  std::array<std::size_t, kMostContacts> predecessors{};
+  Begun begun{};
+  bool parts = false;
+  for (std::size_t i = 0; i < now; ++i) {
+    TexturedContact& contact = contacts_[i];
+    predecessors[i] = contact.is_doubtful ? kMostContacts : predecessor_of(i, successors, a, b);
+    bool had_any = contact.is_doubtful;
+    for (std::size_t j = 0; j < before_.size(); ++j) {
+      const TexturedContact& last = before_[j];
+      const bool is_same = last.id == contact.id && (is_felt(last) || last.is_doubtful);
+      had_any = had_any || successors[j] == i || is_same ||
+                (is_felt(last) && is_part_of(contact.frame, last));
+    }
+    if (owner[i] != i) {
+      contact.share = 0.0;
+    } else if (predecessors[i] < kMostContacts) {
+      contact.share = std::min(1.0, before_[predecessors[i]].share + rise_);
+    } else if (had_any || was_deep(contact, a, b)) {
+      contact.share = rise_;
+      begun[i] = true;
+      parts = true;
+    }
+  }
+  for (std::size_t i = 0; parts && i < now; ++i) {
+    if (predecessors[i] < kMostContacts) divide(before_[predecessors[i]], i, a, b, begun);
+  }
+  for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
+    const TexturedContact& last = before_[i];
+    const bool continues = successors[i] < now && predecessors[successors[i]] == i;
+    if (!continues && is_felt(last) && last.share > rise_ + kLeastShare) fade(last, a, b);
+  }
+}
+
+// Adds a fading contact. If its window shows a place that another contact renders, or its bound has changed, it continues
+// at its own place.
+void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
+  const std::size_t others = contacts_.size();
+  TexturedContact fading = continued(last, a, b);
+  fading.share = last.share - rise_;
+  fading.is_fading = true;
+  add(fading, a, b);
+  if (contacts_.size() == others) return;
+  const std::span<const TexturedContact> before_it = std::span(contacts_).first(others);
+  TexturedContact& added = contacts_.back();
+  const auto is_at_its_place = [&](const TexturedContact& other) {
+    return other.share > 0.0 && (are_at_one_place(added, other) || shows_place_of(added, other));
+  };
+  if (added.is_doubtful || std::any_of(before_it.begin(), before_it.end(), is_at_its_place)) {
+    added.is_doubtful = !lead_on(added, last, a, b);
+  } else if (is_cut_off(last, added, a, b)) {
+    lead_on(added, last, a, b);
+  }
+  if (!is_felt(added) || added.share <= kLeastShare) contacts_.pop_back();
+}
+
+// Continues a contact as if its deepest place moved with A along the gradient. False if it has moved too far for that.
+bool TexturedContacts::lead_on(TexturedContact& contact, const TexturedContact& last, const Pose& a,
+                               const Pose& b) const noexcept {
+  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
+  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
+  const glm::dvec3 way_m = contact.frame.to_frame(place_m - on_b_m);
+  if (glm::length(way_m) > kSamePlace * last.grid.spacing_m()) return false;
+  contact.penetration = last.penetration;
+  contact.sampled_depth_m = last.sampled_depth_m;
+  contact.is_bounded = last.is_bounded;
+  contact.penetration.depth_m += glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m);
+  contact.penetration.deepest_m = contact.frame.to_frame(place_m - contact.frame.origin_m);
+  return true;
+}
+
+}  // namespace asperity

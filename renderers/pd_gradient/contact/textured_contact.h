@@ -1,0 +1,74 @@
+// One contact of two textured bodies, and its geometrical relations to other contacts.
+
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "renderers/pd_gradient/geometry/contact_geometry.h"
+#include "renderers/pd_gradient/geometry/contact_regions.h"
+#include "renderers/pd_gradient/sampling/penetration.h"
+
+namespace asperity {
+
+/// One contact of two textured bodies in a tick.
+struct TexturedContact {
+  std::uint64_t id = 0;          ///< constant as long as it is the same contact
+  ContactFrame frame{};          ///< in the world
+  double width_m = 0.0;          ///< of the region
+  SamplingGrid grid{};           ///< the sampled window, at least as wide
+  Penetration penetration{};     ///< with a depth up to the bound (TexturedContacts)
+  double sampled_depth_m = 0.0;  ///< before it was bounded
+  double half_extent_m = 0.0;    ///< the larger extent of the curve along u or v, from its middle
+  bool is_bounded = false;       ///< the depth exceeded the thickness of the bodies there
+  double share =
+      1.0;  ///< the rendered fraction of its force; below 1 while contacts separate or merge
+  bool is_fading = false;      ///< replaced by another contact; its share falls to 0
+  bool is_kept = false;        ///< without a curve; the frame continues from the previous tick
+  bool is_coarse = false;      ///< sampled with a longer step than declared
+  double half_height_m = 0.0;  ///< of the box in which its triangles are
+  double reach_m = 0.0;        ///< the greatest credible depth
+  bool is_doubtful = false;    ///< deeper than that: not rendered
+  double leaning_a = 0.0;      ///< the cosines below which faces of A and B sink (sunk_m)
+  double leaning_b = 0.0;
+  glm::dvec3 origin_in_a_m{0.0};  ///< the origin of the frame in the frame of A
+};
+
+inline bool is_felt(const TexturedContact& contact) noexcept {
+  return contact.penetration.depth_m > 0.0 && !contact.is_doubtful;
+}
+
+/// The cosine between two directions up to which contacts count as one: 60°.
+inline constexpr double kAgreement = 0.5;
+/// The distance up to which two deepest samples are at the same place, in cells: each of two grids has a sample within
+/// 0.71 cells, half a diagonal, of a peak.
+inline constexpr double kSamePlace = 1.5;
+
+/// Whether a pose is a rotation and a position at which single precision resolves millimetres. Further away, or with
+/// another matrix, products overflow and comparisons fail.
+bool is_in_reach(const Pose& pose) noexcept;
+
+/// A point or a frame of the world, in the frame of a body.
+glm::dvec3 in_body(const Pose& pose, const glm::dvec3& place_m) noexcept;
+ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept;
+/// The pose of A in the frame of B.
+Pose relative(const Pose& a, const Pose& b) noexcept;
+
+/// The deepest sample, in the world.
+glm::dvec3 deepest_m(const TexturedContact& contact) noexcept;
+/// Whether the depth was reduced to a bound.
+bool is_cut_short(const TexturedContact& contact) noexcept;
+/// Whether the deepest sample is outside the square around the contact's curve.
+bool is_beside_curve(const TexturedContact& contact) noexcept;
+
+/// Whether the contact at `frame` is already part of the window of another one.
+bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcept;
+/// Whether the whole window of a region is in that of another contact.
+bool lies_in(const ContactRegion& region, const TexturedContact& other) noexcept;
+/// Whether both contacts have the same deepest place.
+bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) noexcept;
+/// Whether the deepest place of the first is outside its own curve and inside that of the other.
+bool shows_place_of(const TexturedContact& one, const TexturedContact& other) noexcept;
+
+}  // namespace asperity
