@@ -1,9 +1,6 @@
-// A walk through a study in the order of its keys, past everything that is written of it.
-
 #include "app/exports/export_study.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,18 +10,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/bids.h"
-#include "app/exports/columns/codebook.h"
+#include "app/exports/codebook_file.h"
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/columns/study_vocabulary.h"
-#include "app/exports/fit_table.h"
+#include "app/exports/export_readme.h"
+#include "app/exports/group_files.h"
 #include "app/exports/import_scripts.h"
-#include "app/exports/psych_ds.h"
 #include "app/exports/publication.h"
-#include "app/exports/sav_table.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
-#include "app/exports/wide_table.h"
 #include "app/findings/study/own_scales.h"
 #include "app/records/session_timeline.h"
 #include "app/study_files/study_condition.h"
@@ -32,261 +26,16 @@
 #include "protocols/design/protocol.h"
 
 namespace asperity {
-
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCodebook = "codebook.tsv";
-
-/// What codebook.tsv and MANIFEST.tsv say of themselves.
-std::vector<ExportColumn> columns_about_columns() {
-  constexpr std::array<std::pair<const char*, const char*>, 11> kMeanings{
-      {{"file", "file within the folder; * matches any text"},
-       {"column", "name of the column"},
-       {"description", "meaning of a cell"},
-       {"type", "text, integer, number, boolean (1 or 0), utc_time or json"},
-       {"unit", "unit, in SI notation; 1 for a dimensionless number"},
-       {"levels", "possible values of a cell, separated by |"},
-       {"minimum", "smallest declared or observed value"},
-       {"maximum", "largest declared or observed value"},
-       {"missing", "when a cell is missing"},
-       {"publication", "how it appears in a public export"},
-       {"source", "source of the description: the program, a force model, a place in a protocol"}}};
-  std::vector<ExportColumn> columns{};
-  for (const auto& [name, meaning] : kMeanings) {
-    ExportColumn& column = columns.emplace_back();
-    column.name = name;
-    column.description = meaning;
-    column.type = "text";
-  }
-  return columns;
-}
-
-std::vector<ExportColumn> manifest_columns() {
-  std::vector<ExportColumn> columns(4);
-  columns[0].name = "file";
-  columns[0].description = "file within the folder";
-  columns[0].type = "text";
-  columns[1].name = "rows";
-  columns[1].description = "rows of a table, without the names of the columns";
-  columns[1].type = "integer";
-  columns[1].missing = "the file is not a table";
-  columns[2].name = "sha256";
-  columns[2].description = "SHA-256 of the file";
-  columns[2].type = "text";
-  columns[3].name = "left_out";
-  columns[3].description =
-      "columns that a public export omits; answer(NAME): the answers to this question";
-  columns[3].type = "text";
-  columns[3].missing = "none";
-  return columns;
-}
-
-/// Rows about columns, as the codebook has them.
-class Codebook final {
- public:
-  void add(const std::string& file, const std::vector<ExportColumn>& columns) {
-    for (const ExportColumn& column : columns) rows_.push_back(codebook_row(file, column));
-  }
-  void write(ExportFolder& folder) {
-    add(kCodebook, columns_about_columns());
-    add("MANIFEST.tsv", manifest_columns());
-    TableFile file(folder.path_of(kCodebook), TableFile::Format::tsv, codebook_columns());
-    for (const std::vector<Cell>& row : rows_) file.add(row);
-    folder.add(kCodebook, file.finish());
-  }
-
- private:
-  std::vector<std::vector<Cell>> rows_{};
-};
-
-/// One of the tables that hold everything.
+// One of the tables with all rows of the study.
 struct GrowingTable {
   std::string name{};
   std::vector<std::string> left_out{};
   std::vector<ExportColumn> columns{};
   TableFile file;
-};
-
-enum class Group { run, pilot, virtual_people };
-
-std::string folder_of(Group group) {
-  switch (group) {
-    case Group::run:
-      return "";
-    case Group::pilot:
-      return "pilot/";
-    case Group::virtual_people:
-      return "virtual/";
-  }
-  return "";
-}
-
-/// Whoever gets one of these datasets alone, without the folder that it was in, is told by itself.
-MadeBy made_by(Group group) {
-  switch (group) {
-    case Group::run:
-      return {};
-    case Group::pilot:
-      return {" (pilot sessions)",
-              "These are pilot sessions: they served to test the experiment and are not part of "
-              "its data."};
-    case Group::virtual_people:
-      return {" (virtual participants)",
-              "The participants are virtual: a program simulated all responses; there were no "
-              "human participants."};
-  }
-  return {};
-}
-
-Group folder_group_of(const ParticipantRow& participant, const SessionRow& session) {
-  if (participant.is_virtual || session.mode == SessionMode::simulate) return Group::virtual_people;
-  return session.mode == SessionMode::pilot ? Group::pilot : Group::run;
-}
-
-/// What is written of the sessions of one group, in the formats that are wanted.
-class GroupFiles final {
- public:
-  GroupFiles(ExportFolder& folder, Group group, const std::string& study_name,
-             const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
-             const ExportOptions& options)
-      : folder_(folder), root_(folder_of(group)), title_(study_name), options_(options) {
-    const auto wants = [&](ExportFormat format) { return options.formats.contains(format); };
-    if (wants(ExportFormat::wide) || wants(ExportFormat::sav)) {
-      wide_.emplace(vocabulary, options.audience);
-    }
-    if (wants(ExportFormat::fit)) fit_.emplace();
-    columns_ = columns_for(options.audience, answered_trial_columns(vocabulary), left_out_);
-    if (wants(ExportFormat::sav)) trials_.emplace(columns_, folder.path_of(""));
-    recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
-                                              : BidsDataset::Recordings::left_out;
-    if (wants(ExportFormat::bids) || wants(ExportFormat::physio)) {
-      bids_.emplace(folder, root_ + "bids/", study_name, metadata, vocabulary, options.audience,
-                    recordings_, made_by(group));
-    }
-    if (wants(ExportFormat::psychds)) {
-      psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience,
-                     made_by(group));
-    }
-  }
-
-  void begin_participant(const ExportPlace& at) {
-    if (wide_) wide_->begin_participant(at);
-    if (bids_) bids_->add_participant(at);
-  }
-
-  void begin_session(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
-                     const std::vector<AttemptRow>& attempts,
-                     const std::vector<TimedEvent>& timeline) {
-    if (wide_) wide_->begin_session(at);
-    if (bids_) {
-      bids_->begin_session(at);
-      bids_->add_events(at, plan, attempts, timeline);
-    }
-    if (psych_) psych_->begin_session(at);
-  }
-
-  void end_session() {
-    if (bids_) bids_->end_session();
-    if (psych_) psych_->end_session();
-  }
-
-  void add_session_answer(const ExportPlace& at) {
-    if (wide_) wide_->add_session_answer(at);
-  }
-
-  void begin_attempt(const Study& study, const ExportPlace& at) {
-    if (bids_) bids_->add_attempt(study, at);
-  }
-
-  /// With a response, or without where the attempt has none.
-  void add_row(const ExportPlace& at) {
-    if (wide_ && at.response != nullptr) wide_->add_answer(at);
-    if (fit_ && at.response != nullptr) fit_->add(at);
-    if (!bids_ && !psych_ && !trials_) return;
-    std::vector<Cell> row{};
-    row.reserve(columns_.size());
-    for (const ExportColumn& column : columns_) {
-      row.push_back(cell_for(options_.audience, column, at));
-    }
-    if (bids_) bids_->add_row(row);
-    if (psych_) psych_->add_row(row);
-    if (trials_) trials_->add(std::move(row));
-  }
-
-  void finish(const StudyVocabulary& vocabulary, Codebook& codebook,
-              std::vector<Phrase>& not_written) {
-    if (wide_) finish_wide(codebook);
-    if (fit_) finish_fit(codebook, not_written);
-    if (trials_) {
-      const std::string name = root_ + "trials.sav";
-      folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);
-      codebook.add(name, renamed(columns_, trials_->names()));
-    }
-    std::vector<std::string> ignored{};
-    if (bids_) {
-      bids_->finish();
-      codebook.add(root_ + "bids/participants.tsv",
-                   BidsDataset::participant_columns(vocabulary, options_.audience, ignored));
-      codebook.add(root_ + "bids/sub-*/ses-*/beh/*_beh.tsv",
-                   BidsDataset::beh_columns(vocabulary, options_.audience, recordings_, ignored));
-      codebook.add(root_ + "bids/sub-*/ses-*/beh/*_events.tsv",
-                   bids_event_columns(vocabulary, options_.audience, ignored));
-    }
-    if (psych_) {
-      psych_->finish();
-      codebook.add(root_ + "psychds/data/*_data.csv", columns_);
-    }
-  }
-
- private:
-  static std::vector<ExportColumn> renamed(std::vector<ExportColumn> columns,
-                                           const std::vector<std::string>& names) {
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].name = names[i];
-    return columns;
-  }
-
-  void finish_fit(Codebook& codebook, std::vector<Phrase>& not_written) {
-    const std::string name = root_ + "fit.tsv";
-    if (const auto why = fit_->why_empty(name)) {
-      not_written.push_back(*why);
-      return;
-    }
-    fit_->write(folder_, name);
-    codebook.add(name, FitTable::columns());
-  }
-
-  void finish_wide(Codebook& codebook) {
-    const WideTable::Made made = wide_->make();
-    if (options_.formats.contains(ExportFormat::wide)) {
-      const std::string name = root_ + "wide.csv";
-      TableFile file(folder_.path_of(name), TableFile::Format::csv, column_names(made.columns));
-      for (const std::vector<Cell>& row : made.rows) file.add(row);
-      folder_.add(name, file.finish(), made.left_out);
-      codebook.add(name, made.columns);
-    }
-    if (options_.formats.contains(ExportFormat::sav)) {
-      const std::string name = root_ + "wide.sav";
-      SavTable file(made.columns, folder_.path_of(""));
-      for (const std::vector<Cell>& row : made.rows) file.add(row);
-      folder_.add(name, file.write(folder_.path_of(name), title_), made.left_out);
-      codebook.add(name, renamed(made.columns, file.names()));
-    }
-  }
-
-  ExportFolder& folder_;
-  std::string root_{};
-  std::string title_{};
-  ExportOptions options_{};
-  std::vector<ExportColumn> columns_{};
-  std::vector<std::string> left_out_{};
-  BidsDataset::Recordings recordings_ = BidsDataset::Recordings::left_out;
-  std::optional<WideTable> wide_{};
-  std::optional<FitTable> fit_{};
-  std::optional<SavTable> trials_{};
-  std::optional<BidsDataset> bids_{};
-  std::optional<PsychDataset> psych_{};
 };
 
 void sort_responses(std::vector<ResponseRow>& responses) {
@@ -295,10 +44,10 @@ void sort_responses(std::vector<ResponseRow>& responses) {
   });
 }
 
-/// JSON texts, of which a study has few that differ and many that are equal, as what they say.
+// Parsed JSON texts, of which a study has few different ones.
 class ReadJson final {
  public:
-  /// Holds until the next text.
+  // Valid until the next call.
   const nlohmann::json& of(const std::string& text) {
     auto found = known_.find(text);
     if (found == known_.end()) {
@@ -311,10 +60,11 @@ class ReadJson final {
 
  private:
   static constexpr std::size_t kMost =
-      1000;  // where all differ, keeping them would fill the memory
+      1000;  // if all texts differ, keeping them would fill the memory
   std::unordered_map<std::string, nlohmann::json> known_{};
 };
 
+// Walks through a study in the order of its keys, and adds the rows to all tables and files.
 class StudyExport final {
  public:
   StudyExport(const Study& study, const ModelRegistry& models, ExportFolder& folder,
@@ -346,7 +96,7 @@ class StudyExport final {
     }
   }
 
-  /// False: it was asked to stop.
+  // False if it was stopped.
   bool walk(const std::stop_token& stop, const std::function<void(double)>& progress) {
     const std::vector<SessionRow> sessions = study_.sessions();
     std::map<std::string, std::vector<const SessionRow*>> sessions_of{};
@@ -367,11 +117,11 @@ class StudyExport final {
       at.participant_mode = &mode;
       at.answers = &answers;
       add("participants", at);
-      std::set<Group> begun{};
+      std::set<SessionGroup> begun{};
       for (const SessionRow* session : own) {
         if (stop.stop_requested()) return false;
         if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
-        const Group group = folder_group_of(participant, *session);
+        const SessionGroup group = session_group_of(participant, *session);
         if (begun.insert(group).second) files_of(group).begin_participant(at);
         ExportPlace here = at;
         here.session = session;
@@ -382,13 +132,13 @@ class StudyExport final {
     return !stop.stop_requested();
   }
 
-  /// What the public gets of the tables, whose columns depend on the study.
+  // What a public export contains of the tables, whose columns depend on the study.
   std::string publication() const {
     constexpr std::size_t kColumns = 120;
     return wrapped_text(publication_text(export_files(vocabulary_)), kColumns);
   }
 
-  /// What could not be exported, and what there was nothing to write of.
+  // Completes all files. The outcome receives what could not be exported.
   void finish(ExportOutcome& outcome) {
     for (GrowingTable& table : tables_) {
       folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
@@ -407,7 +157,7 @@ class StudyExport final {
   }
 
  private:
-  /// The codebook has the names of the kinds of events; what each is would not fit into a cell.
+  // The codebook contains the names of the kinds of events; their descriptions do not fit into a cell.
   void write_event_sidecar() {
     nlohmann::ordered_json sidecar{};
     for (const GrowingTable& table : tables_) {
@@ -425,8 +175,7 @@ class StudyExport final {
     return names;
   }
 
-  /// Refuses a name that stands for nothing that can be published, so that a misspelt one is not
-  /// taken for consent to leave it out.
+  // Refuses names that cannot be published, so that a misspelt name does not lead to an omitted question.
   void take_questions_for_public() {
     vocabulary_.for_public = options_.questions_for_public;
     const std::vector<std::string> asked = questionnaire();
@@ -447,7 +196,7 @@ class StudyExport final {
     }
   }
 
-  GroupFiles& files_of(Group group) {
+  GroupFiles& files_of(SessionGroup group) {
     std::unique_ptr<GroupFiles>& files = groups_[group];
     if (!files) {
       files = std::make_unique<GroupFiles>(folder_, group, study_name_, metadata_, vocabulary_,
@@ -504,7 +253,7 @@ class StudyExport final {
     files.end_session();
   }
 
-  /// The first number of an attempt that was asked for a second one.
+  // The first estimate of an attempt whose magnitude was re-elicited.
   static std::optional<double> doubted_in(const AttemptRow& attempt) {
     for (const EventRow& event : attempt.events) {
       if (event.kind != "estimate_doubted") continue;
@@ -561,79 +310,14 @@ class StudyExport final {
   std::map<std::int64_t, ProtocolRow> protocols_{};
   StimulusTable stimuli_;
   std::vector<GrowingTable> tables_{};
-  std::map<Group, std::unique_ptr<GroupFiles>> groups_{};
-  Codebook codebook_{};
+  std::map<SessionGroup, std::unique_ptr<GroupFiles>> groups_{};
+  CodebookFile codebook_{};
   ReadJson factors_{};
   ReadJson parameters_{};
   std::vector<Cell> row_{};
 };
 
-/// For whoever finds the folder.
-///
-/// `publication` states what an export for the public has and lacks.
-std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark,
-                   const std::vector<Phrase>& warnings, const std::string& publication) {
-  std::string text = "A study, exported by Asperity for use in other programs.\n\n";
-  if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
-  for (const Phrase& warning : warnings) text += "INCOMPLETE: " + warning.english() + "\n\n";
-  text +=
-      "codebook.tsv describes every column of every file; MANIFEST.tsv contains the SHA-256 of "
-      "every file; events.json describes each kind of event.\nimport.R and import.py load all "
-      "tables with the correct types.\n\n";
-  if (options.audience == ExportAudience::published) {
-    std::string named{};
-    for (const std::string& question : options.questions_for_public) {
-      named += (named.empty() ? ", except for " : ", ") + question;
-    }
-    text += "This is a public export: without dates, free text and answers to questionnaires" +
-            named + ". Participants who withdrew are not included.\n" + publication + "\n";
-  }
-  return text +
-         "The .tsv files of this folder contain all data, including attempts that do not count, "
-         "excluded ones, pilots and virtual\nparticipants; the columns virtual, mode, phase, "
-         "valid, excluded and flagged state which, and counts_in_analyses\nof attempts.tsv states "
-         "which attempts analyses include. All other files of this\nfolder contain only sessions "
-         "of human participants. Pilots are in pilot/, virtual participants in virtual/. Rows that "
-         "do not\ncount are marked there too, except in wide.csv and wide.sav, which include only "
-         "responses that count.\n\nSpreadsheets: a text that begins with = + - @, a tab or a line "
-         "break would be read as a formula. In every .tsv and .csv file such a\ntext is preceded "
-         "by an apostrophe; the same applies to a text that begins with an apostrophe or is "
-         "exactly "
-         "n/a.\nRemove one apostrophe from every text that begins with one to restore the original "
-         "texts; import.R and\nimport.py do this. Numbers are never changed. The .sav files "
-         "contain the original texts.\nTabs and line breaks within a text are spaces in a .tsv "
-         "file; the number of such cells was reported at the export.\n\nMissing values are n/a in "
-         ".tsv files and empty in .csv files. Times in seconds are relative to the beginning of "
-         "the session. Labels of\nparticipants and seeds are texts, even if they look like "
-         "numbers.\n";
-}
-
 }  // namespace
-
-const char* name_of(ExportFormat format) noexcept {
-  switch (format) {
-    case ExportFormat::wide:
-      return "wide";
-    case ExportFormat::sav:
-      return "sav";
-    case ExportFormat::bids:
-      return "bids";
-    case ExportFormat::psychds:
-      return "psychds";
-    case ExportFormat::physio:
-      return "physio";
-    case ExportFormat::stimuli:
-      return "stimuli";
-    case ExportFormat::fit:
-      return "fit";
-  }
-  return "";
-}
-
-std::set<ExportFormat> usual_export_formats() {
-  return {ExportFormat::wide,    ExportFormat::sav,     ExportFormat::bids,
-          ExportFormat::psychds, ExportFormat::stimuli, ExportFormat::fit};
-}
 
 ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
                            const ExportOptions& options, const std::stop_token& stop,
@@ -655,7 +339,8 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
       },
       stop);
   if (stopped) return {};
-  making.write("README.txt", readme(options, remark_on(study), outcome.warnings, publication));
+  making.write("README.txt",
+               export_readme(options, remark_on(study), outcome.warnings, publication));
   making.write("import.R", import_script_for_r());
   making.write("import.py", import_script_for_python());
   outcome.files = making.take_place();

@@ -1,4 +1,4 @@
-// Who gave the answers of an exported dataset.
+// How an exported dataset states that its responses are not those of a study with human participants.
 
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace asperity {
 
-/// Empty for people's answers that count; what the dataset says of itself where they are others.
+/// Empty for sessions of human participants in the mode run.
 struct MadeBy {
-  std::string in_title{};  ///< behind the name of the study: " (virtual participants)"
+  std::string in_title{};  ///< after the name of the study: " (virtual participants)"
   std::string sentence{};
 };
 
