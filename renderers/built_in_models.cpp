@@ -1,4 +1,4 @@
-// The one list of the program's force models; a new model adds its include and its line.
+// Registers the force models that the program contains. A new model adds its include and its line here.
 
 #include "renderers/built_in_models.h"
 

@@ -1,4 +1,4 @@
-// The registry of the force models that the program contains.
+// Declares the registry of the program's force models.
 
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// height_map, sinusoid, stochastic, lateral_gradient, pd_gradient.
+/// The registry of height_map, sinusoid, stochastic, lateral_gradient and pd_gradient.
 ModelRegistry built_in_models();
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The registry of force models.
+// Implements the registry of force models and the checks of their inputs.
 
 #include "renderers/force/force_model.h"
 
@@ -20,7 +20,7 @@ bool is_an_id(std::string_view id) {
   });
 }
 
-// The end of a sentence.
+// The end of an error message, with the inputs that are missing.
 std::string missing_bodies(const RendererInputs& inputs) {
   if (inputs.tool) return "no surface is given";
   if (inputs.surface) return "no tool is given";

@@ -1,4 +1,4 @@
-// A force model by name, and the list of those that there are.
+// Declares force models by name and their registry.
 
 #pragma once
 
@@ -19,55 +19,53 @@
 
 namespace asperity {
 
-/// What a model is given to build one renderer.
+/// The inputs from which a model builds one renderer.
 struct RendererInputs {
   ParameterValues parameters{};  ///< as given; the registry completes and checks them
   Material material{};
   SurfacePatch patch{};
-  /// Shared, because presentations of the same texture outlive each other in any order.
+  /// Shared ownership: presentations of one texture end in any order.
   std::shared_ptr<const HeightField> height_field{};
-  /// Shared likewise. What the hand holds, its tip the origin of the mesh's own frame, which turns
-  /// with the device; and what it touches, its own frame with its origin in `patch.centre_m`.
+  /// Shared ownership for the same reason. `tool` is the mesh that the hand holds: its frame has its origin at the tip
+  /// and turns with the device. `surface` is the mesh that is touched: its frame has its origin at `patch.centre_m`.
   std::shared_ptr<const TexturedMesh> tool{};
   std::shared_ptr<const TexturedMesh> surface{};
   std::uint64_t seed = 0;  ///< of a model that draws random numbers
 };
 
-/// A declaration and the way to make renderers of it.
+/// Declares a model and makes its renderers.
 struct ForceModel {
   ModelDeclaration declaration{};
-  /// Receives complete, checked parameters. Throws std::invalid_argument for inputs that contradict
-  /// each other.
+  /// Takes complete, checked parameters. Throws std::invalid_argument for inputs that contradict each other.
   std::function<std::unique_ptr<ForceRenderer>(const RendererInputs&)> make{};
-  /// The parameters that a sample of texture suggests, for a model that takes them from the
-  /// sample's statistics (a sinusoid's amplitude and wavelength). Empty for a model that needs
-  /// none.
+  /// The parameters that a texture sample suggests, for a model that takes them from the sample's statistics (for
+  /// example a sinusoid's amplitude and wavelength). Empty for other models.
   std::function<ParameterValues(const HeightField&, const Material&)> suggested_by{};
-  /// The parameter values with which the force without friction is conservative: a hand that returns in contact to where
-  /// it was has gained no energy. Empty: whatever the values. Nothing: with no values, so that a hand can be given energy
-  /// on one way around and loses it on the other.
+  /// The parameter values with which the force without friction is conservative: a closed path in contact changes the
+  /// hand's energy by zero. An empty set: conservative for all values. nullopt: for no values; a closed path can then
+  /// add energy in one direction and remove it in the other.
   std::optional<ParameterValues> conservative_with{};
 };
 
-/// "always", "never", "with lateral_gradient_gain=1, law=corrected"
+/// The condition as text: "always", "never", "with lateral_gradient_gain=1, law=corrected".
 std::string conservative_text(const ForceModel& model);
 
-/// One renderer of a model, from parameters as given: they are completed and checked here.
+/// Makes one renderer of a model. The parameters are completed and checked here.
 ///
-/// Errors: std::invalid_argument for a bad parameter, for a height field or a body that is needed
-/// and missing, and for inputs that the model refuses.
+/// Errors: std::invalid_argument for a bad parameter, for a required height field or body that is missing, and for
+/// inputs that the model rejects.
 std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const RendererInputs& inputs);
 
-/// The force models that a program knows.
+/// The registry of force models, in the order in which they were added.
 ///
-/// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`;
-/// `make` for an unknown model, and as `make_renderer` does.
+/// Errors: `add` throws std::invalid_argument for an id that is already registered or does not match `[a-z][a-z0-9_]*`;
+/// `make` throws it for an unknown model and in the cases of `make_renderer`.
 class ModelRegistry final {
  public:
   void add(ForceModel model);
   const std::vector<ForceModel>& models() const& noexcept { return models_; }
-  const std::vector<ForceModel>& models() && = delete;  // a loop over a temporary's would dangle
-  /// Null when there is no model of this name.
+  const std::vector<ForceModel>& models() && = delete;  // a loop over a temporary would dangle
+  /// Null if there is no model with this id.
   const ForceModel* find(std::string_view id) const& noexcept;
   const ForceModel* find(std::string_view id) && = delete;
   std::unique_ptr<ForceRenderer> make(std::string_view id, const RendererInputs& inputs) const;
@@ -79,8 +77,8 @@ class ModelRegistry final {
 /// The declarations of all models, against which a protocol is checked.
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
 
-/// Texture and friction taken out of one stimulus: the same model as a plain plate, its amplitude
-/// parameter and its Material's friction zero. The texture force is the difference to it.
+/// The inputs of a stimulus without texture and friction: the model's amplitude parameter and the Material's friction
+/// are zero, so that the model renders a plain plate. The texture force is the difference between the two.
 RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs);
 
 }  // namespace asperity

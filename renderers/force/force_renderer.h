@@ -1,4 +1,4 @@
-// The place where a stimulus meets a hand.
+// Declares the interface of the force renderers.
 
 #pragma once
 
@@ -11,52 +11,50 @@
 
 namespace asperity {
 
-/// In how many ticks something was so; what it is stands with the model that counts it.
+/// The number of ticks in which a condition held. The model that counts the condition documents it.
 struct NamedCount {
-  std::string_view name{};  ///< `[a-z][a-z0-9_]*`, of a literal: it outlives the renderer
+  std::string_view name{};  ///< `[a-z][a-z0-9_]*`; points to a literal and outlives the renderer
   std::uint64_t ticks = 0;
 };
 
-/// Turns the motion of the probe into the wrench it should feel, once per servo tick.
+/// Computes the wrench on the probe from the probe's motion, once per servo tick.
 ///
-/// A renderer is built for one stimulus, off the servo thread, where it may allocate, tabulate and
-/// refuse. From then on it is a deterministic machine: what it returns depends on its constructor's
-/// arguments and on the samples since `reset`, and on nothing else: no clock, no thread of its own,
-/// no global. A recorded run therefore replays, which is how the tests hold a renderer to what a
-/// participant once felt.
+/// A renderer is built for one stimulus outside the servo thread, where its constructor may allocate, tabulate and
+/// throw. Afterwards it is deterministic: its results depend only on the constructor's arguments and on the samples
+/// since `reset`, not on a clock, a separate thread or global state. A replayed recording therefore gives the recorded
+/// forces, which the tests check.
 ///
-/// Units and frame: SI, in the device's frame; the stimulus's SurfacePatch says where the surface
-/// lies in it (+z outward). The wrench is the surface's on the hand; its torque is about the
-/// probe's tip.
+/// Units and frame: SI, in the device's frame; the stimulus's SurfacePatch gives the position of the surface in it (+z
+/// outward). The wrench is the one that the surface exerts on the hand; its torque is about the probe's tip.
 ///
-/// Stability: on a device with viscous damping b, refreshed every T seconds, a linear surface of stiffness K and damping B
-/// is passive while b > K·T/2 + |B| [Colgate 1997]. K is the steepest the surface shows, texture included: a fine grating
-/// is stiffer than its plate. Friction is a damper near rest, and vibrates where it is too steep for the device's mass and
-/// for the age of its velocity. Both are derived in offline/sampled_loop.h. A renderer never softens or clips
-/// its own force to save a device: ramping is ServoLoop's and limiting is HapticDevice's, so that
-/// the record keeps what was meant.
+/// Stability: on a device with viscous damping b, refreshed every T seconds, a linear surface of stiffness K and
+/// damping B is passive while b > K·T/2 + |B| [Colgate 1997]. K is the greatest stiffness of the surface including its
+/// texture: a fine grating is stiffer than its plate. Friction acts as a damper near rest and causes vibration where it
+/// is too steep for the device's mass and for the age of its velocity. Both limits are derived in
+/// offline/sampled_loop.h. A renderer never reduces or clips its force to protect a device: ServoLoop applies the ramp
+/// and HapticDevice the limits, so that the record contains the intended force.
 ///
-/// Real-time: `reset` and `tick` run on the servo thread. They must not allocate, lock, block, log
-/// or throw; the allocation guard in tests/support and bench/servo_tick hold them to it.
+/// Real-time: `reset` and `tick` run on the servo thread. They must not allocate, lock, block, log or throw; the
+/// allocation guard in tests/support and bench/servo_tick check this.
 class ForceRenderer {
  public:
   virtual ~ForceRenderer() = default;
   ForceRenderer(const ForceRenderer&) = delete;
   ForceRenderer& operator=(const ForceRenderer&) = delete;
 
-  /// Forgets the past. `first` is where the hand is when the surface appears.
+  /// Clears all state. `first` is the first sample of the presentation.
   virtual void reset(const ProbeState& first) noexcept = 0;
 
-  /// The wrench for this sample and how deep the probe is in the surface. Samples come in order.
-  /// `dt_s` is the time since the last one, already clamped; always positive.
+  /// The wrench and the penetration for this sample. Samples arrive in temporal order. `dt_s` is the time since the
+  /// previous sample, already clamped and always positive.
   virtual RenderedTick tick(const ProbeState& probe, double dt_s) noexcept = 0;
 
-  /// In how many ticks since its construction what the model takes for granted did not hold, by what
-  /// it was: always the same names in the same order, with zeros. Empty for a model without such
-  /// limits. `reset` does not clear them, so that a fault in the middle of an attempt loses none.
+  /// The number of ticks since construction in which each assumption of the model was violated: the same names in the
+  /// same order at every call, zeros included. Empty for a model without such limits. `reset` does not clear the
+  /// counts, so that a fault during an attempt loses none.
   ///
-  /// Threads: plain counters of the servo thread. Read them where no tick can come: after
-  /// ServoLoop::collect gave the renderer back, or where the loop is stepped.
+  /// Threads: plain counters of the servo thread. Read them only when no tick can run: after ServoLoop::collect has
+  /// returned the renderer, or in a loop that is stepped.
   virtual std::span<const NamedCount> limits() const noexcept { return {}; }
 
  protected:

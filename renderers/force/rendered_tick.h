@@ -1,4 +1,4 @@
-// What a renderer answers to one sample of the hand.
+// Declares the result of a renderer for one sample.
 
 #pragma once
 
@@ -8,7 +8,7 @@ namespace asperity {
 
 struct RenderedTick {
   Wrench wrench{};
-  /// How deep the probe is in the surface, texture included; 0 exactly when they do not touch.
+  /// Depth of the probe in the surface, texture included; 0 exactly if they are not in contact.
   double penetration_m = 0.0;
 };
 

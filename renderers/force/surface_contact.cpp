@@ -1,4 +1,4 @@
-// Placement, friction and borders of a patch.
+// Implements the placement, friction and borders of a patch.
 
 #include "renderers/force/surface_contact.h"
 
@@ -22,7 +22,7 @@ double smoothstep(double u) noexcept {
   return u * u * (3.0 - 2.0 * u);
 }
 
-// How far a coordinate lies beyond ±half, with its sign; 0 inside.
+// The signed distance of a coordinate beyond ±half; 0 inside.
 double excess(double coordinate, double half) noexcept {
   return coordinate - std::clamp(coordinate, -half, half);
 }

@@ -1,4 +1,4 @@
-// What all force models share: where the probe is on the patch, its friction and its border.
+// Declares what all force models share: the probe's position on the patch, friction and the border.
 
 #pragma once
 
@@ -13,24 +13,24 @@
 
 namespace asperity {
 
-/// Where the probe is with respect to a patch.
+/// The position of the probe relative to a patch.
 struct PatchPoint {
   double x_m = 0.0;  ///< on the texture: motion_scale · (device − centre)
   double y_m = 0.0;
-  double height_m = 0.0;   ///< p_z − z_s, of the tip over the reference plane
+  double height_m = 0.0;   ///< p_z − z_s, of the tip above the reference plane
   double gain = 1.0;       ///< of a fading border; 0 outside the patch
   glm::dvec2 wall_N{0.0};  ///< of a walled border, once the probe is below the surface
 };
 
-/// The part of a force that is a model's own.
+/// The model-specific part of a contact force.
 struct ContactForce {
-  glm::dvec3 texture_N{0.0};  ///< along and across the surface, everything but friction and walls
-  double normal_N = 0.0;      ///< the normal force that friction is taken from, not negative
+  glm::dvec3 texture_N{0.0};  ///< all components except friction and walls
+  double normal_N = 0.0;      ///< the normal force that friction is computed from; not negative
   double penetration_m = 0.0;
 };
 
-/// The patch of a stimulus as every force model sees it; models that are compared differ in nothing
-/// that is decided here.
+/// Computes the placement, friction and border of a stimulus's patch in the same way for every force model, so that
+/// models that are compared do not differ in them.
 ///
 ///   friction   F_f = −μ·N·v_t / √(v_t² + v₀²)   v_t tangential velocity of the hand [m/s],
 ///                                               N normal force [N], μ the Material's [1],
@@ -39,13 +39,12 @@ struct ContactForce {
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
 ///
-/// Friction is Coulomb's, rounded off below v₀: 99 % of μN at 7 v₀, and none at rest, so that nothing holds a hand on a
-/// slope. Near rest it is a damper of μN/v₀, on which a loop vibrates if it is too steep (offline/sampled_loop.h). Extent
-/// and border are measured on the device, whatever `motion_scale` is.
+/// Friction is Coulomb friction, smoothed below v₀: 99 % of μN at 7 v₀ and zero at rest, so that a hand on a slope is
+/// not held. Near rest it is a damper of μN/v₀, on which the loop vibrates if it is too steep (offline/sampled_loop.h).
+/// Extent and border are measured in the device's coordinates, independent of `motion_scale`.
 ///
-/// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion
-/// scale, stiffness or v₀ that is not positive, a friction that is negative, or a fading border
-/// that is wider than half the patch.
+/// Errors: the constructor throws std::invalid_argument, naming the field, for an extent, motion scale, stiffness or v₀
+/// that is not positive, a negative friction, or a fading border that is wider than half the patch.
 ///
 /// Real-time: `locate` and `force` do not allocate, lock or throw.
 class SurfaceContact final {
@@ -54,7 +53,7 @@ class SurfaceContact final {
                  const ParameterValues& parameters);
 
   PatchPoint locate(const glm::dvec3& position_m) const noexcept;
-  /// The whole answer, from what the model found at `point`.
+  /// The complete result, from the model's contact force at `point`.
   RenderedTick force(const PatchPoint& point, const ProbeState& probe,
                      const ContactForce& contact) const noexcept;
 
@@ -68,7 +67,7 @@ class SurfaceContact final {
   double friction_speed_m_per_s_ = 0.0;
 };
 
-/// Declares v₀ of the friction above, which every model has.
+/// The declaration of v₀ of the friction, which every model has.
 Parameter friction_speed_parameter();
 
 }  // namespace asperity

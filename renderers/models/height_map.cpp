@@ -1,4 +1,4 @@
-// The two laws of the height map.
+// Implements the two laws of the height map.
 
 #include "renderers/models/height_map.h"
 
@@ -69,7 +69,7 @@ class LiteralHeightMap final : public ForceRenderer {
       const HeightSample d = field_->sample(point.x_m, point.y_m, contact_.patch().tiling);
       force_N += texture_N_per_m_ * (d.height_m - offset_m_);
     }
-    // No normal force for friction to be taken from: the equations have none.
+    // Without a normal force there is no friction: the equations contain none.
     return contact_.force(point, probe,
                           {.texture_N = {0.0, 0.0, force_N}, .penetration_m = penetration_m});
   }

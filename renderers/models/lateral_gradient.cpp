@@ -1,4 +1,4 @@
-// The lateral force of a slope.
+// Implements the lateral force of a slope.
 
 #include "renderers/models/lateral_gradient.h"
 

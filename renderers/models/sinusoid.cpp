@@ -1,4 +1,4 @@
-// The grating and its two directions of force.
+// Implements the grating and its two directions of force.
 
 #include "renderers/models/sinusoid.h"
 

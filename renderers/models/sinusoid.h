@@ -1,4 +1,4 @@
-// A sinusoidal grating felt through a spring.
+// Declares the sinusoid model: a sinusoidal grating rendered through a spring.
 
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace asperity {
 
-/// A grating from a formula.
+/// Renders an analytic sinusoidal grating.
 ///
 ///   q   = x·cos θ + y·sin θ                along the grating [m]; 0 at the patch's centre
 ///   h   = A·sin(2πq/L) + A                 height over the plane z_s [m]
 ///   w   = max(0, h − (p_z − z_s))          penetration [m]
 ///   F   = k·w·n − μ·F_n·v_t/√(v_t² + v₀²)
 ///
-/// A = `amplitude_m`, L = `wavelength_m`, θ = `direction_rad` from +x towards +y; k, μ of the
-/// Material. `force_direction = fixed` (default): n = ẑ, as in [Wu 2009] (F_mag of [Choi 2004], the
-/// one known for ridges that push the hand into the next valley). `local_normal`: n is the unit
-/// normal of the grating, (−∂h/∂x, −∂h/∂y, 1)/√(1 + |∇h|²) (F_vec). F_n = k·w in both.
+/// A = `amplitude_m`, L = `wavelength_m`, θ = `direction_rad` from +x towards +y; k, μ of the Material.
+/// `force_direction = fixed` (default): n = ẑ, as in [Wu 2009] (F_mag of [Choi 2004], which is known for ridges that
+/// push the hand into the next valley). `local_normal`: n is the unit normal of the grating, (−∂h/∂x, −∂h/∂y, 1)/√(1 +
+/// |∇h|²) (F_vec). F_n = k·w in both.
 ///
-/// The source gives neither A nor L; a sample of texture suggests A = √2·RMS of its heights, which
-/// gives the grating the sample's RMS, and L = the sample's dominant wavelength; a plane, which has
-/// none, leaves L at its default.
+/// [Wu 2009] gives neither A nor L. A texture sample suggests A = √2·RMS of its heights, which gives the grating the
+/// sample's RMS, and L = the sample's dominant wavelength; a plane has no dominant wavelength and leaves L at its
+/// default.
 ///
 /// Limits: one direction, one wavelength, no saturation with depth.
 ///

@@ -1,4 +1,4 @@
-// Noise on a clock of its own.
+// Implements noise at a rate that is independent of the servo's.
 
 #include "renderers/models/stochastic.h"
 
@@ -44,7 +44,7 @@ class Stochastic final : public ForceRenderer {
 
  private:
   double noise_at(std::int64_t time_ns) noexcept {
-    // Multiplied first and divided last: exact wherever a step begins on a whole nanosecond.
+    // Multiplication precedes division: the result is exact wherever a step begins on a whole nanosecond.
     const double steps = static_cast<double>(time_ns - first_ns_) * rate_Hz_ / 1e9;
     const auto step = static_cast<std::uint64_t>(std::max(0.0, std::floor(steps + 0.5)));
     if (step != step_) {

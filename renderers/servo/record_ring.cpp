@@ -1,4 +1,5 @@
-// The indices of the ring: they run freely and wrap by the mask, so that full and empty differ.
+// Implements the ring buffer: indices run freely and are masked on access, which distinguishes a full ring from an
+// empty one.
 
 #include "renderers/servo/record_ring.h"
 

@@ -1,4 +1,4 @@
-// The lock-free way of tick records from the servo thread to whoever writes them down.
+// Declares the lock-free queue of tick records from the servo thread to the recorder.
 
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace asperity {
 
-/// A ring of TickRecords with one producer (the servo) and one consumer (the recorder).
+/// A ring buffer of TickRecords with one producer (the servo) and one consumer (the recorder).
 ///
-/// A full ring drops the newest record and counts it: the servo never waits.
+/// A full ring drops the newest record and counts it; the servo never waits.
 ///
 /// Real-time: `push` and `pop` are wait-free and do not allocate; the constructor allocates.
 class RecordRing final {
@@ -22,7 +22,7 @@ class RecordRing final {
   explicit RecordRing(std::size_t capacity = 8192);
 
   void push(const TickRecord& record) noexcept;
-  /// False when the ring is empty.
+  /// False if the ring is empty.
   bool pop(TickRecord& record) noexcept;
   std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
 

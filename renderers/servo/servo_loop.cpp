@@ -1,4 +1,4 @@
-// One tick, step by step.
+// Implements the servo tick.
 
 #include "renderers/servo/servo_loop.h"
 
@@ -43,7 +43,7 @@ void set(TickRecord& record, TickFlag flag) noexcept {
   record.flags |= static_cast<std::uint32_t>(flag);
 }
 
-// A miss older than this is forgotten.
+// Missed deadlines older than this are not counted.
 constexpr std::int64_t kMissWindow_ns = 1'000'000'000;
 
 }  // namespace
@@ -70,13 +70,13 @@ const char* name_of(Fault fault) noexcept {
 
 struct ServoLoop::Handover {
   Presentation presentation{};
-  std::uint64_t number = 0;  // the first presentation of the loop is 1
+  std::uint64_t number = 0;  // the first presentation of the loop has number 1
 };
 
 struct ServoLoop::Servo {
   std::unique_ptr<Handover> felt{};
-  bool leaving = false;     // withdrawn, or another one waits
-  bool to_be_reset = true;  // the renderer has not seen this stretch of samples yet
+  bool leaving = false;     // withdrawn, or another one is waiting
+  bool to_be_reset = true;  // the renderer has not received a sample of this stretch yet
   bool has_been_in_free_space = false;
   bool fading_for_silence = false;
   double gain = 0.0;
@@ -93,7 +93,7 @@ struct ServoLoop::Servo {
   std::uint64_t missed = 0;
   std::vector<std::int64_t> recent_misses_ns{};  // a ring of the last misses_to_fault + 1
 
-  // The next time the surface is felt, it is felt as a new one.
+  // The next contact is rendered as that of a new presentation.
   void start_over() noexcept {
     to_be_reset = true;
     has_been_in_free_space = false;
@@ -149,7 +149,7 @@ void ServoLoop::clear_fault(Fault seen) noexcept {
 }
 
 void ServoLoop::raise(Fault fault) noexcept {
-  Fault none = Fault::none;  // the first fault is the one that explains the others
+  Fault none = Fault::none;  // the first fault is kept: it explains the later ones
   fault_.compare_exchange_strong(none, fault, std::memory_order_acq_rel);
 }
 
@@ -168,7 +168,7 @@ ServoStatus ServoLoop::status() const noexcept {
 
 void ServoLoop::publish_status() noexcept {
   const Servo& servo = *servo_;
-  // A reader that saw one of the values below, by their release, also sees the odd version.
+  // A reader that sees one of the values below through their release also sees the odd version.
   const std::uint64_t version = status_version_.load(std::memory_order_relaxed);
   status_version_.store(version + 1, std::memory_order_relaxed);
   ticks_.store(servo.ticks, std::memory_order_release);
@@ -218,7 +218,7 @@ void ServoLoop::count_deadline(std::int64_t now_ns, std::int64_t deadline_ns,
   const std::size_t depth = servo.recent_misses_ns.size();
   servo.recent_misses_ns[servo.missed % depth] = now_ns;
   ++servo.missed;
-  // With this one there are misses_to_fault + 1 of them; the oldest stands in the next slot.
+  // With this miss there are misses_to_fault + 1 of them; the oldest is in the next slot.
   if (servo.missed >= depth &&
       now_ns - servo.recent_misses_ns[servo.missed % depth] <= kMissWindow_ns) {
     raise(Fault::repeated_misses);
@@ -317,7 +317,7 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
   Servo& servo = *servo_;
   const double dt_s = servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz)
                                        : 1.0 / settings_.rate_Hz;
-  // Asked before a waiting presentation is taken: that one has pushed nobody yet.
+  // Checked before a waiting presentation is accepted: that one has not produced a force yet.
   if (servo.felt && is_standstill(servo.last_tick_ns, now_ns)) raise(Fault::standstill);
   TickRecord record{};
   count_deadline(now_ns, deadline_ns, record);

@@ -1,5 +1,5 @@
-// The thread behind the servo loop: asks for its privileges and sleeps to absolute deadlines, or watches over the
-// calls of a device that keeps time itself.
+// Implements the thread of the servo loop: it requests its privileges and sleeps until absolute deadlines, or it
+// supervises the calls of a device with its own pacing.
 
 #include "renderers/servo/servo_thread.h"
 
@@ -32,22 +32,22 @@
 namespace asperity {
 namespace {
 
-// Above everything of a desktop, below the kernel's own threads (watchdog, migration).
+// Above all threads of a desktop, below the kernel's own threads (watchdog, migration).
 constexpr int kFifoPriority = 80;
-// More than a tick uses, touched before the first one, so that no tick meets a page fault.
+// Larger than the stack use of a tick; touched before the first tick, so that no tick causes a page fault.
 constexpr std::size_t kStack_bytes = 256 * 1024;
 
 std::string reason_for(int error) { return std::generic_category().message(error); }
 
-// A process with this capability may lock any amount, whatever its limit.
+// A process with this capability may lock any amount of memory, regardless of its limit.
 bool may_lock_without_limit() noexcept {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   __user_cap_data_struct sets[2]{};
   return syscall(SYS_capget, &header, sets) == 0 && (sets[0].effective & (1U << CAP_IPC_LOCK)) != 0;
 }
 
-// Lock the memory only where there is no limit to it: under a finite limit MCL_FUTURE would make
-// some later, innocent allocation fail.
+// Memory is locked only if there is no limit: under a finite limit MCL_FUTURE would make a later, unrelated allocation
+// fail.
 bool memory_locked() noexcept {
   rlimit limit{};
   const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
@@ -68,7 +68,7 @@ void sleep_until(std::int64_t time_ns) noexcept {
   }
 }
 
-// What the calling thread got: 0, or the error that refused SCHED_FIFO.
+// The result of the request of the calling thread: 0, or the error code with which SCHED_FIFO was refused.
 int ask_for_fifo() noexcept {
   const sched_param priority{kFifoPriority};
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
@@ -99,14 +99,14 @@ struct ServoThread::Pacer {
   }
 };
 
-// What the device's own thread calls, and the watch over its calls.
+// The callback of the device's own thread and the supervision of its calls.
 struct ServoThread::Called {
   ServoLoop& loop;
   HapticDevice& device;
   const std::int64_t period_ns;
   const std::int64_t longest_silence_ns;
 
-  // The device's thread only; its calls come one after the other.
+  // Accessed by the device's thread only; its calls are sequential.
   std::int64_t due_ns = 0;
   bool has_ticked = false;
 
@@ -141,13 +141,13 @@ struct ServoThread::Called {
          .argument = this,
          .rate_Hz = loop.settings().rate_Hz});
     last_call_ns.store(
-        monotonic_now_ns());  // starting may take a device longer than it may be silent
+        monotonic_now_ns());  // starting may take a device longer than its permitted silence
     watch = std::thread([this] { watch_calls(); });
   }
 
   void tick() noexcept {
     const std::int64_t started_ns = monotonic_now_ns();
-    // The call that ends a silence may come before the watch has seen it.
+    // The call that ends a silence may occur before the watch thread has detected the silence.
     if (has_ticked &&
         started_ns - last_call_ns.load(std::memory_order_relaxed) > longest_silence_ns) {
       lose_device();
@@ -169,7 +169,7 @@ struct ServoThread::Called {
     }
   }
 
-  // Whoever sees the fault finds the device's words on it.
+  // The reason is stored first: a reader of the fault finds the device's message with it.
   void lose_device() noexcept {
     device.note_silence();
     loop.lose_device();
@@ -211,7 +211,7 @@ void ServoThread::start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling
   std::promise<bool> may_start;
   pacer_->thread = std::thread(
       [pacer = pacer_.get(), scheduling, &fifo_answer, start = may_start.get_future()]() mutable {
-        // A normal thread's sleeps are rounded up by 50 µs unless it asks otherwise.
+        // The timer slack of a normal thread is 50 µs unless it is set.
         prctl(PR_SET_TIMERSLACK, 1UL);
         fifo_answer.set_value(scheduling == Scheduling::normal ? 0 : ask_for_fifo());
         if (start.get()) pacer->run();

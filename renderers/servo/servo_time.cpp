@@ -1,4 +1,4 @@
-// The arithmetic of the servo's time.
+// Implements the arithmetic of periods, sample intervals and deadlines.
 
 #include "renderers/servo/servo_time.h"
 

@@ -1,4 +1,4 @@
-// The arithmetic of the servo's time: how long a tick lasted, and when the next one is due.
+// Declares the arithmetic of the servo's time: the interval between samples and the next deadline.
 
 #pragma once
 
@@ -9,24 +9,22 @@ namespace asperity {
 /// The period of a rate in whole nanoseconds, at least 1.
 std::int64_t period_ns_of(double rate_Hz) noexcept;
 
-/// Time between two samples of the hand, clamped to [½, 4] periods, so that neither two samples
-/// with one time stamp nor a stall can tell a renderer or a slew limit something absurd. The servo
-/// loop and everything offline use this one function: a recorded run replays because of it.
+/// The time between two samples, clamped to [½, 4] periods, so that neither two samples with the same time stamp nor a
+/// stall passes an absurd interval to a renderer or a slew limit. The servo loop and all offline code use this
+/// function, which makes recordings replay exactly.
 double clamped_dt_s(std::int64_t previous_ns, std::int64_t now_ns, double rate_Hz) noexcept;
 
-/// When a tick should begin and when the thread wakes for it; the same unless a deadline was
-/// missed.
+/// When a tick is due and when the thread wakes for it; equal unless a deadline was missed.
 struct NextTick {
   std::int64_t due_ns = 0;
   std::int64_t wake_ns = 0;
 };
 
-/// The tick after one that began at `started_ns` and ended at `finished_ns`.
+/// Computes the tick that follows one that began at `started_ns` and ended at `finished_ns`.
 ///
-/// Deadlines lie on the grid first + n·period, for ever. The next one is due at the first point of
-/// the grid after the start. If the tick overran it, the thread wakes at the first point of the
-/// grid after the end, for the deadline that it missed: the lateness tells the truth, the miss is
-/// counted once, and no tick is made up.
+/// Deadlines lie on the unlimited grid first + n·period. The next deadline is the first grid point after the start. If
+/// the tick overran it, the thread wakes at the first grid point after the end, for the missed deadline: the recorded
+/// lateness is correct, the miss is counted once, and no tick is made up for.
 struct DeadlineGrid {
   std::int64_t first_ns = 0;
   std::int64_t period_ns = 1;

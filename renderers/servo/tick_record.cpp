@@ -1,4 +1,4 @@
-// The precision of a recording, applied before the renderer sees the hand.
+// Implements the precision of a recording, which is applied before the renderer receives the sample.
 
 #include "renderers/servo/tick_record.h"
 

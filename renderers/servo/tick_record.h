@@ -1,4 +1,4 @@
-// What happened in one tick of the servo loop.
+// Declares the record of one tick of the servo loop.
 
 #pragma once
 
@@ -18,28 +18,28 @@ enum class TickFlag : std::uint32_t {
   missed_deadline = 16,  ///< the tick began more than one period late
   device_lost = 32,
   fault_latched = 64,
-  heartbeat_lost = 128,         ///< the surface is fading because the conductor is silent
-  presenting = 256,             ///< a renderer was asked
+  heartbeat_lost = 128,         ///< the surface fades because heartbeats are missing
+  presenting = 256,             ///< a renderer was called
   first_of_presentation = 512,  ///< the renderer was reset; again after a fault was cleared
 };
 
-/// One tick, as it is recorded. The probe is already rounded to the recording's precision
-/// (`rounded_for_recording`), so that a recording replays exactly. While the device is lost it is
-/// the last one known.
+/// The recorded values of one tick. The probe is already rounded to the recording's precision
+/// (`rounded_for_recording`), so that a recording replays exactly. While the device is lost, it is the last known
+/// state.
 struct TickRecord {
   ProbeState probe{};
-  Wrench rendered{};  ///< what the renderer meant, before ramp and limits
-  Wrench sent{};      ///< what the device got
+  Wrench rendered{};  ///< by the renderer, before ramp and limits
+  Wrench sent{};      ///< to the device
   double penetration_m = 0.0;
   double gain = 0.0;               ///< of the ramp, 0 to 1
   std::uint64_t presentation = 0;  ///< Presentation::id; 0 in free space
   std::uint32_t flags = 0;
-  std::int32_t lateness_ns = 0;   ///< start of the tick after its deadline, saturating
-  std::int32_t execution_ns = 0;  ///< duration of the tick; 0 when stepped
+  std::int32_t lateness_ns = 0;   ///< start of the tick minus its deadline, saturating
+  std::int32_t execution_ns = 0;  ///< duration of the tick; 0 if stepped
   bool has(TickFlag flag) const noexcept { return (flags & static_cast<std::uint32_t>(flag)) != 0; }
 };
 
-/// Every component through float and back: the value that a recording will give again.
+/// Converts every component to float and back: the values that are read back from a recording.
 ProbeState rounded_for_recording(const ProbeState& probe) noexcept;
 
 }  // namespace asperity
