@@ -1,4 +1,4 @@
-// Bicubic convolution on a grid that ends, repeats or mirrors.
+// Implements bicubic convolution on a bounded, repeated or mirrored grid.
 
 #include "stimuli/heights/height_field.h"
 
@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-/// Keys' kernel (a = −½) and its derivative at the four nodes around a point; t in [0, 1] is the
+/// The values of Keys' kernel (a = −½) and of its derivative at the four nodes around a point; t in [0, 1] is the
 /// point's distance from the second node, in samples.
 struct Weights {
   std::array<double, 4> value{};
@@ -28,13 +28,13 @@ Weights keys_weights(double t) noexcept {
            0.5 * (-9.0 * t2 + 8.0 * t + 1.0), 0.5 * (3.0 * t2 - 2.0 * t)}};
 }
 
-/// The four samples that a coordinate looks at, and how far past the second it lies.
+/// The indices of the four samples around a coordinate, and its distance from the second, in samples.
 struct Neighbours {
   std::array<std::size_t, 4> index{};
   double t = 0.0;
 };
 
-/// `u` in [0, period), or 0 where it is too large to tell.
+/// `u` modulo `period`, in [0, period); 0 if `u` is too large for a meaningful remainder.
 double wrapped(double u, double period) noexcept {
   const double rest = u - period * std::floor(u / period);
   return rest >= 0.0 && rest < period ? rest : 0.0;
@@ -45,7 +45,7 @@ Neighbours neighbours(double u, std::size_t count, Tiling tiling) noexcept {
   const auto samples = static_cast<double>(count);
   switch (tiling) {
     case Tiling::bounded:
-      // Two samples out, all four neighbours are the edge's and nothing changes any more.
+      // Two samples outside, all four neighbours are the edge sample and the value is constant.
       u = std::clamp(u, -2.0, samples + 1.0);
       break;
     case Tiling::repeat:
@@ -142,7 +142,7 @@ HeightSample HeightField::sample(double x_m, double y_m, Tiling tiling) const no
     result.slope_y += wy.slope[i] * height_m;
   }
   result.slope_x /= grid_.pitch_m;
-  result.slope_y /= -grid_.pitch_m;  // rows run downwards, y upwards
+  result.slope_y /= -grid_.pitch_m;  // row indices increase downwards, y upwards
   return result;
 }
 

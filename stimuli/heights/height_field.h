@@ -1,4 +1,4 @@
-// The fine relief of a surface: height over a plane.
+// Declares the height field, the fine relief of a surface as heights above a plane.
 
 #pragma once
 
@@ -9,33 +9,32 @@
 
 namespace asperity {
 
-/// Height and its gradient at one point.
+/// The height and its gradient at one point.
 struct HeightSample {
   double height_m = 0.0;
   double slope_x = 0.0;  ///< ∂h/∂x, dimensionless
   double slope_y = 0.0;  ///< ∂h/∂y, dimensionless
 };
 
-/// Heights on a square grid, read in between by bicubic convolution.
+/// Stores heights on a square grid and interpolates them by bicubic convolution.
 ///
-/// The interpolant h(x, y) = Σ h_ij w((x − x_j)/p) w((y − y_i)/p), with pitch p and Keys' kernel
-/// (a = −½) as w, passes through every sample, has a continuous gradient everywhere (C1), and
-/// reproduces a plane exactly (with its outermost cell apart, where the samples beyond are not on
-/// the plane). `sample` returns the exact gradient of that interpolant.
+/// The interpolant h(x, y) = Σ h_ij w((x − x_j)/p) w((y − y_i)/p), with pitch p and Keys' kernel (a = −½) as w, passes
+/// through every sample, has a continuous gradient everywhere (C1), and reproduces a plane exactly except in the
+/// outermost cells, where the samples beyond the grid do not lie on the plane. `sample` returns the exact gradient of
+/// this interpolant.
 ///
-/// Frame and units: metres. The field's centre is the origin; column j lies at
-/// x = (j − (columns − 1)/2)·p and row i at y = ((rows − 1)/2 − i)·p, so that the first row is the
-/// top of the picture and y points up in it.
+/// Frame and units: metres. The origin is the centre of the field; column j lies at x = (j − (columns − 1)/2)·p and row
+/// i at y = ((rows − 1)/2 − i)·p, so that the first row is the top of the picture and y points upwards in it.
 ///
-/// Beyond the samples the interpolant is that of the samples continued: `Tiling::bounded` repeats
-/// the outermost row and column, `Tiling::repeat` has the period columns·p by rows·p, and
-/// `Tiling::mirror` reflects at the lines half a pitch outside the outermost samples, with twice
-/// that period. All three are C1 everywhere; whether `repeat` shows a seam depends on the samples.
+/// Outside the samples the interpolant uses continued samples: `Tiling::bounded` repeats the outermost row and column,
+/// `Tiling::repeat` has the period columns·p by rows·p, and `Tiling::mirror` reflects at the lines half a pitch outside
+/// the outermost samples, with twice that period. All three are C1 everywhere; whether `repeat` has a visible seam
+/// depends on the samples.
 ///
-/// Errors: the constructor throws std::invalid_argument, naming the field, for a pitch that is not
-/// positive, fewer than 2 × 2 samples, a count that does not fit, or a height that is not finite.
+/// Errors: the constructor throws std::invalid_argument, naming the field, for a pitch that is not positive, fewer than
+/// 2 × 2 samples, a number of heights that does not match the grid, or a height that is not finite.
 ///
-/// Real-time: `sample` does not allocate, lock or throw; positions need only be finite.
+/// Real-time: `sample` does not allocate, lock or throw; it accepts all finite positions.
 ///
 /// [Keys 1981] Keys: Cubic convolution interpolation for digital image processing.
 class HeightField final {
@@ -46,7 +45,7 @@ class HeightField final {
     double pitch_m = 0.0;
   };
 
-  /// `heights_m` row by row, the top row first.
+  /// `heights_m` is stored row by row, the top row first.
   HeightField(const Grid& grid, std::vector<float> heights_m);
 
   const Grid& grid() const noexcept { return grid_; }

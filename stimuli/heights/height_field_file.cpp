@@ -1,4 +1,4 @@
-// Heights to levels and back, and the JSON beside them.
+// Implements the conversion of heights to levels and back, and the JSON sidecar.
 
 #include "stimuli/heights/height_field_file.h"
 
@@ -53,7 +53,7 @@ class Sidecar final {
 
   double length_m(const char* key) const {
     const auto found = json_.find(key);
-    // NaN is no JSON, and a number too large for a double is infinite.
+    // NaN is not valid JSON, and a number too large for a double is infinite.
     if (found == json_.end() || !found->is_number() || std::abs(found->get<double>()) > 1.0) {
       refuse("needs a number " + std::string(key) + ", in metres, of at most 1.");
     }
@@ -131,7 +131,7 @@ std::string encode_height_field_sidecar(const HeightField& field,
                   {"height_max_m", field.maximum_m()},
                   {"sha256", png_sha256},
                   {"provenance", provenance_json(provenance)}};
-  // A file name may hold bytes that are not UTF-8; the sidecar is, whatever happens.
+  // A file name may contain bytes that are not UTF-8; they are replaced, because the sidecar is always UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -151,7 +151,7 @@ StoredHeightField decode_height_field(std::span<const std::byte> png, std::strin
   const GreyImage grey = decode_photograph(png, name).grey;
   std::vector<float> heights_m(grey.values.size());
   std::transform(grey.values.begin(), grey.values.end(), heights_m.begin(), [&](float brightness) {
-    // A float holds level/65535 closely enough to find the level again.
+    // A float represents level/65535 accurately enough to recover the level.
     const double level = std::round(static_cast<double>(brightness) * kLargestLevel);
     return static_cast<float>(minimum_m + level / kLargestLevel * range_m);
   });

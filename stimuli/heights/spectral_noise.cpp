@@ -1,4 +1,4 @@
-// White noise, coloured in the Fourier domain.
+// Implements the filtering of white noise in the Fourier domain.
 
 #include "stimuli/heights/spectral_noise.h"
 

@@ -1,4 +1,4 @@
-// Periodic Gaussian noise of a given spectrum.
+// Declares periodic Gaussian noise with a given spectrum.
 
 #pragma once
 
@@ -15,16 +15,16 @@ struct Wavenumber {
   double y_per_m = 0.0;
 };
 
-/// Noise of mean 0 and RMS 1 whose amplitude spectrum is proportional to `amplitude` (the square
-/// root of the power spectral density per unit area of the wavenumber plane; even in its argument,
-/// not asked for the wavenumber 0). It repeats with the canvas. `stream` names its random numbers,
-/// so that several in one surface are independent.
+/// Generates noise of mean 0 and RMS 1 whose amplitude spectrum is proportional to `amplitude` (the square root of the
+/// power spectral density per unit area of the wavenumber plane; an even function, not evaluated at wavenumber 0). The
+/// period is the canvas. `stream` names the stream of random numbers, so that several noises in one surface are
+/// independent.
 ///
-/// Errors: std::invalid_argument where the canvas holds no wavenumber of positive amplitude.
+/// Errors: std::invalid_argument if no wavenumber of the canvas has a positive amplitude.
 Heights spectral_noise(const SurfaceCanvas& canvas, std::string_view stream,
                        const std::function<double(const Wavenumber&)>& amplitude);
 
-/// A bell over the logarithm of wavelength: 1 at `centre_m`, e^−½ at centre·e^±spread.
+/// A Gaussian over the logarithm of wavelength: 1 at `centre_m`, e^−½ at centre·e^±spread.
 struct WavelengthBell {
   double centre_m = 0.0;
   double spread = 0.0;

@@ -12,12 +12,12 @@
 
 namespace asperity {
 
-/// Heights in metres, row by row, the top row first, before they become a HeightField.
+/// Heights in metres before they become a HeightField, row by row, the top row first.
 using Heights = std::vector<float>;
 
 struct SurfaceMaker {
   SurfaceDeclaration declaration{};
-  /// `values` are complete and the canvas has been checked.
+  /// `values` are complete, and the canvas has been checked.
   Heights (*make)(const ParameterValues& values, const SurfaceCanvas& canvas) = nullptr;
 };
 
@@ -43,7 +43,7 @@ struct SurfacePoint {
 };
 SurfacePoint point_of(const SurfaceCanvas& canvas, std::size_t row, std::size_t column) noexcept;
 
-/// A round element of a surface: its height above the ground falls with the distance from its axis.
+/// A rotationally symmetric element of a surface, whose height above the ground depends on the distance from its axis.
 struct RoundElement {
   SurfacePoint at{};
   double radius_m = 0.0;  ///< at its base

@@ -1,4 +1,4 @@
-// Five materials composed of patterns and noise: metal, stone, wood, brick, sandpaper.
+// Implements five materials composed of patterns and noise: metal, stone, wood, brick, sandpaper.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Noise of long streaks along y: a bell of wavelengths across them, a Gaussian along them.
+/// Noise in long streaks along y: a Gaussian over the logarithm of wavelength across them, a Gaussian along them.
 Heights streaks(const SurfaceCanvas& canvas, std::string_view stream, const WavelengthBell& across,
                 double length_m) {
   return spectral_noise(canvas, stream, [&](const Wavenumber& at) {
@@ -54,7 +54,7 @@ Heights make_stone(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double pit_depth_m = number_of(values, "pit_depth_m");
   Heights heights_m(relief.size());
   for (std::size_t i = 0; i < relief.size(); ++i) {
-    // Where the second noise passes 1.2 standard deviations a pit opens, full depth at 2.2.
+    // A pit begins where the second noise exceeds 1.2 standard deviations and has its full depth at 2.2.
     const double pit = glm::smoothstep(0.0, 1.0, static_cast<double>(pits[i]) - 1.2);
     heights_m[i] = static_cast<float>(rms_m * static_cast<double>(relief[i]) - pit_depth_m * pit);
   }
@@ -64,7 +64,7 @@ Heights make_stone(const ParameterValues& values, const SurfaceCanvas& canvas) {
 Heights make_wood(const ParameterValues& values, const SurfaceCanvas& canvas) {
   require_resolved(values, "spacing_m", canvas);
   const double spacing_m = number_of(values, "spacing_m");
-  // Rings wander slowly across the board and hardly along it.
+  // The rings shift slowly across the board and hardly along it.
   const Heights warp = spectral_noise(canvas, "warp", [](const Wavenumber& at) {
     const double across = at.x_per_m * 0.02;
     const double along = at.y_per_m * 0.05;
@@ -82,7 +82,7 @@ Heights make_wood(const ParameterValues& values, const SurfaceCanvas& canvas) {
       const double phase_rad =
           kTwoPi * (point_of(canvas, i, j).x_m + waviness_m * static_cast<double>(warp[at])) /
           spacing_m;
-      // The soft wood of spring wears away and rises slowly to the hard rim of late summer.
+      // Soft early wood wears away; the profile rises slowly to the hard rim of late wood.
       const double ring = 0.5 + 0.5 * std::cos(phase_rad + 0.6 * std::sin(phase_rad + 0.8));
       heights_m.push_back(
           static_cast<float>(ring_height_m * ring + pore_rms_m * static_cast<double>(pores[at])));
@@ -98,14 +98,14 @@ Heights make_brick(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double joint_m = number_of(values, "joint_width_m");
   const double depth_m = number_of(values, "joint_depth_m");
   const double face_rms_m = number_of(values, "face_rms_m");
-  const double edge_m = 0.4 * joint_m;  // a brick's edge is rounded over that
+  const double edge_m = 0.4 * joint_m;  // the rounded edge of a brick has this width
   const Heights face = grainy(canvas, "face", {.centre_m = 0.002, .spread = 0.25});
   Heights heights_m;
   heights_m.reserve(face.size());
   for (std::size_t i = 0; i < canvas.pixels; ++i) {
     for (std::size_t j = 0; j < canvas.pixels; ++j) {
       const SurfacePoint p = point_of(canvas, i, j);
-      // The middle of the picture is the middle of a course: a stroke across it meets bricks.
+      // The middle of the picture is the middle of a course, so that a stroke across it meets bricks.
       const double up = (p.y_m + 0.5 * canvas.width_m) / course_m + 0.5;
       const double course = std::floor(up);
       const double stagger = std::fmod(course, 2.0) == 0.0 ? 0.0 : 0.5;  // running bond
@@ -130,7 +130,7 @@ Heights make_sandpaper(const ParameterValues& values, const SurfaceCanvas& canva
   const double height_m = number_of(values, "grain_height_m");
   Random random = Random(canvas.seed).split("grains");
   Heights heights_m(canvas.pixels * canvas.pixels, 0.0F);
-  // As many grains as spacings fit, drawn apart over the width so that no seam opens.
+  // The number of grains is the number of spacings that fit; they are spread over the width to avoid a seam.
   const auto count =
       static_cast<std::size_t>(std::max(1.0, std::round(canvas.width_m / spacing_m)));
   const double cell_m = canvas.width_m / static_cast<double>(count);

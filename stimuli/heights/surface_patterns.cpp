@@ -1,4 +1,4 @@
-// Regular patterns and noise: sinusoid, grating, cones, noise.
+// Implements regular patterns and noise: sinusoid, grating, cones, noise.
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ Heights make_cones(const ParameterValues& values, const SurfaceCanvas& canvas) {
            shift_m * (2.0 * random.uniform() - 1.0);
   };
   Heights heights_m(canvas.pixels * canvas.pixels, 0.0F);
-  // A hair's breadth of tolerance, so that 0.1 m takes fifty spacings of 0.002 m.
+  // The tolerance covers rounding errors, so that 0.1 m contains fifty spacings of 0.002 m.
   const auto count = static_cast<std::size_t>(std::floor(canvas.width_m / spacing_m + 1e-9));
   for (std::size_t row = 0; row < count; ++row) {
     for (std::size_t column = 0; column < count; ++column) {

@@ -1,4 +1,4 @@
-// Checks values against their declarations.
+// Implements the checks of values against their declarations.
 
 #include "stimuli/properties/parameter.h"
 
@@ -53,7 +53,7 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
     return parameter.name + " is \"" + std::get<std::string>(value) + "\"; it must be " + right;
   }
   const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
-  // Written so that NaN, which compares false with everything, is refused.
+  // In this form the condition rejects NaN, for which all comparisons are false.
   if (whole && *number >= parameter.minimum && *number <= parameter.maximum) return std::nullopt;
   return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right;
 }

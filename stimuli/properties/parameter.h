@@ -1,4 +1,4 @@
-// What a force model or a synthetic surface can be told, declared once.
+// Declares the parameters of force models and synthetic surfaces.
 
 #pragma once
 
@@ -17,73 +17,69 @@ enum class ParameterKind { number, integer, choice };
 /// A number (also for integers, which must be whole) or the name of a choice.
 using ParameterValue = std::variant<double, std::string>;
 
-/// The values of one stimulus, by parameter name. Ordered, so that what is hashed or written is
-/// stable.
+/// The values of one stimulus by parameter name, ordered so that hashes and files are stable.
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 
-/// One parameter of a force model or a synthetic surface: what it is called, in what unit, what it
-/// may be and what it means.
+/// Declares one parameter of a force model or a synthetic surface: its name, unit, range and meaning.
 ///
-/// The declaration is the only place where this is said. Validation of protocols, the command line,
-/// the codebook of an export and the editor's form are all driven by it.
+/// The declaration is the single source of this information for the validation of protocols, the command line, the
+/// codebook of an export and the editor's form.
 ///
-/// Units: `unit` is spelt as SI writes it ("N/m", "m", "1" for a dimensionless number), and the
-/// name ends in the same unit (`stiffness_N_per_m`).
+/// Units: `unit` is in SI notation ("N/m", "m", "1" for a dimensionless number), and the name ends in the same unit
+/// (`stiffness_N_per_m`).
 struct Parameter {
   std::string name{};
   ParameterKind kind = ParameterKind::number;
   std::string unit{};
-  double minimum = 0.0;                ///< inclusive; meaningless for a choice
-  double maximum = 0.0;                ///< inclusive; meaningless for a choice
+  double minimum = 0.0;                ///< inclusive; not used for a choice
+  double maximum = 0.0;                ///< inclusive; not used for a choice
   std::vector<std::string> choices{};  ///< of a choice; empty otherwise
   ParameterValue default_value{};
   std::string meaning{};
 };
 
-/// Values that are acceptable one by one, and not together.
+/// A conflict between values that are valid individually.
 struct ParameterConflict {
-  std::vector<std::string> parameters{};  ///< any of which could be changed, the likeliest first
-  std::string message{};                  ///< the values, and what would be right
+  std::vector<std::string> parameters{};  ///< any of which could be changed, the most likely first
+  std::string message{};                  ///< the values and the correction
 };
 
-/// A force model as everybody but the servo knows it.
+/// Declares a force model for all code outside the servo.
 struct ModelDeclaration {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, used in protocols and on the command line
   std::string version{};  ///< changes whenever the same inputs would give another force
   std::string summary{};
-  std::string source{};  ///< the publication the law comes from
+  std::string source{};  ///< the publication of the law
   bool needs_height_field = false;
   bool needs_bodies = false;  ///< a tool and a surface, meshes with haptic textures
-  /// Whether its texture is felt differently by a hand that presses harder. How wide the tip is, only a
-  /// model of bodies can know.
+  /// Whether the rendered texture depends on how hard the hand presses. Only models with bodies take the width of the tip
+  /// into account.
   bool feels_applied_force = true;
-  /// The one parameter that scales the texture alone and that matching of forces may solve for;
-  /// absent where there is none.
+  /// The one parameter that scales only the texture, for which force matching may solve; absent if there is none.
   std::optional<std::string> amplitude_parameter{};
-  /// Largest difference, in newtons per axis, between a live force and its replay on another
-  /// instruction set or maths library. On the same machine a replay is exact.
+  /// Largest difference, in newtons per axis, between a live force and its replay with another instruction set or maths
+  /// library. On the same machine a replay is exact.
   double replay_tolerance_N = 1e-9;
   std::vector<Parameter> parameters{};
-  /// What is wrong with complete values, each of them acceptable, together; empty for a model whose
-  /// values never contradict each other.
+  /// Finds a conflict among complete values that are valid individually; empty for a model whose values never conflict.
   std::function<std::optional<ParameterConflict>(const ParameterValues&)> conflict_among{};
 };
 
-/// What is wrong with one value, as a sentence; nothing when it is acceptable.
+/// The problem with one value, as a sentence; nullopt if the value is valid.
 std::optional<std::string> complaint_about(const Parameter& parameter, const ParameterValue& value);
 
-/// The values given, completed by the declared defaults.
+/// Completes the given values with the declared defaults.
 ///
-/// Errors: std::invalid_argument naming the model, the parameter and what would be right, for a
-/// parameter that is not declared, of the wrong kind or out of range.
+/// Errors: std::invalid_argument, naming the model, the parameter and the correction, for a parameter that is not
+/// declared, of the wrong kind or out of range.
 ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given);
 
-/// The same for anything else that declares parameters; `of` is its name in messages.
+/// The same for other owners of parameters; `of` is the owner's name in messages.
 ParameterValues complete_values(std::string_view of, const std::vector<Parameter>& parameters,
                                 const ParameterValues& given);
 
-/// Read a value that `complete_values` has checked. Throw std::invalid_argument, naming it, where
-/// there is none of that name and kind.
+/// Read a value that `complete_values` has checked. Throw std::invalid_argument, naming the value, if there is none of
+/// this name and kind.
 double number_of(const ParameterValues& values, std::string_view name);
 const std::string& choice_of(const ParameterValues& values, std::string_view name);
 
