@@ -1,4 +1,4 @@
-// Skewness and direction of a residual, put into words.
+// Implements the skewness and direction of a photograph's residual and the advice from them.
 
 #include "stimuli/photographs/photograph_advice.h"
 
@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-// A Gaussian texture of this size stays well below the first; oblique light on a surface alike in
-// all directions lies at 0.5, so the second leaves room for noise.
+// A Gaussian texture of this size stays well below kSkewed. Oblique light on an isotropic surface gives an anisotropy
+// of 0.5; kDirected leaves a margin for noise.
 constexpr double kSkewed = 0.35;
 constexpr double kDirected = 0.3;
 
@@ -63,7 +63,7 @@ PhotographEvidence examine_photograph(const GreyImage& photograph, const Texture
   double yy = 0.0;
   for (std::size_t i = 0; i + 1 < rows; ++i) {
     for (std::size_t j = 0; j + 1 < columns; ++j) {
-      // Differences along the diagonals treat both axes alike.
+      // Differences along the diagonals treat both axes equally.
       const float* here = residual.values.data() + i * columns + j;
       const auto falling = static_cast<double>(here[columns + 1] - here[0]);
       const auto rising = static_cast<double>(here[1] - here[columns]);

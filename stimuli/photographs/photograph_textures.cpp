@@ -1,4 +1,4 @@
-// What of the pipeline is kept from recipe to recipe, and when it no longer holds.
+// Implements the cache of the pipeline's intermediate results and its invalidation.
 
 #include "stimuli/photographs/photograph_textures.h"
 
@@ -20,7 +20,7 @@ PhotographTextures::Steps PhotographTextures::texture(const TextureRecipe& recip
   check_recipe(*photograph_, recipe, name_);
   const double homomorphic = homomorphic_cutoff(recipe, *photograph_);
   const double gaussian = gaussian_cutoff(recipe, *photograph_);
-  // Forgets from the first step that changes; what follows fills the gaps.
+  // Invalidates the results from the first changed step onwards; the code below recomputes what is missing.
   const bool grey_holds = grey_ != nullptr && recipe.histogram == last_.histogram;
   const bool logarithm_holds =
       grey_holds && logarithm_ && homomorphic == logarithm_->cutoff_wavelength();

@@ -1,4 +1,4 @@
-// Textures of one photograph under recipes that change, for whoever turns at them.
+// Declares the texture of one photograph for interactive changes of its recipe.
 
 #pragma once
 
@@ -10,16 +10,17 @@
 
 namespace asperity {
 
-/// The texture of `texture_from_photograph` under one recipe after another, bit for bit.
+/// Computes the result of `texture_from_photograph`, bit for bit, for a sequence of recipes, and caches the
+/// intermediate results.
 ///
-/// A recipe that differs from the one before in its last steps only costs those: amplitude and sign
-/// a multiplication, the longest wave one filter, γ one and a half; width, light and histogram all.
-/// Steps that a new recipe leaves as they were are the same objects as before.
+/// A change of the recipe costs only the steps from the first one it affects: amplitude and sign one multiplication,
+/// the longest wavelength one filter, γ one and a half; width, lighting (λ_h) and histogram all steps. Steps that a new
+/// recipe does not affect return the same objects as before.
 ///
-/// Errors: as texture_from_photograph; the next recipe starts from what is sound.
+/// Errors: those of texture_from_photograph; the next call starts from the valid results.
 ///
-/// Threads: one at a time calls `texture`, which has `threads` of its own work; the numbers do not
-/// depend on how many.
+/// Threads: `texture` may be called by one thread at a time and uses `threads` threads; the result does not depend on
+/// their number.
 class PhotographTextures final {
  public:
   struct Steps {
@@ -29,7 +30,7 @@ class PhotographTextures final {
     std::shared_ptr<const GreyImage> low_pass{};  ///< g
   };
 
-  /// `name` is the photograph's, for what is refused.
+  /// `name` is the photograph's name in error messages.
   PhotographTextures(GreyImage photograph, std::string name);
   PhotographTextures(GreyImage photograph, std::string name, int threads);
 
@@ -41,7 +42,7 @@ class PhotographTextures final {
   std::string name_{};
   int threads_ = 1;
 
-  // Each holds for `last_` and what stands before it, or is empty.
+  // Each result is valid for `last_` and for the results before it, or is empty.
   TextureRecipe last_{};
   std::shared_ptr<const GreyImage> grey_{};
   std::optional<PictureSpectrum> logarithm_{};

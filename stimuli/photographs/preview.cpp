@@ -1,4 +1,4 @@
-// Shading, stretching and putting beside each other.
+// Implements shading, stretching and the arrangement of pictures side by side.
 
 #include "stimuli/photographs/preview.h"
 
@@ -29,7 +29,7 @@ GreyImage stretched(GreyImage picture) {
   const auto share = static_cast<std::ptrdiff_t>(sorted.size() / 100);
   std::nth_element(sorted.begin(), sorted.begin() + share, sorted.end());
   const float black = sorted[static_cast<std::size_t>(share)];
-  // What is left of there is smaller already.
+  // The values before this position are already the smaller ones.
   std::nth_element(sorted.begin() + share, sorted.end() - 1 - share, sorted.end());
   const float white = *(sorted.end() - 1 - share);
   for (float& value : picture.values) {
@@ -63,8 +63,8 @@ GreyImage shaded_relief(const HeightField& field) {
   relief.values.reserve(field.heights_m().size());
   double sum = 0.0;
   for (std::size_t i = 0; i < grid.rows; ++i) {
-    // At its own samples the slope of the interpolant is the central difference; the outermost
-    // samples repeat themselves beyond.
+    // At its own samples the slope of the interpolant is the central difference; the outermost samples are repeated
+    // outside the field.
     const float* here_m = field.heights_m().data() + i * grid.columns;
     const float* up_m = i > 0 ? here_m - grid.columns : here_m;
     const float* down_m = i + 1 < grid.rows ? here_m + grid.columns : here_m;
@@ -73,7 +73,7 @@ GreyImage shaded_relief(const HeightField& field) {
       const auto right_m = static_cast<double>(here_m[j + 1 < grid.columns ? j + 1 : j]);
       const double rise_m =
           right_m - left_m - (static_cast<double>(up_m[j]) - static_cast<double>(down_m[j]));
-      // Light from (−1, 1): ground that rises to the right and falls to the top faces it.
+      // Light from (−1, 1): ground that rises to the right or falls to the top faces it.
       const double facing = 0.5 * rise_m / grid.pitch_m;
       sum += facing * facing;
       relief.values.push_back(static_cast<float>(facing));

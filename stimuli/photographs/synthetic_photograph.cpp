@@ -1,4 +1,4 @@
-// Light on known relief.
+// Implements the lighting of a known relief.
 
 #include "stimuli/photographs/synthetic_photograph.h"
 
@@ -104,7 +104,7 @@ GreyImage synthetic_photograph(const HeightField& surface, const PhotographSetti
     const double across =
         static_cast<double>(k % grid.columns) / static_cast<double>(grid.columns - 1);
     const double lamp = 1.0 + across * (1.0 / settings.lamp_ratio - 1.0);
-    // A lamp that is brighter on the right is still at most 1.
+    // Normalises a lamp that is brighter on the right to a maximum of 1.
     const double brightest = std::max(1.0, 1.0 / settings.lamp_ratio);
     double value = static_cast<double>(picture.values[k]) * lamp / brightest;
     if (settings.gamma != 1.0) value = std::pow(value, 1.0 / settings.gamma);

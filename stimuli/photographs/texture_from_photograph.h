@@ -18,7 +18,7 @@ struct PhotographTexture {
   GreyImage low_pass{};  ///< g
 };
 
-/// Brightness to heights, as in [Wu 2009].
+/// Converts brightness to heights, as in [Wu 2009].
 ///
 /// With b the brightness in [0, 1], wavenumber ν = 1/wavelength in 1/m, ε = 1/255 (so that black
 /// has a logarithm) and ℱ the Fourier transform over the picture:
@@ -37,12 +37,11 @@ struct PhotographTexture {
 /// shows the slope towards it, and paint appears as relief (docs/photographs.md). H_h halves a slow
 /// change of lighting (in the logarithm) and does not remove it.
 ///
-/// Errors: std::invalid_argument, a sentence that begins with `name` or names the field of the
-/// recipe: a picture of less than 16 pixels a side, one without contrast, a width outside the declared
-/// range, pixels of more than 1 mm of the surface, a cut-off wavelength shorter than two pixels, a length, RMS or γ that
-/// is not positive.
+/// Errors: std::invalid_argument with a sentence that begins with `name` or names the field of the recipe: a picture of
+/// fewer than 16 pixels a side, one without contrast, a width outside the declared range, pixels of more than 1 mm of
+/// the surface, a cut-off wavelength shorter than two pixels, a length, RMS or γ that is not positive.
 ///
-/// The same picture and recipe give the same heights, bit for bit, on the same machine.
+/// The same picture and recipe give the same heights on the same machine, bit for bit.
 ///
 /// [Wu 2009] Wu, Song, Zou: A Novel Haptic Texture Display Based on Image Processing.
 PhotographTexture texture_from_photograph(const GreyImage& photograph, const TextureRecipe& recipe,

@@ -1,4 +1,4 @@
-// Each step of the chapter's pipeline as a function of the ones before.
+// Implements the steps of the pipeline as functions of the previous results.
 
 #include "stimuli/photographs/texture_steps.h"
 
@@ -19,12 +19,12 @@ namespace asperity {
 
 namespace {
 
-// The shortest wave that a photograph shows is two pixels long. A tip of 2 mm, a usual one, follows no shorter wave than
-// its own size: a picture whose pixels are larger than 1 mm of the surface has shape and no texture that a probe feels.
+// The shortest wave in a photograph is two pixels long. A tip of the usual 2 mm follows no wave shorter than its own
+// size: a picture whose pixels are larger than 1 mm of the surface contains shape but no texture for a probe.
 constexpr double kLargestPitch_m = 1e-3;
-constexpr std::size_t kSmallestSide = 16;  // below, there is nothing between pixel and picture
+constexpr std::size_t kSmallestSide = 16;  // with fewer, no band lies between pixel and picture
 constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
-// RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
+// RMS of f − g below which a picture has no contrast; one 8-bit step in 1 % of the pixels is 4e-4.
 constexpr double kNoContrast = 1e-5;
 
 cv::Mat mat_over(const GreyImage& image) {
@@ -32,8 +32,8 @@ cv::Mat mat_over(const GreyImage& image) {
                  const_cast<float*>(image.values.data()));
 }
 
-/// Calls use(band) for pieces of the picture, each a matrix of one row. They begin where OpenCV's
-/// vector loops begin a step, so that the same loop meets the same pixel however many there are.
+/// Calls use(band) for pieces of the picture, each a matrix of one row. The pieces begin at steps of OpenCV's vector
+/// loops, so that the same loop processes each pixel for any number of pieces.
 template <class Use>
 void in_pieces(GreyImage& image, int threads, const Use& use) {
   constexpr std::size_t kStep = 64;
@@ -45,7 +45,7 @@ void in_pieces(GreyImage& image, int threads, const Use& use) {
   });
 }
 
-/// Brightness replaced by the share of pixels that are darker, ties in the middle of their share.
+/// Replaces brightness by the proportion of darker pixels plus half of the proportion of equal ones.
 GreyImage equalized(const GreyImage& image) {
   constexpr std::size_t kLevels = 65536;
   const auto level_of = [](float value) {
@@ -64,7 +64,7 @@ GreyImage equalized(const GreyImage& image) {
   return result;
 }
 
-/// Refuses a width that is no piece of a surface that a hand explores, or whose pixels no probe feels.
+/// Rejects a width outside the range of explored surfaces, and pixels too large for texture.
 void check_width(const GreyImage& photograph, double width_m, const std::string& name) {
   refuse_unless_positive(width_m, "width_m");
   const std::vector<Parameter> declared = texture_recipe_parameters();
@@ -177,7 +177,7 @@ Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
   cv::Scalar mean;
   cv::Scalar deviation;
   cv::meanStdDev(mat_over(residual.values), mean, deviation);
-  if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that holds one, ends here too
+  if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that contains one, ends here too
     throw std::invalid_argument(
         name + " has no contrast at wavelengths that could be felt (shorter than about " +
         number_text(2.0 * recipe.gaussian_wavelength_m) +

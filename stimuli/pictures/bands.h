@@ -1,4 +1,4 @@
-// A loop over many rows, shared out among the cores.
+// Declares a loop over rows that is divided among the processor cores.
 
 #pragma once
 
@@ -10,22 +10,21 @@
 
 namespace asperity {
 
-/// As many threads as the machine runs at once, at most four: beyond that memory is what keeps them
-/// waiting.
+/// The number of hardware threads, at most four: beyond four the loops are limited by memory bandwidth.
 inline int usual_threads() noexcept {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
 }
 
-/// Calls use(first, last) for bands that make up [0, count), each on a thread of its own, one of them
-/// the caller's. Returns when all have ended, with the exception of one that threw.
+/// Calls use(first, last) for contiguous bands that make up [0, count), each in a separate thread, one of them the
+/// caller's. Returns when all have ended; an exception of a band is rethrown.
 ///
-/// Which band an index falls into depends on `threads`: what is computed for it must not.
+/// The band of an index depends on `threads`; the result for the index must not.
 template <class Use>
 void in_bands(std::size_t count, int threads, const Use& use) {
   const std::size_t bands = std::clamp<std::size_t>(static_cast<std::size_t>(threads), 1,
                                                     std::max<std::size_t>(1, count));
   const auto begin = [count, bands](std::size_t band) { return band * count / bands; };
-  std::vector<std::future<void>> others{};  // wait when they are destroyed
+  std::vector<std::future<void>> others{};  // their destructors wait
   for (std::size_t band = 1; band < bands; ++band) {
     others.push_back(
         std::async(std::launch::async,

@@ -1,11 +1,11 @@
-// Pictures to PNG.
+// Implements the encoding of pictures as PNG.
 
 #include "stimuli/pictures/grey_image.h"
 
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>  // its constants only; the codecs are a module
+#include <opencv2/imgcodecs.hpp>  // constants only; the codecs are a module
 
 #include "stimuli/pictures/picture_codecs.h"
 

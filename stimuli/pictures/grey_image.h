@@ -1,4 +1,4 @@
-// A picture as numbers, and as an 8-bit PNG.
+// Declares pictures as arrays of brightness and their encoding as 8-bit PNG.
 
 #pragma once
 
@@ -8,22 +8,22 @@
 
 namespace asperity {
 
-/// Brightness, row by row, the top row first. Black is 0 and white is 1; a picture half way through
-/// a calculation may leave that range. `values` holds rows · columns numbers.
+/// Stores brightness row by row, the top row first. Black is 0 and white is 1; intermediate results may be outside this
+/// range. `values` contains rows · columns numbers.
 struct GreyImage {
   std::size_t rows = 0;
   std::size_t columns = 0;
   std::vector<float> values{};
 };
 
-/// Red, green and blue of a picture, in this order; equal in size.
+/// The red, green and blue planes of a picture, in this order; equal in size.
 using ColorPlanes = std::array<GreyImage, 3>;
 
-/// The bytes of an 8-bit grey PNG: 0 becomes black, 1 white, what lies outside is clipped.
+/// Encodes an 8-bit grey PNG: 0 is black, 1 is white, values outside are clipped.
 ///
-/// Errors: std::invalid_argument for a picture without pixels, or whose count does not fit.
+/// Errors: std::invalid_argument for a picture without pixels, or with a number of values that does not match its size.
 std::vector<std::byte> encode_png(const GreyImage& image);
-/// The bytes of an 8-bit colour PNG. Errors: as above, and for planes of different sizes.
+/// Encodes an 8-bit colour PNG. Errors: those of `encode_png`, and for planes of different sizes.
 std::vector<std::byte> encode_color_png(const ColorPlanes& planes);
 
 }  // namespace asperity

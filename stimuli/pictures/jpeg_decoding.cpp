@@ -1,4 +1,4 @@
-// The one place that speaks to libjpeg.
+// Implements JPEG decoding with libjpeg.
 
 #include "stimuli/pictures/jpeg_decoding.h"
 
@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <cstdio>
 
-// libjpeg's header needs the two above before it.
+// libjpeg's header requires the two headers before it.
 #include <jpeglib.h>
 
 namespace asperity {
 
 namespace {
 
-/// libjpeg's state and ours. `errors` stands first, because libjpeg hands back a pointer to it.
+/// The state of libjpeg and of this decoder. `errors` is the first member, because libjpeg returns a pointer to it.
 struct Decoding {
   jpeg_error_mgr errors{};
   jpeg_decompress_struct picture{};
@@ -27,12 +27,12 @@ void note_and_leave(j_common_ptr common) {
   std::longjmp(decoding->on_error, 1);
 }
 
-// Levels below zero are warnings: data that libjpeg would fill in with guesses. Others are chatter.
+// Negative levels are warnings about data that libjpeg would replace by guesses. Other levels are trace messages.
 void note_warning(j_common_ptr common, int level) {
   if (level < 0) note_and_leave(common);
 }
 
-/// Nothing in here may need a destructor: an error jumps out of it.
+/// No object in this function may need a destructor: errors leave it by longjmp.
 bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes, JpegPixels wanted,
                     std::span<std::uint8_t> pixels, std::size_t columns) {
   const std::size_t row = columns * (wanted == JpegPixels::colour ? 3 : 1);

@@ -1,4 +1,5 @@
-// Decodes a JPEG with its own library, which OpenCV lets complain on the terminal and guess.
+// Declares a JPEG decoder that uses libjpeg directly, because OpenCV lets libjpeg print to the terminal and guess
+// damaged data.
 
 #pragma once
 
@@ -9,11 +10,11 @@
 
 namespace asperity {
 
-/// What is decoded of each pixel: one number, or red, green and blue, in this order.
+/// The decoded channels of a pixel: one number, or red, green and blue, in this order.
 enum class JpegPixels { luminance, colour };
 
-/// Writes a grey or colour JPEG to `pixels`, row by row; there are as many pixels as its header
-/// states. False where the library had anything to complain about, in its words.
+/// Decodes a grey or colour JPEG to `pixels`, row by row; their number must be that of the header. False if libjpeg
+/// reported a problem; `complaint` then contains its message.
 bool decode_jpeg(std::span<const std::byte> bytes, JpegPixels wanted,
                  std::span<std::uint8_t> pixels, std::size_t columns, std::string& complaint);
 

@@ -1,4 +1,4 @@
-// Decoding, once the header has been believed.
+// Implements the decoding of pictures whose header has been checked.
 
 #include "stimuli/pictures/photograph.h"
 
@@ -31,32 +31,31 @@ std::uint32_t big_endian(Bytes bytes) {
   return value;
 }
 
-/// The same PNG without what is not needed for its pixels: transparency, colour profiles, comments.
-/// libpng writes its opinion of those to the terminal. `inspect_picture` has walked the pieces.
+/// Copies a PNG without the chunks that its pixels do not need: transparency, colour profiles, comments. libpng prints
+/// warnings about those to the terminal. `inspect_picture` has checked the chunks.
 std::vector<std::byte> without_ancillary_chunks(Bytes png) {
   constexpr std::size_t kSignature = 8;
   std::vector<std::byte> bare(png.begin(), png.begin() + kSignature);
   for (std::size_t at = kSignature; at + 12 <= png.size();) {
     const Bytes chunk = png.subspan(at, 12 + std::size_t{big_endian(png.subspan(at, 4))});
-    // A small first letter marks a chunk as ancillary.
+    // A lower-case first letter marks a chunk as ancillary.
     const bool critical = (chunk[4] & std::byte{0x20}) == std::byte{0};
     if (critical) bare.insert(bare.end(), chunk.begin(), chunk.end());
     const std::uint32_t type = big_endian(chunk.subspan(4, 4));
-    if (type == 0x49454E44U) break;  // IEND; what follows belongs to somebody else
+    if (type == 0x49454E44U) break;  // IEND; data after it are not part of the picture
     at += chunk.size();
   }
   return bare;
 }
 
-/// Takes the terminal from OpenCV, which reports damaged files on std::cerr and in its log before
-/// we can say it in a sentence.
+/// Silences OpenCV, which prints damage in files to std::cerr and its log before an error can be thrown.
 class QuietOpenCV final {
  public:
   QuietOpenCV()
       : level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)),
         cerr_(std::cerr.rdbuf(nullptr)) {}
   ~QuietOpenCV() {
-    std::cerr.rdbuf(cerr_);  // clears the errors of writing to nothing, too
+    std::cerr.rdbuf(cerr_);  // also clears the errors of writing to a null buffer
     cv::utils::logging::setLogLevel(level_);
   }
   QuietOpenCV(const QuietOpenCV&) = delete;
@@ -75,7 +74,7 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
   }
   const PictureCodecs& codecs = picture_codecs();
   cv::Mat pixels;
-  // A PNG has been checked to the last byte and gives nothing to report.
+  // A PNG has been checked to the last byte and causes no warnings.
   std::optional<QuietOpenCV> quiet;
   if (facts.format != PictureFormat::png) quiet.emplace();
   try {
@@ -95,7 +94,7 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
   return pixels;
 }
 
-/// Errors: as of `decode_photograph`.
+/// Errors: those of `decode_photograph`.
 std::vector<std::uint8_t> decoded_jpeg(Bytes bytes, JpegPixels wanted, const PictureFacts& facts,
                                        const std::string& name) {
   std::vector<std::uint8_t> levels(facts.rows * facts.columns *
@@ -107,7 +106,7 @@ std::vector<std::uint8_t> decoded_jpeg(Bytes bytes, JpegPixels wanted, const Pic
   return levels;
 }
 
-/// Brightness of one channel, from 0 to 1.
+/// The brightness of one channel, from 0 to 1.
 GreyImage plane_of(const cv::Mat& pixels, int channel) {
   cv::Mat levels;
   cv::extractChannel(pixels, levels, channel);

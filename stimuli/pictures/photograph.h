@@ -1,4 +1,4 @@
-// From the bytes of a picture file to brightness.
+// Declares the decoding of picture files to brightness.
 
 #pragma once
 
@@ -13,14 +13,13 @@ namespace asperity {
 
 enum class PictureFormat { png, jpeg, tiff, bmp, webp };
 
-/// "PNG", "JPEG" and so on.
+/// The format's name: "PNG", "JPEG" and so on.
 std::string_view name_of(PictureFormat format) noexcept;
 
-/// The longest side that is accepted, in pixels.
+/// The greatest accepted side length, in pixels.
 inline constexpr std::size_t kLargestPictureSide = 16384;
 
-/// What a picture's header says. `format` follows from the first bytes of the file, never from its
-/// name.
+/// The facts in a picture's header. `format` is determined from the first bytes of the file, never from its name.
 struct PictureFacts {
   PictureFormat format = PictureFormat::png;
   std::size_t rows = 0;
@@ -29,35 +28,33 @@ struct PictureFacts {
   int channels = 0;  ///< as decoded: a palette counts as 3; alpha counts
 };
 
-/// Reads the header, decodes nothing and holds nothing: a picture of any claimed size costs no
-/// memory here.
+/// Reads the header without decoding or allocating pixels: memory use does not depend on the claimed size.
 ///
-/// Errors: std::invalid_argument, a sentence that begins with `name`, for a file that is empty, is
-/// in none of the five formats, is cut off, is larger than kLargestPictureSide on a side, or stores
-/// its pixels in a way that is not read here (numbers wider than 16 bits, CMYK, an animation).
+/// Errors: std::invalid_argument with a sentence that begins with `name`, for a file that is empty, has none of the
+/// five formats, is truncated, is larger than kLargestPictureSide on a side, or uses an unsupported pixel format
+/// (numbers wider than 16 bits, CMYK, an animation).
 PictureFacts inspect_picture(std::span<const std::byte> bytes, const std::string& name);
 
-/// A decoded picture: brightness between 0 and 1.
+/// A decoded picture with brightness from 0 to 1.
 struct Photograph {
   PictureFacts facts{};
   GreyImage grey{};
 };
 
-/// Decodes a picture to brightness: the stored numbers over the largest that fits, colour as
-/// 0.299 R + 0.587 G + 0.114 B (Rec. 601). Brightness is as stored, not linear in light.
+/// Decodes a picture to brightness: the stored numbers divided by their greatest possible value, colour as 0.299 R +
+/// 0.587 G + 0.114 B (Rec. 601). Brightness is as stored, not linear in light.
 ///
-/// Alpha is ignored: a pixel counts with its colour, however transparent. The orientation that a
-/// camera notes (EXIF) is ignored too: rows are the rows of the file. Of a file with several pages
-/// the first is read.
+/// Alpha is ignored: a pixel has its stored colour regardless of transparency. The camera's orientation tag (EXIF) is
+/// ignored: rows are the rows of the file. Of a file with several pages the first is read.
 ///
-/// Errors: as `inspect_picture`, and for a picture whose data are damaged or end early: a picture
-/// is decoded whole or not at all. Nothing is written to the terminal; to that end std::cerr is
-/// deaf while a TIFF, BMP or WebP is decoded, so do not write to it from another thread meanwhile.
+/// Errors: those of `inspect_picture`, and for a picture whose data are damaged or end early: a picture is decoded
+/// completely or not at all. Nothing is printed to the terminal: output to std::cerr is discarded while a TIFF, BMP or
+/// WebP is decoded, so other threads must not write to it during that time.
 Photograph decode_photograph(std::span<const std::byte> bytes, const std::string& name);
 
-/// Decodes a picture with its colours, as stored; of a grey one the three planes are equal.
+/// Decodes a picture with its colours, as stored; the three planes of a grey picture are equal.
 ///
-/// Alpha, orientation, pages and errors: as `decode_photograph`.
+/// Alpha, orientation, pages and errors: those of `decode_photograph`.
 ColorPlanes decode_color_picture(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What a picture file says about itself, and whether all of it is there.
+// Implements the parsing of picture headers and the check that a file is complete.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ class HeaderReader final {
         "is truncated or damaged: the file ends before the picture does. Copy or export it again.");
   }
 
-  // The size comes first: a picture that is too large is refused for that, whole or not.
+  // The size is checked first: a picture that is too large is rejected for its size, complete or not.
   void refuse_wrong_size(const PictureFacts& facts) const {
     const std::string size =
         std::to_string(facts.columns) + " by " + std::to_string(facts.rows) + " pixels";
@@ -116,10 +116,10 @@ PictureFacts inspect_png(const HeaderReader& file) {
     default:
       file.refuse("is damaged: its colour type does not exist in PNG.");
   }
-  if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // what it is decoded to
+  if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // the decoded depth
 
   file.refuse_wrong_size(facts);
-  // Every piece carries a check sum, so that nothing cut off or changed gets past this loop.
+  // Every chunk has a checksum, so that this loop detects truncated and changed files.
   for (std::size_t at = kSignature;;) {
     const std::size_t length = file.big_endian(at, 4);
     if (crc32(file.part(at + 4, length + 4)) != file.big_endian(at + 8 + length, 4)) {
@@ -130,7 +130,7 @@ PictureFacts inspect_png(const HeaderReader& file) {
   }
 }
 
-/// True for the frame headers SOF0 to SOF15, which carry the size; C4, C8 and CC are other things.
+/// True for the frame headers SOF0 to SOF15, which contain the size; C4, C8 and CC are other markers.
 bool is_frame_header(std::uint32_t marker) noexcept {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
@@ -139,7 +139,7 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   PictureFacts facts{.format = PictureFormat::jpeg};
   std::size_t at = 2;  // after the start of image
   for (;;) {
-    // Inside a scan a data byte FF is followed by 00, and restart marks (D0 to D7) stand alone.
+    // Within a scan a data byte FF is followed by 00, and restart markers (D0 to D7) have no length.
     while (file.byte(at) != 0xFF) ++at;
     const std::uint32_t marker = file.byte(at + 1);
     if (marker == 0xFF) {
@@ -192,7 +192,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   Entry lengths{};
   const std::size_t directory = number(4, 4);
   const std::size_t entries = number(directory, 2);
-  file.part(directory, 2 + 12 * entries + 4);  // it ends with the place of the next
+  file.part(directory, 2 + 12 * entries + 4);  // it ends with the offset of the next directory
   for (std::size_t i = 0; i < entries; ++i) {
     const std::size_t at = directory + 2 + 12 * i;
     const std::uint32_t type = number(at + 2, 2);
@@ -257,7 +257,7 @@ PictureFacts inspect_bmp(const HeaderReader& file) {
   const auto columns = static_cast<std::int32_t>(file.little_endian(18, 4));
   const std::size_t bits = file.little_endian(28, 2);
   const std::uint32_t compression = file.little_endian(30, 4);
-  // A negative number of rows says that the top row comes first.
+  // A negative number of rows means that the top row comes first.
   const PictureFacts facts{.format = PictureFormat::bmp,
                            .rows = static_cast<std::size_t>(std::abs(std::int64_t{rows})),
                            .columns = columns > 0 ? static_cast<std::size_t>(columns) : 0,
@@ -265,7 +265,7 @@ PictureFacts inspect_bmp(const HeaderReader& file) {
                            .channels = bits == 32 ? 4 : 3};
   file.refuse_wrong_size(facts);
   if (compression == 1 || compression == 2) {
-    // Run lengths do not say how many they are; the file says how large it is.
+    // The length of run-length data is not stored; the file's size is.
     file.part(0, file.little_endian(2, 4));
   } else {
     file.part(data, (facts.columns * bits + 31) / 32 * 4 * facts.rows);

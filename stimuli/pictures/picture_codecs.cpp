@@ -1,4 +1,4 @@
-// Finds and loads the module of the codecs.
+// Implements the search for and loading of the codecs' module.
 
 #include "stimuli/pictures/picture_codecs.h"
 
@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 const PictureCodecs& load_codecs() {
-  // The program's run path names the module's folder (cmake/AsperityTargets.cmake).
+  // The program's run path contains the module's folder (cmake/AsperityTargets.cmake).
   void* module = dlopen("picture_codecs.so", RTLD_NOW | RTLD_LOCAL);
   const void* codecs = module == nullptr ? nullptr : dlsym(module, "asperity_picture_codecs");
   if (codecs == nullptr) {
@@ -29,7 +29,7 @@ const PictureCodecs& load_codecs() {
 }  // namespace
 
 const PictureCodecs& picture_codecs() {
-  // Libraries are loaded once per process, so their home is the process's.
+  // Libraries are loaded once per process, so the reference is static.
   static const PictureCodecs& codecs = load_codecs();
   return codecs;
 }

@@ -1,4 +1,4 @@
-// OpenCV's picture codecs, loaded when the first picture is read or written.
+// Declares OpenCV's picture codecs, which are loaded when the first picture is read or written.
 
 #pragma once
 
@@ -10,23 +10,24 @@
 
 namespace asperity {
 
-/// What the module picture_codecs.so offers. OpenCV's codecs bring GDAL and a hundred more libraries, which take three
-/// times as long to load as the rest of the program; a command that touches no picture does without them.
+/// The functions of the module picture_codecs.so. OpenCV's codecs depend on GDAL and more than a hundred other
+/// libraries, which take three times as long to load as the rest of the program; a command without pictures does not
+/// load them.
 struct PictureCodecs {
-  /// The pixels of an encoded picture with their own channels and depth; empty where OpenCV cannot decode it.
+  /// Decodes a picture with its own channels and depth; empty if OpenCV cannot decode it.
   ///
   /// Errors: cv::Exception.
   cv::Mat (*decode)(std::span<const std::byte> file);
 
-  /// The bytes of a PNG; `parameters` as cv::imencode takes them.
+  /// Encodes a PNG; `parameters` are those of cv::imencode.
   ///
   /// Errors: cv::Exception.
   std::vector<std::byte> (*encode_png)(const cv::Mat& levels, const std::vector<int>& parameters);
 };
 
-/// Loads the module at the first call and keeps it until the process ends. Any thread may call.
+/// Loads the module at the first call and keeps it until the process ends. May be called from any thread.
 ///
-/// Errors: std::runtime_error where the module is missing or cannot be loaded; the next call tries again.
+/// Errors: std::runtime_error if the module is missing or cannot be loaded; the next call tries again.
 const PictureCodecs& picture_codecs();
 
 }  // namespace asperity

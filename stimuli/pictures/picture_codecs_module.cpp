@@ -1,4 +1,4 @@
-// The module picture_codecs.so: the only code that is linked with OpenCV's codecs.
+// Implements the module picture_codecs.so, the only code that is linked with OpenCV's codecs.
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -7,7 +7,7 @@
 namespace {
 
 cv::Mat decode(std::span<const std::byte> file) {
-  // OpenCV takes the bytes as mutable and does not change them.
+  // OpenCV requires a mutable pointer and does not change the bytes.
   const cv::Mat bytes(1, static_cast<int>(file.size()), CV_8UC1,
                       const_cast<std::byte*>(file.data()));
   return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);

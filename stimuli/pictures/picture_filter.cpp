@@ -1,4 +1,4 @@
-// Filters by multiplying the half spectrum of a real picture, columns lying side by side.
+// Implements filters by multiplication of the half spectrum of a real picture, with its columns contiguous in memory.
 
 #include "stimuli/pictures/picture_filter.h"
 
@@ -15,8 +15,8 @@ namespace asperity {
 
 namespace {
 
-// Rows or columns that are transformed together: enough to share the tables of a transform, few
-// enough to stay in a core's cache.
+// The number of rows or columns that are transformed together: enough to share the tables of a transform, few enough to
+// stay in a core's cache.
 constexpr std::size_t kTogether = 32;
 
 /// exp(−ν²/(2 ν₀²)) for ν = 0, 1/n, 2/n … ½. A Gaussian in two dimensions is the product of two.
@@ -33,8 +33,8 @@ cv::Mat rows_at(float* values, std::size_t rows, std::size_t length, int type) {
   return cv::Mat(static_cast<int>(rows), static_cast<int>(length), type, values);
 }
 
-/// A column of frequency 0 or ½ is the transform of real numbers: what follows the middle mirrors
-/// what comes before it, and only the first half counts.
+/// A column of frequency 0 or ½ is the transform of real numbers: the second half mirrors the first, and only the first
+/// half is used.
 void make_symmetric(float* column, std::size_t n) noexcept {
   column[1] = 0.0F;
   for (std::size_t i = 1; i < n / 2; ++i) {
@@ -47,18 +47,18 @@ void make_symmetric(float* column, std::size_t n) noexcept {
 }  // namespace
 
 PictureSpectrum::Side PictureSpectrum::continued(std::size_t picture, double cutoff_wavelength) {
-  constexpr double kMarginSigmas = 3.0;  // a Gaussian has 0.3 % of itself beyond that
+  constexpr double kMarginSigmas = 3.0;  // a Gaussian has 0.3 % of its area outside
   const double sigma = cutoff_wavelength / (2.0 * std::numbers::pi);
   const auto before = static_cast<std::size_t>(
       std::min(std::ceil(kMarginSigmas * sigma), static_cast<double>(picture)));
-  // Even sizes let the half spectrum end with the frequency ½.
+  // With even sizes the half spectrum ends at the frequency ½.
   const auto half = static_cast<int>((picture + 2 * before + 1) / 2);
   return {.picture = picture,
           .before = before,
           .size = 2 * static_cast<std::size_t>(cv::getOptimalDFTSize(half))};
 }
 
-/// Where each place of the continued picture lies in the picture: … 1 0 | 0 1 … n−1 | n−1 n−2 …
+/// The index in the picture for each index of the continued picture: … 1 0 | 0 1 … n−1 | n−1 n−2 …
 std::vector<std::size_t> PictureSpectrum::reflected_places(const Side& side) {
   std::vector<std::size_t> places(side.size);
   const std::size_t period = 2 * side.picture;
@@ -137,7 +137,7 @@ GreyImage PictureSpectrum::filtered(const RadialFilter& filter) const {
   const auto constant = static_cast<float>(filter.constant);
   const auto gaussian = static_cast<float>(filter.gaussian);
 
-  // The rows of the picture, each packed as a transform of a real row.
+  // The rows of the picture, each packed as the transform of a real row.
   const auto packed = std::make_unique_for_overwrite<float[]>(down_.picture * length);
   in_bands(length / 2 + 1, threads_, [&](std::size_t first, std::size_t last) {
     std::vector<float> together(kTogether * 2 * rows);
@@ -170,7 +170,7 @@ GreyImage PictureSpectrum::filtered(const RadialFilter& filter) const {
 
   GreyImage result{down_.picture, across_.picture,
                    std::vector<float>(down_.picture * across_.picture)};
-  // cv::dft takes the size of the transform out at the very end, in single precision.
+  // cv::dft divides by the size of the transform at the end, in single precision.
   const auto scale = static_cast<float>(1.0 / static_cast<double>(length * rows));
   in_bands(down_.picture, threads_, [&](std::size_t first, std::size_t last) {
     const cv::Mat band = rows_at(packed.get() + first * length, last - first, length, CV_32FC1);

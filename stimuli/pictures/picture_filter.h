@@ -1,4 +1,4 @@
-// Radial filters on pictures through the Fourier transform, with reflected borders.
+// Declares radial filters on pictures by Fourier transform, with reflected borders.
 
 #pragma once
 
@@ -16,23 +16,23 @@ struct RadialFilter {
   double gaussian = 1.0;  ///< b
 };
 
-/// The spectrum of a picture, continued by reflection as texture_from_photograph.h says, to be
-/// filtered once or many times with the same ν₀.
+/// Stores the spectrum of a picture, continued by reflection as texture_from_photograph.h describes, for one or several
+/// filters with the same ν₀.
 ///
-/// The numbers are those of cv::dft over the continued picture, bit for bit, whatever the number of
-/// threads: rows and columns are transformed one by one either way. Rows that a reflection repeats
-/// are transformed once, and rows that are cut off again not at all.
+/// The result equals that of cv::dft over the continued picture, bit for bit, for any number of threads: rows and
+/// columns are transformed one by one in both cases. Rows that the reflection repeats are transformed once, and rows
+/// that are cropped again are not transformed.
 class PictureSpectrum final {
  public:
-  /// `cutoff_wavelength`: 1/ν₀, in pixels. `threads`: that work at once, 1 or more.
+  /// `cutoff_wavelength`: 1/ν₀, in pixels. `threads`: the number of threads, 1 or more.
   PictureSpectrum(const GreyImage& picture, double cutoff_wavelength, int threads);
 
   double cutoff_wavelength() const noexcept { return cutoff_wavelength_; }
-  /// The picture through the filter.
+  /// Applies the filter to the picture.
   GreyImage filtered(const RadialFilter& filter) const;
 
  private:
-  /// A side of the continued picture: so much before the picture, and in all.
+  /// One dimension of the continued picture: the size of the picture, the margin before it, and the total.
   struct Side {
     std::size_t picture = 0;
     std::size_t before = 0;
@@ -47,7 +47,7 @@ class PictureSpectrum final {
   int threads_ = 1;
   Side down_{};
   Side across_{};
-  /// For each horizontal frequency 0, 1 … size/2 its column as complex numbers, one after another.
+  /// The column of each horizontal frequency 0, 1 … size/2 as complex numbers, consecutively.
   std::unique_ptr<float[]> columns_{};
 };
 
