@@ -1,4 +1,4 @@
-// What a protocol declares, before there are data, about their analysis.
+// Declares what a protocol specifies about the analysis before there are data.
 
 #pragma once
 
@@ -9,27 +9,24 @@
 
 namespace asperity {
 
-/// The key `analysis`. Its p values are adjusted together after Holm: only then does the chance of
-/// any false alarm among them stay where it was set, and only if the family was chosen before the
-/// data.
+/// The key `analysis`. The p values of the family are Holm-corrected together. This keeps the probability of any false
+/// positive among them at the set level only if the family was chosen before the data.
 struct AnalysisDeclaration {
   std::optional<std::string>
-      target{};                       ///< of a selection: the item whose superiority is in question
+      target{};  ///< of a selection: the item tested for superiority over others
   std::vector<std::string> family{};  ///< names of tests; empty: not declared
-  /// Of a matching or a recognition: differences of proportions correct from −margin to +margin count as
-  /// none.
+  /// Of a matching or a recognition: differences of proportions correct from −margin to +margin count as equivalence.
   std::optional<double> equivalence_margin{};
   bool operator==(const AnalysisDeclaration&) const = default;
 };
 
-/// The key `estimation` of a magnitude: what estimates are analysed by.
+/// The key `estimation` of a magnitude: the factors of the analysis of its estimates.
 struct EstimationDeclaration {
   std::string spacing{};    ///< the factor whose levels are spacings
-  std::string condition{};  ///< the factor that is held within a block; empty: there is none
-  /// Levels of the second, as text, in the order in which the protocol lists them: tables and figures
-  /// have them in this order.
+  std::string condition{};  ///< the factor that is constant within a block; empty: none
+  /// Levels of `condition`, as text, in the protocol's order, which is that of tables and figures.
   std::vector<std::string> conditions{};
-  /// Metres by level of the first, as text. A texture without a spacing is not in it.
+  /// Metres by level of `spacing`, as text. A texture without a spacing is not included.
   std::map<std::string, double, std::less<>> spacing_m{};
 };
 

@@ -1,3 +1,5 @@
+// Implements the search for a block's factors and runs.
+
 #include "protocols/design/block_factors.h"
 
 #include <variant>

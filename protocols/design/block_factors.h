@@ -1,4 +1,4 @@
-// Which factors the trials of a block have, and the runs that set them.
+// Declares which factors the trials of a block have, and the runs that set them.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// The runs of a block in the flow of its protocol, in order. They live as long as the protocol.
+/// The runs of a block in the flow of its protocol, in order. The pointers are valid as long as the protocol.
 std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protocol::Block& block);
 
 /// The factors that a block crosses, lists or draws, and the one that `run` iterates (null: no run).

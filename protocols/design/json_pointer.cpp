@@ -1,3 +1,5 @@
+// Implements the extension of JSON pointers with escaping.
+
 #include "protocols/design/json_pointer.h"
 
 namespace asperity {

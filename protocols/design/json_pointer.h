@@ -1,4 +1,4 @@
-// Places in a JSON document.
+// Declares functions for JSON pointers.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// `pointer` (RFC 6901) followed by a key or an index.
+/// Appends a key or an index to `pointer` (RFC 6901).
 std::string pointer_to(const std::string& pointer, std::string_view key);
 std::string pointer_to(const std::string& pointer, std::size_t index);
 

@@ -1,4 +1,4 @@
-// Where checks of a protocol report what is wrong with it.
+// Declares the interface through which checks of a protocol report problems.
 
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace asperity {
 
-/// Collects the problems of a protocol by their places in its file. A place is a JSON pointer
-/// ("/blocks/main/question"); the same problem at the same place counts once.
+/// Collects the problems of a protocol by location in its file. A location is a JSON pointer ("/blocks/main/question");
+/// a problem that is reported twice at one location counts once.
 class ProblemSink {
  public:
-  /// At the value that the pointer names.
+  /// Reports a problem at the value of the pointer.
   virtual void report(const std::string& pointer, std::string message) = 0;
-  /// At the key of that value: for a key that should not be there.
+  /// Reports a problem at the key of that value: for a key that is not permitted.
   virtual void report_key(const std::string& pointer, std::string message) = 0;
 
  protected:

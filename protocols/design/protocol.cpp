@@ -1,4 +1,4 @@
-// Texts of enumerations and levels, as they stand in files and in the store.
+// Implements the texts of enumerations and levels, as they are written in files and in the store.
 
 #include "protocols/design/protocol.h"
 
@@ -67,7 +67,7 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
 std::vector<std::string> speech_cues() {
   std::vector<std::string> cues{"next", "question", "accepted", "refused",  "right",   "wrong",
                                 "rest", "paused",   "mask_on",  "mask_off", "finished"};
-  constexpr int kMost = 26;  // surfaces are lettered
+  constexpr int kMost = 26;  // surfaces have letters
   for (int number = 1; number <= kMost; ++number) {
     cues.push_back("surface_" + std::to_string(number));
     cues.push_back("option_" + std::to_string(number));

@@ -1,4 +1,4 @@
-// One trial of a session: its surfaces and its question.
+// Declares one trial of a session: its surfaces and its question.
 
 #pragma once
 
@@ -15,11 +15,11 @@ namespace asperity {
 
 /// One surface of a trial.
 struct PlannedPresentation {
-  int position = 0;    ///< 1-based, the order in which the surfaces come
+  int position = 0;    ///< 1-based, in the order of presentation
   std::string role{};  ///< "alternative", "target", "anchor"
-  std::string item{};  ///< what it is an instance of: the model (selection) or texture it shows
-  std::string code{};  ///< what blinded people see of it: "A" for the first position, then "B", …
-  std::string stimulus_template{};  ///< that the stimulus fills in, as the protocol calls it
+  std::string item{};  ///< the model (selection) or texture that it is an instance of
+  std::string code{};  ///< label for blinded use: "A" for the first position, then "B", …
+  std::string stimulus_template{};  ///< the template of the stimulus, by its name in the protocol
   StimulusDescription stimulus{};
   std::optional<EqualForce> equal_force{};
 };
@@ -27,7 +27,7 @@ struct PlannedPresentation {
 struct Trial {
   int ordinal = 0;  ///< 1-based within the session
   std::string block{};
-  int block_ordinal = 0;  ///< 1-based within the session: every run of a block counts
+  int block_ordinal = 0;  ///< 1-based within the session; every run of a block counts
   Phase phase = Phase::main;
   int repetition = 1;  ///< 0 of an anchor
   std::map<std::string, Level, std::less<>> factors{};

@@ -1,4 +1,4 @@
-// Words for diagnostics.
+// Implements the wording of diagnostics.
 
 #include "protocols/design/wording.h"
 
@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-/// Letters to insert, leave out, replace or swap with a neighbour.
+/// The number of letters to insert, delete, replace or swap with a neighbour.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {

@@ -1,4 +1,4 @@
-// Words for diagnostics.
+// Declares the wording of diagnostics.
 
 #pragma once
 
@@ -9,19 +9,19 @@
 
 namespace asperity {
 
-/// "a", "b" or "c"
+/// The names as a list: "a", "b" or "c".
 std::string one_of(const std::vector<std::string>& names);
-/// The name that is close to what was written, if one is.
+/// The name that is most similar to `written`, if one is similar enough.
 std::optional<std::string> nearest_name(std::string_view written,
                                         const std::vector<std::string>& names);
-/// `; did you mean "x"?` where one of the names is close to what was written, else nothing.
+/// `; did you mean "x"?` if one of the names is similar to `written`, otherwise empty.
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& names);
-/// In quotation marks, shortened.
+/// The text in quotation marks, shortened.
 std::string in_quotes(std::string_view text);
-/// The shortest digits that read back as the same number.
+/// The shortest decimal text that reads back as the same number.
 std::string digits(double value);
 
-/// "there is no WHAT "name"; did you mean …" or "…; declared: "a" or "b"", of the names that a map declares.
+/// "there is no WHAT "name"; did you mean …" or "…; declared: "a" or "b"", with the names that a map declares.
 std::string unknown_name(std::string_view what, const std::string& name,
                          const std::vector<std::string>& declared);
 template <class Map>

@@ -1,4 +1,4 @@
-// Judging by distance between features.
+// Implements judgements by distance between features.
 
 #include "protocols/observer/virtual_observer.h"
 
@@ -42,14 +42,14 @@ VirtualObserver::VirtualObserver(const ObserverDeclaration& declaration, Random 
 }
 
 bool VirtualObserver::lapses() {
-  // Drawn even when deaf, so that what follows is the same with either setting.
+  // Drawn also for a deaf observer, so that the subsequent random numbers are the same for both settings.
   const bool by_chance = random_.uniform() < declaration_.lapse;
   return declaration_.deaf || by_chance;
 }
 
 ForceFeatures VirtualObserver::perceived(const ForceFeatures& felt) {
-  // The distance divides each band by the number of bands; noise of the same size in every scaled
-  // feature is therefore larger by the root of that number in an unscaled band.
+  // The distance divides each band by the number of bands; equal noise in every scaled feature therefore corresponds to
+  // larger noise in an unscaled band, by the square root of that number.
   const double of_band = std::sqrt(static_cast<double>(kFeatureBands));
   ForceFeatures result = felt;
   for (double& band : result.spectrum) {
@@ -92,13 +92,13 @@ std::size_t VirtualObserver::recognise(const ForceFeatures& felt,
 
 std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> felt,
                                                 std::span<const ForceFeatures> expected) {
-  constexpr std::size_t kMost = 8;  // 8! = 40 320 assignments are gone through one by one
+  constexpr std::size_t kMost = 8;  // all 8! = 40 320 assignments are evaluated
   require(!felt.empty() && felt.size() == expected.size() && felt.size() <= kMost,
           "match needs as many felt surfaces as expectations, 1 to 8");
   const std::size_t n = felt.size();
   std::vector<ForceFeatures> noisy{};
   for (const ForceFeatures& each : felt) noisy.push_back(perceived(each));
-  // Started in random order, so that the first of equally good assignments is any of them.
+  // The first permutation is random, so that ties between assignments are broken at random.
   std::vector<std::size_t> options(n);
   std::iota(options.begin(), options.end(), std::size_t{0});
   random_.shuffle(std::span<std::size_t>(options));
@@ -143,7 +143,7 @@ double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& h
   const double guessed = random_.normal();
   const double logarithm = lapses() ? guessed : declaration_.exponent * judged;
   const double exact = habit.modulus * std::exp(logarithm);
-  // Whole numbers only on both sides: 0.3 and not 0.30000000000000004.
+  // Both operands are whole numbers, which yields 0.3 and not 0.30000000000000004.
   const int shift = habit.digits - 1 - static_cast<int>(std::floor(std::log10(exact)));
   const double scale = std::pow(10.0, std::abs(shift));
   return shift >= 0 ? std::round(exact * scale) / scale : std::round(exact / scale) * scale;
@@ -155,7 +155,7 @@ std::size_t VirtualObserver::guess(std::size_t options) {
 }
 
 double VirtualObserver::response_time_s() {
-  // Half the sum of two squared normal numbers is exponential: a skewed time without a logarithm.
+  // Half the sum of two squared normal numbers is exponential: a skewed distribution of times without a logarithm.
   constexpr double kFastest_s = 0.6;
   constexpr double kMeanExtra_s = 1.2;
   const double a = random_.normal();

@@ -1,4 +1,4 @@
-// Crossing, listing and the limits on their order.
+// Implements crossed and listed rows and the limits on their order.
 
 #include "protocols/plan/block_rows.h"
 
@@ -9,7 +9,7 @@ namespace asperity {
 
 std::size_t row_count(const Protocol& protocol, const Protocol::Block& block) {
   if (!block.listed.empty()) return block.listed.size();
-  constexpr std::size_t kEnough = 1U << 20U;  // so that the product of many factors cannot wrap
+  constexpr std::size_t kEnough = 1U << 20U;  // prevents overflow of the product of many factors
   std::size_t count = 1;
   for (const std::string& name : block.crossed) {
     count = std::min(count * protocol.factors.at(name).levels.size(), kEnough);

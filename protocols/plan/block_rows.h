@@ -1,4 +1,4 @@
-// The trials of a block before they are put in order.
+// Declares the trials of a block before they are ordered.
 
 #pragma once
 
@@ -15,14 +15,14 @@ namespace asperity {
 /// Factor levels of one trial.
 using FactorLevels = std::map<std::string, Level, std::less<>>;
 
-/// Combinations of the crossed factors (the last one fastest), or the listed rows, once; a single
-/// empty one where there is neither.
+/// The combinations of the crossed factors (the last one fastest), or the listed rows, once; one empty combination if
+/// there are none.
 std::vector<FactorLevels> rows_of(const Protocol& protocol, const Protocol::Block& block);
 
-/// Number of rows without building them.
+/// The number of rows, without building them.
 std::size_t row_count(const Protocol& protocol, const Protocol::Block& block);
 
-/// The order that is asked for, of all repetitions of `rows`. Errors: none; see `random_order`.
+/// The ordering problem of all repetitions of `rows`. Errors: none; see `random_order`.
 OrderProblem order_problem(const Protocol::Block& block, const std::vector<FactorLevels>& rows);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Protocol, seed and row → every trial of a session, in order.
+// Implements the planning of a session: every trial in order, from the protocol, the seed and the row.
 
 #include "protocols/plan/plan.h"
 
@@ -34,7 +34,7 @@ std::string resolved(const Binding<std::string>& binding, const FactorLevels& fa
                                 : text_of(presented_level(factors, with, binding.factor));
 }
 
-/// A body of the protocol with the paths of its files. `texture` is laid on a surface without one.
+/// A body of the protocol with the paths of its files. `texture` is applied to a surface without one.
 std::optional<BodyDescription> planned_body(const Protocol& protocol, const std::string& name,
                                             const std::string& texture) {
   if (name.empty()) return {};
@@ -82,7 +82,7 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   return planned;
 }
 
-/// `count` draws from `levels`, each level equally often as far as it goes, in random order.
+/// `count` draws from `levels` in random order, each level equally often as far as possible.
 std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t count,
                                   Random random) {
   std::vector<Level> draws{};
@@ -95,7 +95,7 @@ std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t 
   return draws;
 }
 
-/// For every trial the order of its surfaces.
+/// The order of the surfaces in every trial.
 std::vector<std::vector<std::size_t>> positions_of(Block::Positions how, std::size_t surfaces,
                                                    std::size_t trials, Random random) {
   std::vector<std::vector<std::size_t>> orders{};
@@ -112,8 +112,8 @@ std::vector<std::vector<std::size_t>> positions_of(Block::Positions how, std::si
       }
       break;
     case Block::Positions::balanced: {
-      // Whole Latin squares, one after the other, each in an order of its own: the two halves of
-      // an odd Williams square take turns, so that orders are balanced too as far as it goes.
+      // Complete Latin squares follow each other, each shuffled separately. The two halves of an odd Williams square
+      // alternate, so that orders are balanced too as far as possible.
       const Square williams = williams_square(surfaces);
       const std::size_t halves = williams.size() / surfaces;
       std::size_t half = static_cast<std::size_t>(random.below(halves));
@@ -220,8 +220,8 @@ class Planner {
     }
   }
 
-  /// The row of the square that the allocation gives this factor: with several factors the rows
-  /// count through them like the digits of a number, so that no two orders always go together.
+  /// The row of the square that the allocation assigns to this factor. With several factors the row number is
+  /// decomposed like the digits of a number, so that no two orders always occur together.
   std::vector<std::size_t> counterbalanced(const std::string& factor, std::size_t levels) const;
 
   void add(const Run& run, const Block& block, const FactorLevels& outer) {
@@ -263,7 +263,7 @@ class Planner {
     }
   }
 
-  /// A trial that knows its factors. `surfaces`: places in `block.presented`, in order.
+  /// Adds a trial whose factors are set. `surfaces`: indices into `block.presented`, in order.
   void add(Trial trial, const Block& block, const std::vector<std::size_t>& surfaces,
            const Random& pictures) {
     trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
@@ -298,7 +298,7 @@ class Planner {
     return std::move(*order);
   }
 
-  /// Blocks that show the same pictures show them in the same places, unless they are reshuffled.
+  /// Blocks with the same pictures show them at the same positions, unless they are reshuffled.
   std::vector<std::string> pictures_of(const Block& block, Random of_trial) const {
     std::vector<std::string> pictures = block.question.pictures;
     std::sort(pictures.begin(), pictures.end());
@@ -331,7 +331,7 @@ Square square_of(Protocol::Counterbalance how, std::size_t levels) {
   return {latin_square(levels).front()};
 }
 
-/// The factors that are iterated outside blocks, in the order of the flow, each once.
+/// The factors that are iterated outside blocks, in the order of the flow, without duplicates.
 std::vector<std::string> iterated_factors(const Protocol& protocol) {
   std::vector<std::string> factors{};
   for (const Protocol::Step& step : protocol.flow) {

@@ -1,4 +1,4 @@
-// What sitting through a plan takes.
+// Implements the estimate of a session's duration.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-// What cannot be read off a protocol, as assumed by `check`.
+// Assumptions of `check` about durations that a protocol does not specify.
 constexpr double kReadingWords_per_s = 3.0;
 constexpr double kShortestReading_s = 5.0;
 constexpr double kCheck_s = 15.0;
@@ -23,7 +23,7 @@ double reading_s(const std::string& text) {
   return std::max(kShortestReading_s, static_cast<double>(words) / kReadingWords_per_s);
 }
 
-/// The strokes that are aimed at, inside the limits on contact; else the least contact.
+/// The duration of the target strokes, within the limits on contact; without strokes the minimum contact.
 double contact_s(const Exploration& exploration) {
   const auto aim = [](const Band& band) {
     return band.target ? band.target : band.minimum ? band.minimum : band.maximum;

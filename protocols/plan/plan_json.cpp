@@ -1,4 +1,4 @@
-// A planned trial as a line of JSON: what is stored before a session starts.
+// Implements the JSON line of a planned trial, which is stored before a session starts.
 
 #include <algorithm>
 #include <optional>
@@ -15,9 +15,9 @@ namespace asperity {
 
 namespace {
 
-/// Grows as it is written, and is to the byte what nlohmann's `dump` gives: plans are compared with what
-/// older programs stored by it. The tree that `dump` needs would take ten times as long, and who checks a
-/// study makes a million plans again.
+/// Writes JSON text incrementally, byte for byte as nlohmann's `dump`: plans are compared with those that older
+/// programs stored with `dump`. The tree that `dump` requires would take ten times as long, and checking a study makes
+/// a million plans again.
 class JsonLine final {
  public:
   void open(char bracket) {
@@ -74,7 +74,7 @@ class JsonLine final {
     key(name);
     add(value);
   }
-  /// An object of factors or parameters.
+  /// Writes an object of factors or parameters.
   template <typename Levels>
   void levels(const Levels& named) {
     open('{');
@@ -85,7 +85,7 @@ class JsonLine final {
   std::string take() && { return std::move(line_); }
 
  private:
-  /// Before whatever follows something else of the same object or array.
+  /// Writes the comma between elements of an object or array.
   void separate() {
     if (!line_.empty() && line_.back() != '{' && line_.back() != '[' && line_.back() != ':') {
       line_ += ',';
@@ -128,7 +128,7 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   } else {
     line.field("equal_force", std::nullopt);
   }
-  // Only where there are bodies: other plans are compared with what older programs stored.
+  // Written only if there are bodies: other plans are compared with those that older programs stored.
   if (stimulus.surface) add_body(line, "surface", *stimulus.surface);
   if (stimulus.tool) add_body(line, "tool", *stimulus.tool);
   line.close('}');

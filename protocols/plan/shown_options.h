@@ -1,4 +1,4 @@
-// What could be answered, as it is stored beside every answer.
+// Declares the JSON of the shown options, which is stored with every response.
 
 #pragma once
 
@@ -8,8 +8,7 @@
 
 namespace asperity {
 
-/// JSON of the values of a trial's options, in the order in which they are shown; "[]" where a number is
-/// asked for.
+/// The JSON of the values of a trial's options, in the order in which they are shown; "[]" if the response is a number.
 std::string options_json_of(const Trial& trial);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Latin squares by rotation of a first row.
+// Implements Latin squares by rotation of a first row.
 
 #include "protocols/plan/squares.h"
 
@@ -28,8 +28,8 @@ Square latin_square(std::size_t n) {
 }
 
 Square williams_square(std::size_t n) {
-  // 0, 1, n−1, 2, n−2, …: the differences between neighbours are all different (mod n) for even n;
-  // for odd n each comes twice with one sign, and the reversed rows bring it with the other.
+  // 0, 1, n−1, 2, n−2, …: for even n the differences between neighbours are all different (mod n); for odd n each
+  // occurs twice with one sign, and with the other sign in the reversed rows.
   std::vector<std::size_t> first{};
   for (std::size_t i = 0; i < n; ++i) first.push_back(i % 2 == 1 ? (i + 1) / 2 : (n - i / 2) % n);
   Square square = rotations_of(first);

@@ -1,4 +1,4 @@
-// Rejection first, then depth-first search over kinds of trials.
+// Implements the search for an order: rejection sampling first, then depth-first search over kinds of trials.
 
 #include "protocols/plan/trial_order.h"
 
@@ -17,7 +17,8 @@ constexpr int kSearches = 8;
 constexpr std::size_t kRandomSteps = 5'000;
 constexpr std::size_t kExactSteps = 100'000;
 
-/// Trials that no limit tells apart are one kind, so that the search does not try them in turn.
+/// Searches for an order depth-first. Trials that no limit distinguishes are one kind, so that the search does not try
+/// them in turn.
 class Search {
  public:
   Search(const OrderProblem& problem, Random* random) : problem_(problem), random_(random) {
@@ -79,8 +80,8 @@ class Search {
     return true;
   }
 
-  /// Necessary for the rest of the group, limit by limit (and sufficient for a single limit): the
-  /// trials of a level fit into the gaps that the others leave.
+  /// A necessary condition for the rest of the group, checked for each limit (and sufficient for a single limit): the
+  /// trials of a level fit into the gaps between the others.
   bool promising() const {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       std::map<std::size_t, std::size_t> of_level{};
@@ -99,7 +100,7 @@ class Search {
     return true;
   }
 
-  /// Kinds that could come next, the more of a kind are left the likelier first.
+  /// The kinds that may come next; a kind with more remaining trials is more likely to come first.
   std::vector<std::size_t> candidates() {
     std::vector<std::size_t> kinds{};
     for (std::size_t kind = 0; kind < levels_.size(); ++kind) {
@@ -156,8 +157,8 @@ class Search {
   Random* random_ = nullptr;
   std::vector<std::vector<std::size_t>> levels_{};                ///< of a kind, by limit
   std::vector<std::vector<std::vector<std::size_t>>> members_{};  ///< trials by kind and group
-  std::vector<std::size_t> left_{};                               ///< of a kind in this group
-  std::vector<Run> runs_{};                                       ///< by limit
+  std::vector<std::size_t> left_{};  ///< of a kind in this group, not yet placed
+  std::vector<Run> runs_{};          ///< by limit
   std::vector<std::size_t> chosen_{};
   std::set<std::pair<std::size_t, std::pair<std::vector<std::size_t>, std::vector<Run>>>> failed_{};
   std::size_t steps_ = 0;
