@@ -1,4 +1,4 @@
-// Whether what is declared about the analysis can be analysed.
+// Implements the checks that the declared analysis is possible.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ void Meaning::check_analysis() {
   const auto& root = document_.root();
   const auto found = root.find("analysis");
   if (found == root.end()) return;
-  // Any other key is a remark; one that is nearly a key of ours is a slip of the pen.
+  // Other keys are comments of the author; one that is similar to a known key is a spelling mistake.
   const std::vector<std::string> known{"target", "family", "equivalence_margin"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;

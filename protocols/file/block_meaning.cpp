@@ -1,4 +1,4 @@
-// Whether the trials of a block can be made and put in order.
+// Implements the checks that the trials of a block can be made and ordered.
 
 #include <algorithm>
 

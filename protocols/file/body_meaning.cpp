@@ -1,4 +1,4 @@
-// Whether bodies can be made, and whether stimuli have those that their models need.
+// Implements the checks that bodies can be made and that stimuli have the bodies that their models need.
 
 #include <algorithm>
 #include <array>

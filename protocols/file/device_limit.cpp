@@ -1,4 +1,4 @@
-// Limits that a device is held to.
+// Implements the checks of limits on a device.
 
 #include "protocols/file/device_limit.h"
 
@@ -15,7 +15,7 @@ namespace asperity {
 std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz) {
   if (!std::isfinite(limit.limit)) return "a limit has to be a finite number";
   nlohmann::json number = limit.limit;
-  // As somebody would write it: counts are whole numbers.
+  // Counts are written as whole numbers.
   constexpr double kExact = 9e15;
   if (limit.limit == std::trunc(limit.limit) && std::abs(limit.limit) < kExact) {
     number = static_cast<std::int64_t>(limit.limit);

@@ -1,4 +1,4 @@
-// Limits that apply to a device: those of a protocol, and those of a command line.
+// Declares limits on a device, from a protocol or from the command line.
 
 #pragma once
 
@@ -7,17 +7,17 @@
 
 namespace asperity {
 
-/// What a device's item with a number may be held to.
+/// A limit on a numeric item of a device.
 struct DeviceLimit {
   std::string item{};  ///< "friction_N"
   double limit = 0.0;
 };
 
-/// A sentence: why no protocol whose loop runs at `rate_Hz` could have this limit (/device/limits of the schema); nothing
-/// where one could.
+/// The reason, as a sentence, why a protocol with a loop at `rate_Hz` cannot have this limit (/device/limits of the
+/// schema); nullopt if it can.
 std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz);
 
-/// The part of it that the schema cannot say: a limit on the rate of the loop itself.
+/// The check that the schema cannot express: a limit on the rate of the loop itself.
 std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz);
 
 }  // namespace asperity

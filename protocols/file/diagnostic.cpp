@@ -1,4 +1,4 @@
-// How a diagnostic reads.
+// Implements the text of a diagnostic.
 
 #include "protocols/file/diagnostic.h"
 

@@ -1,4 +1,4 @@
-// What is wrong with a protocol file, where, and what would be right.
+// Declares diagnostics of a protocol file: the problem, its location and the correction.
 
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// One problem. `line` and `column` count from 1, and are 0 where the file could not be read; `pointer` is the JSON
-/// pointer of the place.
+/// One problem. `line` and `column` count from 1 and are 0 if the file could not be read; `pointer` is the JSON pointer
+/// of the location.
 struct Diagnostic {
   std::string file{};
   int line = 1;
@@ -18,10 +18,10 @@ struct Diagnostic {
   std::string message{};
 };
 
-/// `FILE:LINE:COLUMN: error: message (/json/pointer)`; `FILE: error: message` of a file that could not be read.
+/// `FILE:LINE:COLUMN: error: message (/json/pointer)`; `FILE: error: message` for a file that could not be read.
 std::string text_of(const Diagnostic& diagnostic);
 
-/// A protocol that was refused, with every problem found.
+/// Reports an invalid protocol with all problems found.
 class ProtocolError final : public std::runtime_error {
  public:
   explicit ProtocolError(std::vector<Diagnostic> diagnostics);

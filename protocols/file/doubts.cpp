@@ -1,3 +1,5 @@
+// Implements the warnings about valid protocols.
+
 #include "protocols/file/doubts.h"
 
 #include <algorithm>
@@ -18,9 +20,9 @@ namespace asperity {
 
 namespace {
 
-// No hand explores a surface faster; m/s and mm/s are easily confused.
+// Hands do not explore surfaces faster; m/s and mm/s are easily confused.
 constexpr double kFastestHand_m_per_s = 1.0;
-// Of the force limit: what presses harder on the whole goes beyond it on every crest.
+// A fraction of the force limit: a greater mean force exceeds the limit at the crests of the texture.
 constexpr double kRoomForTexture = 0.8;
 
 class Doubts final {
@@ -92,7 +94,8 @@ class Doubts final {
     }
   }
 
-  /// The fewest strokes as short and as fast as may be, and as many as are aimed at, as aimed at.
+  /// Compares the maximum contact time with the minimum number of strokes, as short and as fast as permitted, and with
+  /// the target number at the target length and speed.
   void doubt_strokes(const Exploration& asked, const std::string& pointer) {
     const auto first = [](std::initializer_list<std::optional<double>> values) {
       for (const std::optional<double>& value : values) {
@@ -121,7 +124,7 @@ class Doubts final {
          first({speed.target, speed.maximum}), "/strokes/target");
   }
 
-  /// A text that speaks of what nobody is shown or hears.
+  /// Warns about a text that mentions what is neither shown nor heard.
   void doubt_words() {
     using Guidance = Exploration::Guidance;
     bool by_sight = false;
@@ -161,7 +164,7 @@ class Doubts final {
     }
   }
 
-  /// A selection whose analysis answers another question than levels of one parameter suggest.
+  /// Warns about a selection whose analysis answers a different question than the levels of one parameter suggest.
   void doubt_comparison() {
     const std::optional<std::string> parameter =
         stored_protocol(protocol_.source).compared_parameter;

@@ -1,4 +1,4 @@
-// What a valid protocol says that its author may not have meant.
+// Declares warnings about valid protocols that may not specify what the author intended.
 
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace asperity {
 
-/// Nothing is refused for these: bands that no failure follows from, strokes that do not fit into the
-/// contact, speeds of no hand, a force that the texture takes to the device's limit, explorations that
-/// no block asks for, texts that speak of bars where tones guide, or of tones where bars do, and a
-/// selection among the levels of one parameter, which analyses preference and not discrimination.
+/// Lists what is permitted but questionable: bands without a consequence of leaving them, strokes that do not fit into
+/// the contact, speeds that hands do not reach, a force that exceeds the device's limit with the texture, explorations
+/// that no block uses, texts that mention bars where tones guide, or tones where bars do, and a selection among the
+/// levels of one parameter, which analyses preference and not discrimination. No protocol is rejected for these.
 ///
-/// `file_name` is what they are said to be in.
+/// `file_name` is the file in the diagnostics.
 std::vector<Diagnostic> doubts_about(const Protocol& protocol, const std::string& file_name);
 
 }  // namespace asperity

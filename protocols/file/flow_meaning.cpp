@@ -1,4 +1,4 @@
-// Whether the flow runs every block, and how long a session it makes.
+// Implements the checks that the flow runs every block, and of the size of a session.
 
 #include <algorithm>
 
@@ -92,7 +92,7 @@ void Meaning::check_size() {
     std::size_t runs = 1;
     if (!run->for_each.empty()) {
       runs = protocol_.factors.at(run->for_each).levels.size();
-      // At most two rows per level; the product is cut off long before it could wrap.
+      // At most two rows per level; the product is limited long before it could overflow.
       if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
     }
     trials += runs * row_count(protocol_, block) * static_cast<std::size_t>(block.repetitions);
@@ -108,7 +108,5 @@ void Meaning::check_size() {
            "there would be more orders than participants; iterate fewer factors with for_each");
   }
 }
-
-/// The protocol with every combination of levels that its blocks can come to, once, without chance.
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// JSON text → tree and places, on top of nlohmann's event parser.
+// Implements the parsing of JSON text to a tree with positions, with nlohmann's event parser.
 
 #include "protocols/file/json_document.h"
 
@@ -19,7 +19,7 @@ constexpr std::size_t kMaximumEntries = 4096;
 constexpr std::size_t kMaximumString = 8192;
 constexpr std::size_t kMaximumKey = 256;
 
-/// Tells how far the parser has read.
+/// Counts the characters that the parser has read.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -55,7 +55,8 @@ std::string printable(std::string_view text) {
   return "'" + shown + (text.size() > kShown ? "…'" : "'");
 }
 
-/// No text begins so: with a byte of no letter, as a PNG or a JPEG does, or with a zero soon.
+/// Whether the beginning is binary data: a first byte that is not ASCII text, as in a PNG or a JPEG, or an early zero
+/// byte.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kBeginning = 512;
   if (text.substr(0, kBeginning).find('\0') != std::string_view::npos) return true;
@@ -67,8 +68,8 @@ bool is_binary(std::string_view text) {
 
 }  // namespace
 
-/// Receives the parser's events. nlohmann fires each one just after the token was read, so a token
-/// starts at the first character after the last event that is neither space nor punctuation.
+/// Receives the parser's events. nlohmann emits each event immediately after reading the token, so a token starts at
+/// the first character after the last event that is neither space nor punctuation.
 class JsonDocument::Handler {
  public:
   Handler(JsonDocument& document, const std::size_t& read) : document_(document), read_(read) {}
@@ -116,7 +117,7 @@ class JsonDocument::Handler {
     const std::string_view text = document_.text_;
     const std::string what = error.what();
     const std::size_t from = start();
-    if (error.id == 406) {  // out_of_range: a number that no double can hold
+    if (error.id == 406) {  // out_of_range: the number does not fit into a double
       const std::size_t end = std::min(text.find_first_of(" \t\r\n,]}", from), text.size());
       return refuse(from, "the number " + printable(text.substr(from, end - from)) +
                               " is too large to be read");
@@ -171,7 +172,7 @@ class JsonDocument::Handler {
   std::size_t start() const {
     const std::string_view text = document_.text_;
     std::size_t at = last_end_;
-    // A comma or colon that was read last is itself what comes next: a mistake.
+    // A comma or colon that was read last is itself the next token: a syntax error.
     while (at < text.size() &&
            (text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r' ||
             ((text[at] == ',' || text[at] == ':') && at < read_ && at + 1 < text.size() &&
@@ -183,7 +184,7 @@ class JsonDocument::Handler {
 
   bool refuse(std::size_t offset, std::string message) {
     std::string pointer = stack_.empty() ? "" : stack_.back().pointer;
-    // One error of syntax ends the reading; duplicates found before it are reported with it.
+    // The first syntax error ends the reading; duplicate keys found before it are reported with it.
     problems_.push_back(document_.diagnostic(offset, pointer, std::move(message)));
     return false;
   }
@@ -216,7 +217,7 @@ class JsonDocument::Handler {
     document_.places_[pointer] = {key_start, from};
     began_ = true;
     last_end_ = read_;
-    if (node->is_number()) {  // known to be over only when one character more was read
+    if (node->is_number()) {  // its end is known only after reading one more character
       last_end_ = std::min(document_.text_.find_first_not_of("+-.0123456789eE", from), read_);
     }
     return node;

@@ -1,4 +1,4 @@
-// JSON text that remembers where everything stood.
+// Declares JSON text with the positions of its keys and values.
 
 #pragma once
 
@@ -16,26 +16,26 @@
 
 namespace asperity {
 
-/// A parsed file with the place of every key and value.
+/// Stores a parsed file with the position of every key and value.
 ///
-/// Stricter than JSON, so that nothing that follows can be made to recurse or search without end:
-/// UTF-8 without byte order mark, at most 4 MiB, 64 levels, 4096 elements per array or keys per
-/// object, 8192 bytes per string and 256 per key. A key may stand once in an object.
+/// The accepted text is stricter than JSON, which bounds all subsequent recursion and search: UTF-8 without byte order
+/// mark, at most 4 MiB, 64 levels, 4096 elements per array or keys per object, 8192 bytes per string and 256 per key. A
+/// key may occur only once in an object.
 class JsonDocument final {
  public:
-  /// Errors: ProtocolError with the one error of syntax, or every duplicate key; the latter go to `duplicates` where it
-  /// is given, and of each key the last value counts.
+  /// Errors: ProtocolError with the one syntax error, or with all duplicate keys. If `duplicates` is given, duplicate
+  /// keys are appended to it instead, and the last value of each key is used.
   JsonDocument(std::string_view text, std::string file,
                std::vector<Diagnostic>* duplicates = nullptr);
 
   const nlohmann::json& root() const noexcept { return root_; }
-  /// Another tree in place of this one. What stands in both has the place that it has in the text.
+  /// A copy with another tree. Values that occur in both trees have their positions in the text.
   JsonDocument with_root(nlohmann::json root) const;
-  /// A diagnostic at a value, or at the nearest value above it that exists.
+  /// A diagnostic at a value, or at its nearest existing ancestor.
   Diagnostic at(const std::string& pointer, std::string message) const;
-  /// Where the value begins in the text; nothing where there is none.
+  /// The offset of the value in the text; nullopt if it does not exist.
   std::optional<std::size_t> place_of(const std::string& pointer) const;
-  /// A diagnostic at the key that the pointer ends in.
+  /// A diagnostic at the last key of the pointer.
   Diagnostic at_key(const std::string& pointer, std::string message) const;
 
  private:

@@ -1,4 +1,4 @@
-// The protocols and the schema that come with the program, built into it.
+// Declares the protocols and the schema that are built into the program.
 
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-/// A file of protocols/library/: NAME.json in English, NAME.de.json in German. Both have the same name, and give the
+/// A file of protocols/library/: NAME.json in English, NAME.de.json in German. Both have the same name and give the
 /// same plans; only texts differ.
 struct LibraryProtocol {
-  std::string_view name{};  ///< without folder and ending, e.g. "chapter_selection"
+  std::string_view name{};  ///< without folder and extension, e.g. "chapter_selection"
   std::string_view text{};  ///< the JSON, byte for byte
 };
 
-/// Every library protocol, by name, in English ("en") or German ("de"); none of another language.
+/// All library protocols by name, in English ("en") or German ("de"); empty for another language.
 std::span<const LibraryProtocol> library_protocols(std::string_view language = "en") noexcept;
 
 /// protocols/schema/protocol-1.schema.json (JSON Schema, draft-07), for the reader and for editors.

@@ -1,3 +1,5 @@
+// Implements the sequence of the checks of meaning.
+
 #include "protocols/file/meaning.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ std::vector<Diagnostic> Meaning::check() {
   }
   if (kind_.check != nullptr) kind_.check(protocol_, *this);
   check_analysis();
-  // What a trial amounts to can only be seen in one, and only when all references hold.
+  // Trials can be checked only if all references are valid.
   if (found_.empty()) check_size();
   if (found_.empty()) check_trials();
   std::stable_sort(found_.begin(), found_.end(), [](const Diagnostic& a, const Diagnostic& b) {

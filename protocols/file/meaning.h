@@ -1,4 +1,4 @@
-// Whether a protocol that has the right form makes sense.
+// Declares the check of the meaning of a protocol that follows the schema.
 
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace asperity {
 
-/// Everything that no schema can say: references, ranges declared by the models, orders that cannot
-/// be met, answers that cannot be right. The protocol was read from the document.
+/// Checks what the schema cannot express: references, ranges declared by the models, orders that cannot be met, correct
+/// responses that are impossible. `protocol` was read from `document`.
 std::vector<Diagnostic> check_meaning(const Protocol& protocol, const JsonDocument& document,
                                       const std::vector<ModelDeclaration>& models);
 

@@ -1,5 +1,4 @@
-// The checks behind `check_meaning`, gathered in one object; each file *_meaning.cpp has those of
-// one subject.
+// Declares the checks of `check_meaning` in one class; each file *_meaning.cpp contains those of one subject.
 
 #pragma once
 
@@ -25,7 +24,7 @@
 
 namespace asperity {
 
-// More trials than anybody sits through; a plan stays small enough to be made while one waits.
+// More trials than a participant can complete; a plan of this size is made without a noticeable delay.
 inline constexpr std::size_t kMaximumTrials = 2000;
 inline constexpr std::size_t kMaximumSessionTrials = 5000;
 inline constexpr std::size_t kMaximumRows = 100'000;
@@ -37,7 +36,7 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
-/// Complaints about the whole protocol, gathered place by place.
+/// Checks the complete protocol and collects the problems by location.
 class Meaning final : private ProblemSink {
  public:
   Meaning(const Protocol& protocol, const JsonDocument& document,
@@ -76,11 +75,11 @@ class Meaning final : private ProblemSink {
   void check_bodies_of(const StimulusTemplate& stimulus,
                        const std::vector<const ModelDeclaration*>& models,
                        const std::string& pointer);
-  /// Whether no surface that the stimulus can have waits for a texture's relief.
+  /// Whether every surface that the stimulus can have contains its own relief.
   bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
   bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
                     const std::string& pointer);
-  /// What values contradict together, that were acceptable one by one.
+  /// Checks for values that are valid individually and contradict each other.
   void check_together(const ModelDeclaration& model, const ParameterValues& given,
                       const std::string& pointer);
   void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
@@ -92,14 +91,14 @@ class Meaning final : private ProblemSink {
   void check_order(const Protocol::Block& block, const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_analysis();
-  /// What can be the answer where one item is declared as the target.
+  /// The items that can be chosen in main blocks, for the check of the declared target.
   std::set<std::string> items_of_main_blocks();
   void check_size();
   void check_trials();
   void check_draws();
   void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies);
 
-  /// The texts that a binding can stand for, each with the place to complain at.
+  /// The texts that a binding can have, each with the location for problems.
   std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
                                                             const std::string& pointer);
   bool check_level(const std::string& factor, const Level& level, const std::string& pointer);

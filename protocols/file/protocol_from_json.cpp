@@ -1,4 +1,4 @@
-// Key by key, in the order of protocol.h. Defaults are those of the struct.
+// Implements the conversion, key by key in the order of protocol.h. Defaults are those of the struct.
 
 #include "protocols/file/protocol_from_json.h"
 
@@ -27,7 +27,7 @@ void read(const json& object, const char* key, std::optional<Value>& value) {
   if (const auto found = object.find(key); found != object.end()) value = found->get<Value>();
 }
 
-/// One of the schema's enumerations.
+/// The value of one of the schema's enumerations.
 template <class Value>
 void read_choice(const json& object, const char* key, Value& value,
                  std::initializer_list<std::pair<const char*, Value>> choices) {
@@ -38,7 +38,7 @@ void read_choice(const json& object, const char* key, Value& value,
   }
 }
 
-/// Calls `visit(name, member)` for every named member, not for comments.
+/// Calls `visit(name, member)` for every named member except comments.
 template <class Visit>
 void for_each_named(const json& object, const char* key, const Visit& visit) {
   const auto found = object.find(key);
@@ -122,7 +122,7 @@ glm::dvec3 size_of(const json& object) {
   return {size.at(0).get<double>(), size.at(1).get<double>(), size.at(2).get<double>()};
 }
 
-/// Absent where a size is missing, of which the meaning complains.
+/// nullopt if a size is missing, which the check of meaning reports.
 std::optional<Shape> shape_of(const json& object) {
   const auto found = object.find("shape");
   if (found == object.end()) return {};
@@ -198,7 +198,7 @@ Exploration exploration_of(const std::string& name, const json& object) {
   return exploration;
 }
 
-/// Texts of their own only where an option has one.
+/// Fills the option texts only if an option has a separate text.
 void read_options(const json& object, Question& question) {
   const auto found = object.find("options");
   if (found == object.end()) return;

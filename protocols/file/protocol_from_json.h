@@ -1,4 +1,4 @@
-// A document that follows the schema, as a Protocol.
+// Declares the conversion of a document that follows the schema to a Protocol.
 
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace asperity {
 
-/// Reads what the schema allows; whether it makes sense is not looked at.
+/// Converts a document that follows the schema, without checking its meaning.
 Protocol protocol_from_json(const nlohmann::json& root);
 
-/// The key `analysis` of any JSON: what is not in this form is not there.
+/// The key `analysis` of any JSON; parts in another form count as absent.
 AnalysisDeclaration analysis_declared_in(const nlohmann::json& root);
-/// Likewise the key `estimation`.
+/// The key `estimation` of any JSON; parts in another form count as absent.
 std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json& root);
 
 }  // namespace asperity

@@ -1,3 +1,5 @@
+// Implements the search for problems in all layers of a protocol.
+
 #include "protocols/file/protocol_problems.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-/// Problems of meaning that are there whatever stands where the form is wrong.
+/// The problems of meaning that do not depend on the replaced values.
 std::vector<Diagnostic> certain_problems(const JsonDocument& document, const Repair& repair,
                                          const std::vector<ModelDeclaration>& models) {
   std::vector<Diagnostic> certain{};

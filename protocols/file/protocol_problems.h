@@ -1,4 +1,4 @@
-// Everything that is wrong with the text of a protocol, of all layers at once.
+// Declares the search for all problems in the text of a protocol, in all layers at once.
 
 #pragma once
 
@@ -14,19 +14,19 @@
 
 namespace asperity {
 
-/// A text and how far it is a protocol.
+/// The result of reading a text that may not be a valid protocol.
 struct ProtocolReading {
   std::vector<Diagnostic> problems{};  ///< in the order of lines
-  /// The protocol, where there are no problems; else as much of it as has the required form, for further checks.
-  /// None where keys occur twice, since its text is read again then.
+  /// The protocol if there are no problems; otherwise the part of it that has the required form, for further checks.
+  /// nullopt if keys occur twice, since the text is read again in this case.
   std::optional<Protocol> protocol{};
-  bool has_form = false;  ///< the schema holds: nothing of the protocol is a replacement
-  Repair repair{};        ///< what was replaced where it does not
+  bool has_form = false;  ///< the schema is met: no part of the protocol is a replacement
+  Repair repair{};        ///< the replacements if the schema is not met
 };
 
-/// Reads as far as it goes. A text that is not JSON has the problem of its syntax alone. Where the schema does not hold, the
-/// meaning is looked at in what remains, and a problem of it is reported where it does not depend on what is wrong with
-/// the form. Arguments as of `read_protocol`. Never throws because of the text.
+/// Reads as much as possible. For a text that is not JSON, only the syntax error is reported. If the schema is not met,
+/// the meaning of the rest is checked, and a problem is reported if it does not depend on the errors of form. Arguments
+/// as in `read_protocol`. The text never causes an exception.
 ProtocolReading read_protocol_with_problems(std::string_view text, const std::string& file_name,
                                             const std::vector<ModelDeclaration>& models);
 

@@ -1,4 +1,4 @@
-// A protocol, or what is wrong with it.
+// Implements the reading of a protocol and the list of its files.
 
 #include "protocols/file/protocol_reader.h"
 

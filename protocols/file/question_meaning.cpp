@@ -1,4 +1,4 @@
-// Whether the question of a block can be asked and answered.
+// Implements the checks that the question of a block can be asked and answered.
 
 #include <algorithm>
 

@@ -1,3 +1,5 @@
+// Implements the replacement of values that violate the schema.
+
 #include "protocols/file/repaired.h"
 
 #include <algorithm>
@@ -56,7 +58,7 @@ bool has_right_letters(const json& schema, const std::string& text) {
           std::regex_search(text, std::regex(pattern->get<std::string>())));
 }
 
-/// One way of repairing a document. What it decides by chance, the choices of an enumeration, is decided by `variant`.
+/// One way of repairing a document. `variant` determines arbitrary choices, such as the value of an enumeration.
 class Repairer final {
  public:
   Repairer(const json& schema, std::size_t variant) : root_(schema), variant_(variant) {}
@@ -66,7 +68,7 @@ class Repairer final {
   std::size_t choices() const { return choices_; }
 
  private:
-  /// The value where the schema takes it; else another one; nothing where there is none that means as little.
+  /// The value if the schema permits it; otherwise a replacement; nullopt if there is no neutral replacement.
   std::optional<json> fitted(const json& value, const json& schema, const std::string& pointer) {
     if (schema.contains("const") || schema.contains("enum")) {
       const bool is_one = schema.contains("const")
@@ -158,7 +160,7 @@ class Repairer final {
     return made;
   }
 
-  /// A key that has to be there.
+  /// Adds a required key.
   bool complete(json& object, const json& schema, const std::string& key,
                 const std::string& pointer) {
     if (object.contains(key)) return true;
@@ -169,7 +171,8 @@ class Repairer final {
     return true;
   }
 
-  /// Where exactly one of several keys makes the object what it is, as with a step of the flow.
+  /// Reduces an object whose form is determined by exactly one of several keys, such as a step of the flow, to one
+  /// form.
   bool choose_one_form(json& object, const json& schema, const std::string& pointer) {
     const auto forms = schema.find("oneOf");
     if (forms == schema.end()) return true;
@@ -227,7 +230,7 @@ class Repairer final {
     return made;
   }
 
-  /// The default, small and large numbers in turn.
+  /// The default, small and large numbers, by variant.
   double any_number(const json& schema) {
     std::vector<double> numbers{};
     for (const double value :
@@ -242,7 +245,7 @@ class Repairer final {
 
   const json& root_;
   std::size_t variant_;
-  std::size_t choices_ = 1;  ///< the most that there were for one value
+  std::size_t choices_ = 1;  ///< the greatest number of alternatives for one value
   std::set<std::string> places_{};
 };
 
@@ -268,7 +271,7 @@ bool may_follow_from(const Repair& repair, const std::string& pointer, const std
   const auto lies_in = [](const std::string& inner, const std::string& outer) {
     return inner == outer || inner.starts_with(outer + '/');
   };
-  // A level that names nothing does so whatever else the factor has.
+  // A level with an unknown name is invalid regardless of the factor's other levels.
   const bool is_unknown_level = lies_in(pointer, "/factors") && message.starts_with("there is no ");
   return std::any_of(repair.places.begin(), repair.places.end(), [&](const std::string& place) {
     if (place.empty()) return true;

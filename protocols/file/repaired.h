@@ -1,4 +1,4 @@
-// What of a document has the form of a protocol, so that its meaning can be looked at while its form is wrong elsewhere.
+// Declares the part of a document that follows the schema, for checks of its meaning despite errors of form elsewhere.
 
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace asperity {
 
-/// A document in which every value that the schema refuses was replaced by one that it allows, or left out.
+/// A document in which every value that violates the schema is replaced by a permitted one or left out.
 ///
-/// What a replaced value should be cannot be known: where it is one of a few, each of these stands in one of the `roots`,
-/// and where it is a number, the default, a small and a large one. What holds in all of them does not depend on it. Keys
-/// that are nearly one of the schema's are taken for it.
+/// The correct value of a replacement is unknown. If it is one of a few, each of these occurs in one of the `roots`;
+/// for a number they contain the default, a small and a large one. Findings that hold in all roots do not depend on the
+/// replacement. Keys that are similar to one of the schema's are treated as that key.
 struct Repair {
-  std::vector<nlohmann::json> roots{};  ///< each follows the schema; none where too much is missing
-  std::vector<std::string> places{};    ///< pointers of what was replaced or left out
+  std::vector<nlohmann::json> roots{};  ///< each follows the schema; empty if too much is missing
+  std::vector<std::string> places{};    ///< pointers of the replaced and left-out values
 };
 Repair repaired(const JsonDocument& document);
 
-/// Whether a finding at `pointer` can be a consequence of the repair: it is about the same object as such a place, lies
-/// around it, or quotes its name; or it is about a block, whose trials are made of the levels of factors, one of which was
-/// repaired. A level that names nothing is wrong whatever else its factor has.
+/// Whether a finding at `pointer` can be a consequence of the repair: it concerns the same object as a replaced value,
+/// contains or lies in such a value, or quotes its name; or it concerns a block while a factor was repaired, since a
+/// block's trials consist of levels. A level with an unknown name is invalid regardless of the factor's other levels.
 bool may_follow_from(const Repair& repair, const std::string& pointer, const std::string& message);
 
 }  // namespace asperity

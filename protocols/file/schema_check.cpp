@@ -1,4 +1,4 @@
-// Validation by valijson; its findings put into sentences that quote the schema.
+// Implements validation by valijson and the conversion of its findings to sentences that quote the schema.
 
 #include "protocols/file/schema_check.h"
 
@@ -68,9 +68,8 @@ std::string type_in_words(const std::string& type) {
   return "a number";
 }
 
-/// Keys are checked here and not by valijson, which reports one per object and no wrong names.
-/// Returns false where a name is so long that valijson must not see it: it matches with std::regex,
-/// which recurses once per character.
+/// Checks keys without valijson, which reports only one per object and does not name unknown keys. Returns false if a
+/// name is too long for valijson: it matches names with std::regex, which recurses once per character.
 bool check_keys(const JsonDocument& document, const json& root, const json& schema,
                 const json& value, const std::string& pointer, std::vector<Diagnostic>& found) {
   constexpr std::size_t kLongestName = 256;
@@ -117,7 +116,7 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
   return is_short;
 }
 
-/// One of valijson's findings, as a sentence; empty for those that only repeat a deeper one.
+/// One of valijson's findings as a sentence; empty for those that only repeat a more specific one.
 std::string sentence(const std::string& description, const json& schema, const json& value) {
   const auto starts = [&description](std::string_view text) {
     return description.starts_with(text);
@@ -126,7 +125,7 @@ std::string sentence(const std::string& description, const json& schema, const j
       !starts("Failed to validate against exactly one")) {
     return {};
   }
-  if (starts("Object contains a property")) return {};  // check_keys tells more
+  if (starts("Object contains a property")) return {};  // check_keys reports it in more detail
   const std::string meaning = schema.value("description", std::string{});
   const std::string purpose = meaning.empty() ? "" : ". Expected here: " + meaning;
   if (description.find("oneOf") != std::string::npos ||
@@ -197,7 +196,7 @@ std::string sentence(const std::string& description, const json& schema, const j
   return description + purpose;
 }
 
-/// As valijson reads it, which takes longer than to look at a document.
+/// The schema in valijson's form; its conversion takes longer than the check of a document.
 const valijson::Schema& schema_rules() {
   static const std::unique_ptr<const valijson::Schema> kRules = [] {
     auto rules = std::make_unique<valijson::Schema>();
@@ -263,8 +262,8 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
     }
     return pointer;
   };
-  // Where none of several forms fits, valijson lists what each of them misses: say it once, and not
-  // at all where another complaint about the same object explains it.
+  // If none of several forms matches, valijson lists what each of them lacks. This is reported once, and not if another
+  // problem of the same object explains it.
   const auto is_about_choice = [](const valijson::ValidationResults::Error& error) {
     return error.description.find("oneOf") != std::string::npos ||
            error.description.starts_with("Failed to validate against exactly one");
@@ -299,7 +298,7 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
     if (node == nullptr) continue;
     if (is_about_choice(error) && explained.contains(pointer)) continue;
     if (choices.contains(pointer) && error.description.starts_with("Missing required")) {
-      // Required by one of the forms only?
+      // Keys that only one of the forms requires are skipped.
       const std::string key = error.description.substr(27, error.description.rfind('\'') - 27);
       const json required = node->value("required", json::array());
       if (std::find(required.begin(), required.end(), json(key)) == required.end()) continue;

@@ -1,4 +1,4 @@
-// Whether a document has the form of a protocol.
+// Declares the check that a document follows the schema of protocols.
 
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace asperity {
 
-/// Every place where the document does not follow protocols/schema/protocol-1.schema.json.
+/// All locations at which the document violates protocols/schema/protocol-1.schema.json.
 std::vector<Diagnostic> check_schema(const JsonDocument& document);
 
-/// Whether there is no such place.
+/// Whether there are no violations.
 bool follows_schema(const nlohmann::json& document);
 
 }  // namespace asperity

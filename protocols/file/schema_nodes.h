@@ -1,4 +1,4 @@
-// Where in the schema of protocols a value is described.
+// Declares access to the nodes of the protocols' schema.
 
 #pragma once
 
@@ -8,16 +8,16 @@
 
 namespace asperity {
 
-/// The schema of protocols, read once.
+/// The schema of protocols, parsed once.
 const nlohmann::json& schema_root();
 
-/// What a "$ref" stands for; any other node itself. `root` is the whole schema.
+/// The target of a "$ref"; any other node itself. `root` is the complete schema.
 const nlohmann::json& resolved_node(const nlohmann::json& root, const nlohmann::json& schema);
 
-/// Keys that are remarks of an author: "x-…" and "$comment".
+/// Whether a key is a comment of the author: "x-…" and "$comment".
 bool is_comment(const std::string& key);
 
-/// The schema of a member; null where the schema states nothing about it.
+/// The schema of a member; null if the schema does not describe it.
 const nlohmann::json* member_schema(const nlohmann::json& root, const nlohmann::json& schema,
                                     const std::string& key);
 

@@ -1,4 +1,4 @@
-// Whether what participants are to see and hear can be seen and heard.
+// Implements the checks that participants can see and hear what the protocol presents.
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ void Meaning::check_senses() {
   if (protocol_.vision == Vision::blindfold) check_blindfold();
 }
 
-/// Nothing that has to be seen while the mask is on.
+/// Reports what would have to be seen while the mask is worn.
 void Meaning::check_blindfold() {
   if (protocol_.scene) {
     report_key("/environment/scene",

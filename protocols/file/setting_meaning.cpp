@@ -1,4 +1,4 @@
-// Whether head, textures, factors, explorations and questions make sense.
+// Implements the checks of head, textures, factors, explorations and questions.
 
 #include <algorithm>
 #include <charconv>
@@ -83,10 +83,10 @@ void Meaning::check_textures() {
 
 namespace {
 
-/// What is wrong with the form of a HED string; empty where nothing is.
+/// The problem with the form of a HED string; empty if there is none.
 std::string hed_problem(const std::string& tags) {
   int depth = 0;
-  bool wants_tag = true;  // before the first one, after a comma and after an opening parenthesis
+  bool wants_tag = true;  // at the beginning, after a comma and after an opening parenthesis
   for (const char letter : tags) {
     if (letter == ' ') continue;
     if (std::string_view("[]{}~\"\n\t").find(letter) != std::string_view::npos) {
@@ -106,7 +106,7 @@ std::string hed_problem(const std::string& tags) {
   return wants_tag ? "a HED tag is missing at the end" : "";
 }
 
-/// A number may be written in any digits.
+/// Numbers are compared by value, independent of notation.
 bool is_name_of(const Level& level, const std::string& name) {
   const double* const number = std::get_if<double>(&level);
   if (number == nullptr) return std::get<std::string>(level) == name;
@@ -138,7 +138,7 @@ void Meaning::check_factors() {
   }
 }
 
-/// Whether tags exist is for a validator of HED, whose vocabulary has thousands of them.
+/// The existence of tags is not checked: HED's vocabulary has thousands of them and its own validator.
 void Meaning::check_hed(const Factor& factor) {
   const auto& declared = document_.root().at("factors").at(factor.name);
   const auto hed = declared.find("hed");
@@ -173,7 +173,7 @@ void Meaning::check_band(const Band& band, const std::string& pointer) {
   }
 }
 
-/// Whether there is something to show, and somebody to see it.
+/// Checks that there is guidance to show and that the participant can perceive it.
 void Meaning::check_guidance(const Exploration& exploration, const std::string& pointer) {
   using Guidance = Exploration::Guidance;
   if (exploration.guidance == Guidance::experimenter) return;

@@ -1,4 +1,4 @@
-// Whether stimuli can be made: models, parameters, textures, equal force.
+// Implements the checks that stimuli can be made: models, parameters, textures, equal force.
 
 #include <algorithm>
 
@@ -55,7 +55,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     if (texture == protocol_.textures.end()) {
       report(place, unknown_name("texture", name, protocol_.textures));
     } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
-      // The texture is the name and the picture of what a body brings along.
+      // The texture is the name and the picture of a body's own relief.
       if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
         report(place, "the height field of the texture " + in_quotes(name) +
                           " is on neither body: the surface has its own relief");
@@ -95,7 +95,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       }
     }
   }
-  // What a factor stands for is looked at in the trials in which it does.
+  // Values bound to factors are checked in the trials that set them.
   ParameterValues constants{};
   for (const auto& [name, binding] : stimulus.parameters) {
     if (binding.value) constants.emplace(name, *binding.value);
@@ -113,7 +113,7 @@ void Meaning::check_together(const ModelDeclaration& model, const ParameterValue
   for (const Parameter& declared : model.parameters) {
     const auto found = given.find(declared.name);
     const ParameterValue& value = found == given.end() ? declared.default_value : found->second;
-    if (complaint_about(declared, value)) return;  // said at its own place
+    if (complaint_about(declared, value)) return;  // reported at its own location
     complete.emplace(declared.name, value);
   }
   const std::optional<ParameterConflict> conflict = model.conflict_among(complete);
@@ -154,8 +154,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
     if (model == models_.end()) continue;
-    // The model that the others are made equal to is compared as it is by default: an amplitude of
-    // its own would make it the only one of another strength.
+    // The reference model of equal force is compared with its default amplitude: with a different amplitude it would be
+    // the only model of another strength.
     if (model->second->needs_bodies) {
       report(at, "the texture force of the model " + in_quotes(id) +
                      ", which depends on two bodies, cannot be made equal to another; leave "

@@ -1,3 +1,5 @@
+// Implements the lenient reading of stored protocols.
+
 #include "protocols/file/stored_protocol.h"
 
 #include <algorithm>
@@ -35,7 +37,7 @@ std::optional<double> number_at(const Json& object, const std::string& key) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
-/// The texts of a list; its other entries are left out.
+/// The texts in a list; other entries are skipped.
 std::vector<std::string> texts_in(const Json& object, const std::string& key) {
   std::vector<std::string> texts{};
   const Json& list = member_of(object, key);
@@ -46,7 +48,7 @@ std::vector<std::string> texts_in(const Json& object, const std::string& key) {
   return texts;
 }
 
-/// Levels as text; a number with itself.
+/// Levels as text, together with their value if they are numbers.
 std::vector<std::pair<std::string, std::optional<double>>> levels_in(const Json& protocol,
                                                                      const std::string& factor) {
   std::vector<std::pair<std::string, std::optional<double>>> levels{};
@@ -62,7 +64,7 @@ std::vector<std::pair<std::string, std::optional<double>>> levels_in(const Json&
   return levels;
 }
 
-/// Calls `use(name, value)` for the members of an object that are objects themselves.
+/// Calls `use(name, value)` for the members of an object that are objects.
 template <class Use>
 void for_each_object(const Json& object, const Use& use) {
   if (!object.is_object()) return;
@@ -71,7 +73,7 @@ void for_each_object(const Json& object, const Use& use) {
   }
 }
 
-/// A stimulus as one surface of a block presents it: with the levels that are fixed for this surface.
+/// A stimulus with the levels that a surface of a block fixes.
 Json presented_stimulus(const Json& protocol, const Json& surface) {
   Json stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
   const Json& fixed = member_of(surface, "with");
@@ -84,7 +86,7 @@ Json presented_stimulus(const Json& protocol, const Json& surface) {
   return flat;
 }
 
-/// "friction" of "/parameters/friction" and "/parameters/friction/factor"; nothing of what is not a parameter.
+/// "friction" for "/parameters/friction" and "/parameters/friction/factor"; nullopt for what is not a parameter.
 std::optional<std::string> parameter_at(const std::string& place) {
   for (const std::string_view of : {"/parameters/", "/equal_force/"}) {
     if (!place.starts_with(of)) continue;
@@ -94,7 +96,7 @@ std::optional<std::string> parameter_at(const std::string& place) {
   return std::nullopt;
 }
 
-/// The parameters in which the surfaces of a block differ; nothing where they differ in anything else.
+/// The parameters in which the surfaces of a block differ; nullopt if they differ in anything else.
 std::optional<std::set<std::string>> parameters_compared(const Json& protocol, const Json& block) {
   const Json& surfaces = member_of(block, "presented");
   std::map<std::string, std::set<Json>> values{};
@@ -131,7 +133,7 @@ std::optional<std::string> parameter_compared_in(const Json& protocol) {
   return are_alone && parameters.size() == 1 ? std::optional(*parameters.begin()) : std::nullopt;
 }
 
-/// Where a protocol has texts; "*" stands for every name and every place in a list.
+/// The locations of texts in a protocol; "*" matches every name and every list index.
 constexpr std::array kTextPlaces{
     "/title",
     "/language",
@@ -149,7 +151,7 @@ constexpr std::array kTextPlaces{
     "/resume/screens",
 };
 
-/// Takes out what is at `place` below `value`.
+/// Removes the value at `place` below `value`.
 void remove_at(std::string_view place, Json& value) {
   const std::size_t end = std::min(place.find('/', 1), place.size());
   const std::string name(place.substr(1, end - 1));
@@ -164,7 +166,7 @@ void remove_at(std::string_view place, Json& value) {
   }
 }
 
-/// An option that is shown as it is stored may be written as a text alone.
+/// Writes options without a separate shown text in one form: both a plain text and an object are permitted.
 void write_options_alike(Json& protocol) {
   if (!member_of(protocol, "questions").is_object()) return;
   for (Json& question : protocol.at("questions")) {

@@ -1,4 +1,4 @@
-// What the stored text of a protocol specifies, read leniently.
+// Declares the lenient reading of a stored protocol.
 
 #pragma once
 
@@ -12,8 +12,9 @@
 
 namespace asperity {
 
-/// A study keeps the protocols of all its sessions, also those of other versions of the program, which `read_protocol`
-/// may refuse. This is what can be read of any of them: what is not there in the expected form is absent.
+/// Stores what can be read of a stored protocol. A study keeps the protocols of all its sessions, including those of
+/// other versions of the program, which `read_protocol` may reject. Parts that do not have the expected form are
+/// absent.
 struct StoredProtocol {
   struct Factor {
     std::string meaning{};
@@ -40,25 +41,27 @@ struct StoredProtocol {
   std::map<std::string, TrialQuestion> trial_questions{};  ///< by block
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};
-  /// Of matching and recognition: the pictures of its questions in their order, then the levels of its factors.
+  /// Of matching and recognition: the pictures of the questions in their order, then the levels of the factors.
   std::vector<std::string> pictures{};
-  /// Of a selection whose alternatives differ in nothing but the level of one parameter: its name.
+  /// Of a selection whose alternatives differ only in the level of one parameter: the parameter's name.
   std::optional<std::string> compared_parameter{};
 };
 
-/// Of any text, also of one that is not JSON: then nothing is specified.
+/// Accepts any text; for one that is not JSON, all parts are absent.
 StoredProtocol stored_protocol(const std::string& source);
 
-/// The same for all protocols that differ in nothing but their language and their texts: what participants read
-/// (instructions, consent, screens, breaks, wording of questions and options) and what describes the protocol (title,
-/// description, meanings, notes). Two of them ask the same in the same plan. Of a text that is not JSON, the text.
+/// The canonical text of a protocol without its language and texts: those for participants (instructions, consent,
+/// screens, breaks, wording of questions and options) and those that describe the protocol (title, description,
+/// meanings, notes). Protocols with equal results ask the same questions in the same plan. For a text that is not JSON,
+/// the text itself.
 std::string without_texts(const std::string& source);
 
-/// The language that the source states; "en" where it states none.
+/// The language that the source states; "en" if it states none.
 std::string language_of(const std::string& source);
 
-/// How many protocols the files (no text twice) are. Those that differ in language and texts only are one in several
-/// languages; two of them in one language are two, because what participants read is part of the experiment.
+/// The number of distinct protocols among the files, which contain no text twice. Files that differ in language and
+/// texts only count as one protocol in several languages; two such files in the same language count as two, because the
+/// texts for participants are part of the experiment.
 std::size_t count_protocols(const std::vector<std::string>& sources);
 
 }  // namespace asperity

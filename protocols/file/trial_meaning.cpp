@@ -1,4 +1,4 @@
-// Whether every trial that can come about has an answer.
+// Implements the checks that every possible trial has a response.
 
 #include <algorithm>
 
