@@ -1,4 +1,4 @@
-// A force model along a path.
+// Implements the evaluation of a force model along a path.
 
 #include "renderers/offline/along_path.h"
 

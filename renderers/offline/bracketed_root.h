@@ -1,4 +1,4 @@
-// A root between two places where a function has different signs.
+// Declares a root search in an interval with a change of sign.
 
 #pragma once
 
@@ -9,13 +9,14 @@
 
 namespace asperity {
 
-/// Two places, or a function's values there.
+/// The two ends of an interval, or a function's values there.
 struct Bracket {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// Where f crosses zero, to so many bits; `values` are f(low) and f(high), which differ in sign, or one is zero.
+/// The root of f in the bracket, accurate to `bits` bits; `values` are f(low) and f(high), which must differ in sign
+/// unless one of them is zero.
 template <class F>
 double root_of(F f, const Bracket& bracket, const Bracket& values, int bits) {
   constexpr std::uintmax_t kIterations = 200;

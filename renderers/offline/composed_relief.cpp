@@ -1,4 +1,4 @@
-// What a tool meets of a surface: two textured bodies as one relief under a point.
+// Implements the composition of two textured bodies to one relief.
 
 #include "renderers/offline/composed_relief.h"
 
@@ -43,13 +43,13 @@ TexturedMesh gained(const GainedBody& body) {
   return mesh;
 }
 
-/// An odd number of samples, so that one stands at the origin and those of two grids meet.
+/// An odd number of samples, so that one lies at the origin and the samples of two grids coincide.
 SamplingGrid grid_around(double half_width_m, double cell_m) {
   const int samples = 2 * static_cast<int>(std::ceil(half_width_m / cell_m)) + 1;
   return {.width_m = samples * cell_m, .samples = samples};
 }
 
-/// The side of a body that looks at the other one, over a square about the frame's origin.
+/// The side of a body that faces the other one, sampled over a square about the frame's origin.
 class Side final {
  public:
   Side(const TexturedMesh& mesh, const ContactFrame& frame, const SamplingGrid& grid, Facing facing)
@@ -63,7 +63,7 @@ class Side final {
     }
   }
   int half() const noexcept { return samples_ / 2; }
-  /// So many columns and rows from the middle; no number where the body is not.
+  /// The height at an index relative to the middle; NaN where the body has no surface.
   double height_m(int column, int row) const noexcept {
     const int x = column + half();
     const int y = row + half();
@@ -83,7 +83,7 @@ class Side final {
   std::vector<double> heights_m_{};
 };
 
-/// One sample of the tool's lower side: so many columns and rows from the tip, so high above it.
+/// One sample of the tool's lower side: its column and row relative to the tip and its height above the tip.
 struct Underside {
   int column = 0;
   int row = 0;
@@ -104,14 +104,14 @@ std::vector<Underside> lowest_first(const Side& tool) {
   return underside;
 }
 
-/// How much higher than the middle one of three samples a parabola through them is, where that one is the highest.
+/// The height of the vertex of a parabola through three samples above the middle one, if the middle one is the highest.
 double above_middle_m(double before_m, double middle_m, double after_m) {
   const double bend_m = before_m - 2.0 * middle_m + after_m;
   return bend_m < 0.0 ? -(after_m - before_m) * (after_m - before_m) / (8.0 * bend_m) : 0.0;
 }
 
-/// The tool over one place of the surface: where they meet first, between samples by parabolas. Nothing where there
-/// is no surface under it.
+/// The height of the tool on the surface at one position, by its first contact point, with parabolic interpolation
+/// between samples. nullopt if there is no surface under the tool.
 class Meeting final {
  public:
   Meeting(const Side& tool, const Side& surface)
@@ -124,7 +124,7 @@ class Meeting final {
     const Underside* first = nullptr;
     double highest_m = -std::numeric_limits<double>::infinity();
     for (const Underside& at : underside_) {
-      if (highest_m_ - at.height_m <= highest_m) break;  // nor do those above it
+      if (highest_m_ - at.height_m <= highest_m) break;  // nor do the samples above it
       const double here_m = surface_.height_m(column + at.column, row + at.row) - at.height_m;
       if (!(here_m > highest_m)) continue;
       highest_m = here_m;
@@ -157,7 +157,7 @@ HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
   const TexturedMesh touched = gained(surface);
   const double along_x = std::cos(stroke.direction_rad);
   const double along_y = std::sin(stroke.direction_rad);
-  // The tool does not turn with the stroke: what turns is the frame in which both are looked at.
+  // The tool does not turn with the stroke; the frame in which both bodies are sampled does.
   const ContactFrame frame{.u = {along_x, along_y, 0.0}, .v = {-along_y, along_x, 0.0}};
 
   double half_width_m = 0.0;
@@ -176,7 +176,7 @@ HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
   const Side upper(touched, frame, grid_around(most_half_columns * pitch_m + half_width_m, cell_m),
                    Facing::along_n);
   const Meeting meeting(under, upper);
-  // From the middle outwards, until the tool has no surface under it.
+  // Columns are computed from the middle outwards until the tool has no surface under it.
   using Column = std::array<float, kRows>;
   const auto column_at = [&](int column) -> std::optional<Column> {
     Column heights_m{};

@@ -1,4 +1,4 @@
-// What a tool meets of a surface: two textured bodies as one relief under a point.
+// Declares the composed relief: two textured bodies as one relief under a point.
 
 #pragma once
 
@@ -9,43 +9,43 @@
 
 namespace asperity {
 
-/// A body, its displacements `gain` times as large.
+/// A body whose displacements are multiplied by `gain`.
 struct GainedBody {
   const TexturedMesh& mesh;
   double gain = 1.0;
 };
 
-/// Where the tool's tip goes: a straight stroke about the middle of the surface's own frame.
+/// The path of the tool's tip: a straight stroke, centred in the surface's own frame.
 struct TipStroke {
   double length_m = 0.0;
   double direction_rad = 0.0;  ///< from +x towards +y
-  double cell_m = 1e-4;        ///< distance of the samples of the bodies
-  double pitch_m = 0.0;  ///< of the relief's: as many whole cells as come near to it, one at least
+  double cell_m = 1e-4;        ///< sample spacing of the bodies
+  double pitch_m = 0.0;        ///< of the relief: rounded to a whole number of cells, at least one
 };
 
-/// How high the tip of a tool stands that never turns and just touches the surface:
+/// Computes the height of the tip of a non-rotating tool that just touches the surface:
 ///
 ///   H(x) = max over D of ( h_S(x + r) − h_T(r) )
 ///
-/// with r across z from the tip [m], h_S the height of the surface's upper side, h_T that of the tool's lower side
-/// above its tip, both with their textures, D where both are. A tool whose tip is at (x, z) is as deep along z as a
-/// point at (x, z) is in the relief, δ = H(x) − z: the depth of pd_gradient where n is z, and its gradient across n.
-/// It is the dilation of the surface by the tool turned upside down, what a stylus does to a profile.
+/// r is perpendicular to z, from the tip [m]; h_S is the height of the surface's upper side and h_T that of the tool's
+/// lower side above its tip, both with their textures; D is the region where both exist. The depth along z of a tool
+/// with its tip at (x, z) equals the depth of a point at (x, z) in the relief, δ = H(x) − z: the depth of pd_gradient
+/// for n = z, with the same gradient perpendicular to n. H is the dilation of the surface by the inverted tool, the
+/// transformation of a profile by a stylus.
 ///
-/// A point as a tool leaves the surface as it is. Two gratings a·cos κx and b·cos κx become
-/// √(a² + b² + 2ab·cos κx), where they are long; of two whose lengths have no common multiple nothing is left but
-/// their sum.
+/// A point as the tool leaves the surface unchanged. Two long gratings a·cos κx and b·cos κx give
+/// √(a² + b² + 2ab·cos κx); two whose wavelengths have no common multiple give a constant, the sum of the amplitudes.
 ///
-/// Between samples the place where they meet first is found by parabolas along and across the stroke. The answer's x
-/// is along the stroke, its origin in the middle; its few rows are as far apart as its columns. Of a long stroke it
-/// is the middle `kMostColumns` samples; a wide tool is sampled `kMostAcross` times across and a
-/// long stroke `kMostAlong` times along, further apart than asked.
+/// Between samples the first contact point is found by parabolas along and across the stroke. The result's x is along
+/// the stroke, with its origin in the middle; its rows have the same spacing as its columns. A long stroke is reduced
+/// to the middle `kMostColumns` samples; a wide tool is sampled at `kMostAcross` points across and a long stroke at
+/// `kMostAlong` points along, with a larger spacing than requested.
 ///
-/// Limits: contacts whose n leans, of a surface that is not level or a tool that is led askew, are others.
+/// Limits: contacts with an inclined n, of a surface that is not level or a tool that is tilted, differ.
 ///
-/// Errors: std::invalid_argument for a length or cell that is not positive, a gain that is negative or no number, a
-/// mesh that is none (contact_geometry.h), and where the tool finds no surface under it in the middle. Where the
-/// surface ends before the stroke does, so does the relief.
+/// Errors: std::invalid_argument for a length or cell that is not positive, a gain that is negative or not a number, an
+/// invalid mesh (contact_geometry.h), and if there is no surface under the tool in the middle. If the surface ends
+/// before the stroke does, the relief ends there.
 HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
                             const TipStroke& stroke);
 

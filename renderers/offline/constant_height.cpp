@@ -1,4 +1,4 @@
-// A bracket in growing steps, then a root.
+// Implements a search for a bracket in growing steps, followed by a root search.
 
 #include "renderers/offline/constant_height.h"
 

@@ -1,4 +1,4 @@
-// A mass on a rendered surface, from tick to tick.
+// Implements the motion of a mass on a rendered surface, tick by tick.
 
 #include "renderers/offline/contact_loss.h"
 
@@ -25,11 +25,11 @@ double share_out_of_contact(const ForceModel& model, const RendererInputs& input
 
   RendererInputs endless = inputs;
   endless.patch.tiling = Tiling::repeat;
-  endless.patch.edge = PatchEdge::wall;  // never met
+  endless.patch.edge = PatchEdge::wall;  // never reached
   endless.patch.extent_m = 2.0 * (inputs.patch.extent_m + length_m);
   const std::unique_ptr<ForceRenderer> renderer = make_renderer(model, endless);
 
-  // Over a tick v relaxes to (F − P)/b: by (1 − e^(−bT/m)) of the way.
+  // In one tick v approaches (F − P)/b by the fraction 1 − e^(−bT/m).
   const double mass_kg = stroke.mass_kg;
   const double relaxed = stroke.damping_N_s_per_m * period_s / mass_kg;
   const double gain_s = (relaxed > 0.0 ? -std::expm1(-relaxed) / relaxed : 1.0) * period_s;

@@ -1,4 +1,5 @@
-// Finds the height, drags in ever smaller steps, and compares the measures.
+// Implements the search for the height, the simulation with decreasing time steps, and the comparison of their
+// measures.
 
 #include "renderers/offline/drag.h"
 
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double kLongestStep_s = 50e-6;
 constexpr int kStepHalvings = 5;
-constexpr double kForgotten = 8.0;  // e⁻⁸ of the beginning is left
+constexpr double kForgotten = 8.0;  // e⁻⁸ of the initial transient remains
 constexpr double kShortestRecord_s = 0.5;
 constexpr std::size_t kFewestSpacings = 16;
 constexpr std::size_t kFewestOnShortPlate = 4;
@@ -28,13 +29,13 @@ constexpr std::size_t kDragSamplesPerSpacing = 256;
 constexpr double kAccelerationTolerance = 0.01;
 constexpr double kPowerTolerance = 0.02;
 constexpr double kPowerFloor = 1e-4;
-constexpr double kRounding_m_per_s2 = 1e-6;  // of the arithmetic, and far below what anybody feels
+constexpr double kRounding_m_per_s2 = 1e-6;  // rounding errors, far below the detection threshold
 constexpr double kCaught = 0.05;
 constexpr double kDeeper_m = 10e-6;
 constexpr double kYielding = 0.1;
 constexpr std::size_t kBetweenStops = 4096;
 
-// How long, in spacings and in time.
+// The length of the record, in spacings and in time.
 struct Length {
   std::size_t spacings = 0;
   double spacing_s = 0.0;
@@ -63,7 +64,7 @@ Length length_of(const Drag& stroke) {
   return length;
 }
 
-// Normal forces along the texture at a height, nothing yielding.
+// Normal forces along the texture at a constant height, without yielding.
 class StillHeight {
  public:
   StillHeight(ForceRenderer& renderer, const Drag& stroke) : renderer_(renderer), stroke_(stroke) {
@@ -112,7 +113,7 @@ class StillHeight {
   std::vector<double> normal_N_{};
 };
 
-// What one simulation with one time step came to.
+// The result of a simulation with one time step.
 struct Run {
   HeldToolRoughness roughness{};
   double slowest_m_per_s = 0.0;
@@ -161,7 +162,7 @@ bool agree(const HeldToolRoughness& a, const HeldToolRoughness& b) {
   const auto power_of = [](const HeldToolRoughness& one) {
     return one.pacinian_dB ? std::pow(10.0, 0.1 * *one.pacinian_dB) : 0.0;
   };
-  // In units of the weighted power, what the floor would be at the threshold's own frequency.
+  // The floor in units of the weighted power, with the weight of the threshold's own frequency.
   const double weighted_floor =
       floor * power_of(b) / std::max(b.rms_accel_m_per_s2 * b.rms_accel_m_per_s2, 1e-300);
   return agree(a.max_accel_m_per_s2, b.max_accel_m_per_s2, kAccelerationTolerance, 0.0) &&

@@ -1,4 +1,4 @@
-// Two held tools, one along x and z and one along y, and the last second of how they shake.
+// Implements two held tools, one along x and z and one along y, and the acceleration in the last window.
 
 #include "renderers/offline/felt_roughness.h"
 

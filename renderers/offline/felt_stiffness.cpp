@@ -1,4 +1,4 @@
-// Central differences of a model's force, at the depth of the force limit, where they are largest.
+// Implements central differences of a model's force, at the depth of the force limit, and the search for their maximum.
 
 #include "renderers/offline/felt_stiffness.h"
 
@@ -25,16 +25,16 @@ constexpr int kPlacesAcross = 128;
 constexpr int kPlacesAlongALine = 4096;
 constexpr std::size_t kFollowed = 16;
 constexpr double kDeepest_m = 0.1;  // more than any texture or hand, unless it is very soft
-/// Shares of the depth that the limit takes on a plain plate.
+/// As fractions of the depth of the force limit on a plain plate.
 constexpr double kStepAlongZ = 1.0 / 2000.0;
 constexpr double kShallower = 2.0 * kStepAlongZ;
-/// Of the greatest force: a spring that saturates is nearest to it just before it does.
+/// A fraction of the greatest force: a saturating spring comes closest to it just before it saturates.
 constexpr double kNearlyGreatest = 0.999;
-/// A jump's difference grows with 1/step; that of a kink is at most some twice another.
+/// The difference at a jump grows with 1/step; at a kink it is at most about twice another one.
 constexpr double kFinerStep = 0.25;
 constexpr double kGrowthOfAJump = 2.0;
 
-/// Of a symmetric matrix, by Jacobi's rotations.
+/// The largest eigenvalue of a symmetric matrix, by Jacobi rotations.
 double largest_eigenvalue(glm::dmat3 m) {
   for (int round = 0; round < 8; ++round) {
     for (const auto& [p, q] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
@@ -65,7 +65,7 @@ struct Place {
   double stiffness_N_per_m = 0.0;
 };
 
-/// The field that the model renders, and not only takes numbers from.
+/// The field that the model renders; null for a model that only derives parameters from it.
 const HeightField* rendered_field(const ForceModel& model, const RendererInputs& inputs) {
   return model.declaration.needs_height_field ? inputs.height_field.get() : nullptr;
 }
@@ -96,7 +96,7 @@ StiffnessSearch completed(StiffnessSearch search, const ForceModel& model,
   return search;
 }
 
-/// The few with the largest values.
+/// Collects the elements with the largest values.
 class Largest final {
  public:
   void offer(double value, const Place& place) {
@@ -119,7 +119,7 @@ class Largest final {
   std::vector<Kept> kept_{};
 };
 
-/// Which sample the texture has `beyond` its first one, `count` of them in a row.
+/// The index of the texture sample that is `beyond` samples after the first one, out of `count` in a row.
 std::size_t sample_at(std::ptrdiff_t beyond, std::ptrdiff_t count, Tiling tiling) {
   switch (tiling) {
     case Tiling::repeat:
@@ -135,8 +135,9 @@ std::size_t sample_at(std::ptrdiff_t beyond, std::ptrdiff_t count, Tiling tiling
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(beyond, 0, count - 1));
 }
 
-/// The samples where the field is bent upwards most, and where it is inclined most: a grid of places would miss the
-/// sharpest of a million. Bent as the cubics between samples are, which differ on the two sides of one.
+/// Adds the samples with the greatest upward curvature and with the greatest inclination: a grid would miss the
+/// sharpest of a million samples. The curvature is that of the cubics between samples, which differs on the two sides
+/// of a sample.
 void add_sharpest(const HeightField& field, const SurfacePatch& patch, const glm::dvec2& extent_m,
                   std::vector<Place>& places) {
   const auto rows = static_cast<std::ptrdiff_t>(field.grid().rows);
@@ -192,7 +193,7 @@ class StiffestPlace final {
         plate_depth_m_(search.force_limit_N / inputs.material.stiffness_N_per_m),
         deepest_m_(std::max(kDeepest_m, 2.0 * plate_depth_m_)) {
     RendererInputs borderless = inputs;
-    borderless.patch.edge = PatchEdge::wall;  // never met
+    borderless.patch.edge = PatchEdge::wall;  // never reached
     borderless.patch.extent_m = 2.0 * (inputs.patch.extent_m + extent_m_);
     renderer_ = make_renderer(model, borderless);
   }
@@ -222,7 +223,7 @@ class StiffestPlace final {
  private:
   struct Pressed {
     double z_m = 0.0;
-    double force_N = 0.0;  ///< 0 where the place does not push at all
+    double force_N = 0.0;  ///< 0 where there is no force
   };
 
   double half_x_m() const { return 0.5 * extent_m_.x; }
@@ -249,7 +250,7 @@ class StiffestPlace final {
     return renderer_->tick(probe, kPeriod_s).wrench.force_N;
   }
 
-  /// How deep the tip is there, from where a plain plate would have it.
+  /// The depth of the tip at this place, relative to the depth on a plain plate.
   Pressed pressed(const Place& place) {
     const auto normal_N = [&](double z_m) { return force_N(place.x_m, place.y_m, z_m).z; };
     double step_m = plate_depth_m_;
@@ -317,7 +318,7 @@ class StiffestPlace final {
     return largest_eigenvalue(0.5 * (gradient + glm::transpose(gradient)));
   }
 
-  /// 0 where the force jumps.
+  /// The stiffness at a place; 0 if the force jumps there.
   double without_jumps(const Place& place) {
     const Pressed tip = pressed(place);
     const double coarse = at(place, tip, step_m_);

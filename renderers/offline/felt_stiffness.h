@@ -1,4 +1,4 @@
-// How stiff a stimulus is to the hand that presses on it, from the forces of its model.
+// Declares the stiffness of a stimulus to the hand that presses on it, computed from its model's forces.
 
 #pragma once
 
@@ -10,44 +10,45 @@
 
 namespace asperity {
 
-/// Where it is looked for, and how finely. What is left out follows from the stimulus: the part of the texture that
-/// can be met on the patch, once where it repeats; steps of 1/64 of its pitch on the device, 1/256 of the wavelength
+/// The region and the resolution of the search. Missing values follow from the stimulus: the part of the texture that
+/// can be reached on the patch, once if it repeats; steps of 1/64 of its pitch on the device, 1/256 of the wavelength
 /// of a model that has one as a parameter, 1 µm otherwise.
 struct StiffnessSearch {
-  double force_limit_N = 5.0;  ///< the normal force at which it is asked for
-  /// The rectangle about the patch's centre, on the device; 0 along an axis is a line.
+  double force_limit_N = 5.0;  ///< the normal force at which the stiffness is evaluated
+  /// The rectangle about the patch's centre, on the device; 0 along an axis makes it a line.
   std::optional<glm::dvec2> extent_m{};
   std::optional<double> step_m{};  ///< in x and y, to either side of a place
 };
 
 struct FeltStiffness {
   double stiffness_N_per_m = 0.0;
-  /// The normal force there: the limit, or just less than the greatest force where the model gives less.
+  /// The normal force there: the limit, or slightly less than the greatest force if the model does not reach the limit.
   double force_N = 0.0;
 };
 
-/// The largest eigenvalue of the symmetric part of −∂F/∂x [N/m], x the resting tip in all three directions, at the
-/// stiffest place found: there a spring along one direction is as stiff, which is K of b > K·T/2 + |B| [Colgate 1997].
-/// For a force −k·δ·∇δ (pd_gradient, height_map at a lateral gain of 1) it is that of k(∇δ∇δᵀ + δ∇∇δ), with kδ the
-/// force. What F turns without being a gradient of anything (the other part of ∂F/∂x) is left out.
+/// The largest eigenvalue of the symmetric part of −∂F/∂x [N/m], with x the resting tip in all three directions, at the
+/// stiffest place found. It is the stiffness of an equivalent spring along one direction, the K of b > K·T/2 + |B|
+/// [Colgate 1997]. For a force −k·δ·∇δ (pd_gradient, height_map at a lateral gain of 1) it is that of k(∇δ∇δᵀ + δ∇∇δ),
+/// with kδ the force. The rotational part of F, which is not a gradient (the other part of ∂F/∂x), is left out.
 ///
-/// F is that of the model's own renderer, `reset` and asked once at each place, at rest and at time 0: there is no friction,
-/// and noise in time is the same everywhere. Its derivatives are central differences over ±`step_m`
-/// across and 1/2000 of the depth along z. Each place is as deep as its normal force first reaches the limit, or where
-/// it never does within 0.1 m (twice the depth at which a plain plate does, where that is more) nearly (1/1000 less) the
-/// greatest that it has there, just above that.
+/// F is that of the model's own renderer, which is `reset` and evaluated once at each place, at rest and at time 0:
+/// there is no friction, and noise in time is the same everywhere. Its derivatives are central differences over
+/// ±`step_m` in x and y and over 1/2000 of the depth along z. The depth at each place is the smallest at which the
+/// normal force reaches the limit. If it does not reach the limit within 0.1 m (or twice the depth on a plain plate, if
+/// that is more), it is slightly smaller than the depth of the greatest force there: the force is 1/1000 less.
 ///
-/// Looked at are 128 by 128 places, one in each cell of a grid, drawn from a fixed seed, and those where the height field
-/// is bent or inclined most; from the 16 stiffest uphill to the stiffest near them. The patch's border is taken away.
+/// The search evaluates 128 by 128 places, one in each cell of a grid, drawn with a fixed seed, and the samples of the
+/// height field with the greatest curvature or inclination; from the 16 stiffest it climbs to the local maximum. The
+/// patch's border is removed.
 ///
-/// A jump of the force is no stiffness: a difference that grows as its step is made smaller is left out. Where a
-/// model's force jumps (at contact, height_map's literal law at its depth limit), nothing is said of it. Nothing is
-/// returned where no place has a stiffness: everywhere the force jumps, or does not grow.
+/// A jump of the force is not a stiffness: a difference that grows as its step decreases is left out. The result does
+/// not cover jumps of a model's force (at contact, height_map's literal law at its depth limit). nullopt if no place
+/// has a stiffness: the force jumps everywhere, or does not grow.
 ///
-/// Limits: of a model that moves by itself (pd_gradient's virtual coupling) it is the force right after `reset`, which is
-/// not what a hand feels.
+/// Limits: for a model with internal motion (pd_gradient's virtual coupling) the result is that of the force directly
+/// after `reset`, which differs from what a hand feels.
 ///
-/// Errors: std::invalid_argument for a limit or a step that is not positive, and what the model refuses.
+/// Errors: std::invalid_argument for a limit or a step that is not positive, and in the cases of the model.
 std::optional<FeltStiffness> felt_stiffness(const ForceModel& model, const RendererInputs& inputs,
                                             const StiffnessSearch& search);
 

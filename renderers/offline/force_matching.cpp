@@ -1,4 +1,4 @@
-// Two nested root searches: the height that gives the mean force, the amplitude that gives the RMS.
+// Implements two nested root searches: for the height with the mean force, and for the amplitude with the RMS.
 
 #include "renderers/offline/force_matching.h"
 
@@ -31,8 +31,7 @@ std::string text_of(double value) {
   return {characters, end.ptr};
 }
 
-// The path's samples at a height that can be moved, without those that are dropped being forgotten:
-// the renderer sees them all.
+// The path's samples at a variable height. The renderer also receives the dropped samples.
 class Strokes {
  public:
   Strokes(const TextureForcePath& path, const SurfacePatch& patch)
@@ -50,7 +49,7 @@ class Strokes {
     }
   }
 
-  // The forces at a height over the plane, the dropped ones left out.
+  // The forces at a height over the plane, without the dropped ones.
   std::vector<glm::dvec3> forces_N(ForceRenderer& renderer, double height_m) {
     for (ProbeState& sample : samples_) sample.position_m.z = plane_m_ + height_m;
     const std::vector<RenderedTick> ticks = along_path(renderer, samples_, rate_Hz_);
@@ -115,7 +114,7 @@ double texture_force_rms_N(const ForceModel& model, const RendererInputs& inputs
   check(path);
   RendererInputs textured = inputs;
   const double length_m = path.speed_m_per_s * path.duration_s;
-  textured.patch.edge = PatchEdge::wall;  // never met
+  textured.patch.edge = PatchEdge::wall;  // never reached
   textured.patch.extent_m = {2.0 * length_m, 2.0 * length_m};
   textured.patch.tiling = Tiling::repeat;
 

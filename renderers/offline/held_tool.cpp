@@ -1,4 +1,4 @@
-// The steps of a held tool.
+// Implements the integration steps of a held tool.
 
 #include "renderers/offline/held_tool.h"
 
@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-// Of m·ẍ + b·ẋ + k·x = 0.
+// The slowest decay of m·ẍ + b·ẋ + k·x = 0.
 double decay_of(double mass_kg, double damping_N_s_per_m, double stiffness_N_per_m) noexcept {
   const double half = 0.5 * damping_N_s_per_m / mass_kg;
   const double over = half * half - stiffness_N_per_m / mass_kg;
@@ -41,7 +41,7 @@ const ProbeState& HeldTool::advance(double dt_s) noexcept {
 
 void HeldTool::feel(const glm::dvec3& force_N) noexcept {
   const double behind_m = stroke_.start_m.x + stroke_.speed_m_per_s * time_s_ - state_.position_m.x;
-  // All but the damper's share of the velocity that is looked for.
+  // All forces except the damper's for the unknown new velocity.
   const glm::dvec2 free_N{force_N.x + hand_.stiffness_N_per_m * behind_m +
                               hand_.damping_N_s_per_m * stroke_.speed_m_per_s,
                           stroke_.press_N ? force_N.z - *stroke_.press_N : 0.0};

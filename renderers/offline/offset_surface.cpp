@@ -1,4 +1,4 @@
-// The offset surface as a table over one period, and forces read from it.
+// Implements the offset surface as a table over one period, and the forces from it.
 
 #include "renderers/offline/offset_surface.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostSamples = std::size_t{1} << 22;
 constexpr double kWidestRow_m = 25e-6;
-constexpr double kDiscWidth = 0.1;          // of its diameter
+constexpr double kDiscWidth = 0.1;          // relative to its diameter
 constexpr std::ptrdiff_t kCellsInStep = 8;  // of the table, in the step of the differences
 
 double period_of(const HeightField& field, Tiling tiling) {
@@ -42,15 +42,15 @@ bool changes_across(const HeightField& field) {
   return false;
 }
 
-// How far across the line something under the tip can be, given how high the relief is: what drops
-// by more than that holds no maximum.
+// The greatest distance across the line at which the tip can touch, given the height of the relief: a part of the tip
+// that is higher than the relief cannot contain the maximum.
 double reach_m(const RigidTip& tip, double relief_m) {
   const double radius_m = 0.5 * tip.diameter_m;
   const double deepest_m = std::min(relief_m, radius_m);
   return std::sqrt(deepest_m * (2.0 * radius_m - deepest_m));
 }
 
-// Samples of the relief along one line, as many before and behind the period as the tip is wide.
+// Samples of the relief along one line, extended by the width of the tip on both sides of the period.
 std::vector<double> line_of(const HeightField& field, const OffsetSurface::Sampling& sampling,
                             double y_m, std::size_t period, std::size_t beyond) {
   std::vector<double> line_m(period + 2 * beyond);
@@ -160,7 +160,7 @@ class TipOnField final : public ForceRenderer {
     double slope = 0.0;
   };
 
-  // Straight between entries.
+  // Interpolates linearly between entries.
   Entry at(double x_m) const noexcept {
     const double cell = (x_m - period_m_ * std::floor(x_m / period_m_)) * cells_per_m_;
     const auto i = std::min(static_cast<std::size_t>(cell), table_.size() - 2);
@@ -175,7 +175,7 @@ class TipOnField final : public ForceRenderer {
   double damping_N_s_per_m_ = 0.0;
   double cells_per_m_ = 0.0;
   double period_m_ = 0.0;
-  std::vector<Entry> table_{};  ///< one more than a period
+  std::vector<Entry> table_{};  ///< one entry more than a period
 };
 
 }  // namespace

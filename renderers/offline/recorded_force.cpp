@@ -1,4 +1,4 @@
-// The force of a recorded hand, taken apart.
+// Implements the analysis of the force in a recording.
 
 #include "renderers/offline/recorded_force.h"
 
@@ -20,23 +20,23 @@
 namespace asperity {
 namespace {
 
-// A shorter stretch of contact holds too few periods of the band's lower border (5 Hz).
+// A shorter stretch of contact contains too few periods of the band's lower limit (5 Hz).
 constexpr double kShortestStretch_s = 0.25;
-// Two records further apart than this many periods do not belong to one stretch.
+// Two records separated by more than this many periods belong to different stretches.
 constexpr double kGap = 2.5;
-// Of a contact's end: lifting is the hand's and not the surface's.
+// Dropped at a contact's end, where the hand lifts the tool.
 constexpr double kLifting_s = 0.1;
 
 bool belongs(const TickRecord& record, std::uint64_t presentation) {
   return record.presentation == presentation && record.has(TickFlag::presenting);
 }
 
-/// The held tool's accelerations in one contact after another, pooled.
+/// Pools the accelerations of a held tool over several contacts.
 class Shaking final {
  public:
   explicit Shaking(double rate_Hz) : rate_Hz_(rate_Hz) {}
 
-  /// Forces from the first touch to the last one.
+  /// Adds the forces from the first to the last tick of one contact.
   void add_contact(std::span<const glm::dvec3> forces_N) {
     const auto lifting = static_cast<std::size_t>(kLifting_s * rate_Hz_);
     if (forces_N.size() <= lifting) return;
@@ -67,7 +67,7 @@ class Shaking final {
 std::optional<double> recorded_shaking_m_per_s2(const RecordedSurfaceSpan& surface) {
   Shaking shaking(surface.rate_Hz);
   std::vector<glm::dvec3> forces_N{};
-  std::size_t touched = 0;  // forces until the last tick of contact
+  std::size_t touched = 0;  // number of forces until the last tick of contact
   glm::dvec2 along{1.0, 0.0};
   std::int64_t last_touch_ns = 0;
   constexpr auto kLift_ns = static_cast<std::int64_t>(kLift_s * 1e9);

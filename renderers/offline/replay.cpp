@@ -1,4 +1,4 @@
-// A recorded hand through a force model.
+// Implements the replay of a recording through a force model.
 
 #include "renderers/offline/replay.h"
 

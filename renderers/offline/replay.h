@@ -1,4 +1,4 @@
-// A recorded hand through a force model.
+// Declares the replay of a recording through a force model.
 
 #pragma once
 
@@ -10,13 +10,12 @@
 
 namespace asperity {
 
-/// What the renderer answers to the hand of a recording, record by record: it is asked, and reset,
-/// exactly where the one of the recording was; nothing is rendered in between (a fault, free
-/// space).
+/// The results of the renderer for the hand's motion in a recording, record by record. It is called and reset exactly
+/// where the recorded one was; nothing is rendered elsewhere (a fault, free space).
 ///
-/// With the renderer that was felt and every record of the presentation there, the answers equal
-/// TickRecord::rendered bit for bit (a recording keeps that as float). Records that the ring lost
-/// break this from there on for a renderer that depends on the past.
+/// With the original renderer and all records of the presentation, the results equal TickRecord::rendered bit for bit
+/// (a recording stores it as float). For a renderer that depends on past samples, this no longer holds after records
+/// that the ring lost.
 ///
 /// Errors: std::invalid_argument for a rate that is not positive.
 std::vector<RenderedTick> replay(ForceRenderer& renderer, std::span<const TickRecord> records,

@@ -1,4 +1,4 @@
-// Lays out the texture, makes the renderer, and drags.
+// Implements the layout of the texture, the making of the renderer, and the drag.
 
 #include "renderers/offline/roughness_stroke.h"
 
@@ -21,13 +21,13 @@ constexpr double kDitheredSpacings = 16.0;
 constexpr double kStrokeSamplesPerSpacing = 64.0;
 constexpr double kCoarsest_m = 30e-6;
 constexpr std::size_t kMostPixels = 2048;
-constexpr double kLongestStep_m = 1e-4;  // the declared default: what sessions render
+constexpr double kLongestStep_m = 1e-4;  // the declared default, which sessions render
 constexpr double kStepsPerSpacing = 40.0;
-// A plate is beside the stroke as wide as any tool's contact, and its relief rises from its edges.
+// Next to the stroke the plate is as wide as the contact of any tool, and its relief rises from its edges.
 constexpr double kPlateWidth_m = 0.010;
 constexpr double kPlateBeyond_m = 0.006;
 constexpr double kPlateRim_m = 0.002;
-constexpr double kTexelsPerWave = 2.0;  // of the shortest, of two samples: each sample has a texel
+constexpr double kTexelsPerWave = 2.0;  // of the shortest wave, with two samples: one texel each
 constexpr double kPlateThickness_m = 0.01;
 constexpr double kLongestPlate_m = 0.25;
 
@@ -43,7 +43,7 @@ TextureAtSpacing stretched(const HeightField& relief, double spacing_m) {
   HeightField::Grid grid = relief.grid();
   grid.pitch_m *= spacing_m / *wavelength_m;
   TextureAtSpacing texture{.field = std::make_shared<const HeightField>(grid, relief.heights_m()),
-                           .tiling = Tiling::mirror,  // nobody's picture repeats without a seam
+                           .tiling = Tiling::mirror,  // pictures do not repeat without a seam
                            .spacing_m = spacing_m};
   texture.repeats_after_m = 2.0 * texture.field->width_m();
   return texture;
@@ -54,7 +54,7 @@ bool declares(const std::vector<Parameter>& parameters, std::string_view name) {
                      [name](const Parameter& one) { return one.name == name; });
 }
 
-// As long as the stroke has to be, with a record of a quarter of a second or sixteen spacings.
+// The length of the stroke with a record of a quarter of a second or sixteen spacings.
 double plate_length_m(const RoughnessStroke& stroke, const TextureAtSpacing& texture) {
   const double beginning_m =
       stroke.speed_m_per_s * beginning_s(stroke.hand, stroke.material.stiffness_N_per_m);
@@ -87,7 +87,7 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
               texture.kind, values, {.width_m = width_m, .pixels = pixels, .seed = texture.seed})),
           .spacing_m = spacing_m,
           .repeats_after_m = width_m,
-          .line_m = has_rows ? 0.5 * spacing_m : 0.0};  // an even number of rows lies about y = 0
+          .line_m = has_rows ? 0.5 * spacing_m : 0.0};  // even row counts are symmetric about 0
 }
 
 std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
@@ -106,7 +106,7 @@ std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
       if (declares(model.declaration.parameters, "wavelength_m")) {
         suggested["wavelength_m"] = texture.spacing_m;
       }
-      inputs.parameters.merge(suggested);  // what is given stays
+      inputs.parameters.merge(suggested);  // given values are kept
     }
     return make_renderer(model, inputs);
   }

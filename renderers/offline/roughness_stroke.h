@@ -1,4 +1,4 @@
-// The offline roughness experiment's single stroke: a model, a tip, a hand, and a texture of some
+// Declares a single stroke of the offline roughness experiment: a model, a tip, a hand, and a texture with a given
 // spacing.
 
 #pragma once
@@ -16,8 +16,8 @@
 
 namespace asperity {
 
-/// A texture whose spacing can be chosen: a synthetic surface that has a `spacing_m`, or a relief of
-/// anyone's that is stretched along the surface, heights kept, until its dominant wavelength is it.
+/// A texture with a variable spacing: a synthetic surface with the parameter `spacing_m`, or a relief that is stretched
+/// along the surface, with unchanged heights, until its dominant wavelength equals the spacing.
 struct SpacedTexture {
   std::string kind = "sinusoid";                ///< of synthetic_surface.h
   ParameterValues values{};                     ///< without the spacing
@@ -25,7 +25,7 @@ struct SpacedTexture {
   std::shared_ptr<const HeightField> relief{};  ///< instead of a kind
 };
 
-/// One of them, laid out for a stroke along x.
+/// A texture with a fixed spacing, laid out for a stroke along x.
 struct TextureAtSpacing {
   std::shared_ptr<const HeightField> field{};
   Tiling tiling = Tiling::repeat;
@@ -34,18 +34,18 @@ struct TextureAtSpacing {
   double line_m = 0.0;  ///< y of the stroke on the field
 };
 
-/// Of a kind: eight spacings (sixteen of cones, which are dithered) that repeat without a seam, with a
-/// sample every 64th of a spacing, or every 30 µm where that is less, up to 2048 a side. The stroke goes
-/// over the middle; of cones over the tops of a row, as far as they are not shifted aside.
+/// For a kind: eight spacings (sixteen for cones, which are dithered) that repeat without a seam, with a sample every
+/// 64th of a spacing, or every 30 µm if that is less, up to 2048 samples a side. The stroke passes over the middle; for
+/// cones over the tops of a row, except where they are shifted aside.
 ///
-/// Errors: std::invalid_argument for a kind that is not there or has no spacing, values that its
-/// declaration refuses, a relief without a dominant wavelength.
+/// Errors: std::invalid_argument for an unknown kind or one without a spacing, values that its declaration does not
+/// permit, a relief without a dominant wavelength.
 TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing_m);
 
-/// What is dragged and how, but for the texture.
+/// The parameters of a stroke, without the texture.
 struct RoughnessStroke {
   const ForceModel* model = nullptr;
-  ParameterValues parameters{};  ///< as given; what is left out is chosen as below
+  ParameterValues parameters{};  ///< as given; missing ones are chosen by `dragged`
   Material material{.stiffness_N_per_m = 1000.0, .friction = 0.0};
   RigidTip tip{};                              ///< of a model of bodies
   std::shared_ptr<const TexturedMesh> tool{};  ///< instead of the tip
@@ -56,28 +56,27 @@ struct RoughnessStroke {
   std::uint64_t seed = 1;  ///< of a model that draws random numbers
 };
 
-/// Drags it over the texture.
+/// Simulates the stroke over the texture.
 ///
-/// A model of a point is rendered as in sessions, over the texture as height field; a model that takes
-/// its parameters from a sample (`suggested_by`) takes them from the texture, and `wavelength_m` is the
-/// spacing itself. A model of bodies has a tip of a simple form as an offset surface
-/// (make_tip_renderer), a tool's mesh as in sessions with `coupling = none`, on a plate with the
-/// texture that is as long as the stroke. Their `step_m`, unless given, is a fortieth of the spacing and
-/// at most 0.1 mm: a longer one takes the fine textures away.
+/// A model of a point is rendered as in sessions, with the texture as height field. A model that derives its parameters
+/// from a sample (`suggested_by`) derives them from the texture, and `wavelength_m` is the spacing. For a model of
+/// bodies, a tip of a simple form is rendered as an offset surface (make_tip_renderer), and a tool's mesh as in
+/// sessions with `coupling = none`, on a plate with the texture that is as long as the stroke. Their `step_m`, unless
+/// given, is a fortieth of the spacing and at most 0.1 mm: a longer step removes fine textures.
 ///
-/// Nothing when it was asked to stop. Errors: std::invalid_argument as the model and `drag` have them.
+/// nullopt if stopped by `stop`. Errors: std::invalid_argument in the cases of the model and `drag`.
 std::optional<DragResult> dragged(const RoughnessStroke& stroke, const TextureAtSpacing& texture,
                                   const std::stop_token& stop = {});
 
-/// The renderer that `dragged` drags, for whoever asks what its forces are.
+/// The renderer that `dragged` uses, for an inspection of its forces.
 std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
                                                 const TextureAtSpacing& texture);
 
-/// What can be varied.
+/// The quantities that can be varied.
 enum class VariedQuantity { probe_diameter, applied_force, exploratory_speed };
 const char* text_of(VariedQuantity varied) noexcept;
-/// Whether a model's texture can depend on it, by its declaration. Speed is never without effect: it
-/// says how often a texture comes by.
+/// Whether a model's texture can depend on the quantity, by its declaration. Speed always has an effect: it determines
+/// the temporal frequency of the texture.
 bool depends_on(const ModelDeclaration& declaration, VariedQuantity varied) noexcept;
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Springs and dampers that a sampled loop can render: closed forms.
+// Implements the closed forms of sampled_loop.h.
 
 #include "renderers/offline/sampled_loop.h"
 

@@ -1,11 +1,11 @@
-// Springs and dampers that a sampled loop can render: closed forms.
+// Declares closed forms for the springs and dampers that a sampled loop can render.
 
 #pragma once
 
 namespace asperity {
 
-/// The viscous damping [N s/m] of its own that a device needs to render F = −K·x − B·ẋ passively, read and pushed once
-/// every `period_s` (T), the force held in between and ẋ the difference of two readings:
+/// The inherent viscous damping [N s/m] that a device needs to render F = −K·x − B·ẋ passively, with a reading and a
+/// force once every `period_s` (T), the force held in between and ẋ the difference of two readings:
 ///
 ///   b > K·T/2 + |B|
 ///
@@ -13,33 +13,33 @@ namespace asperity {
 ///
 ///   b > T/(2(1 − cos ωT)) · Re{(1 − e^(−jωT))·H(e^(jωT))}      for 0 ≤ ω ≤ π/T
 ///
-/// With H(z) = K + B·(z − 1)/(T·z) the spring contributes K·T/2 at every frequency, because Re{1 − e^(−jωT)} = 1 − cos ωT.
-/// The damper contributes −B·cos ωT, because Re{(1 − e^(−jωT))²} = −2·cos ωT·(1 − cos ωT). A positive B is hardest to
-/// render at half the sampling rate, where it is felt with the opposite sign; a negative one at ω = 0. A damper therefore
-/// asks as much of a device as a spring of 2|B|/T.
+/// With H(z) = K + B·(z − 1)/(T·z) the spring contributes K·T/2 at every frequency, because Re{1 − e^(−jωT)} = 1 − cos
+/// ωT. The damper contributes −B·cos ωT, because Re{(1 − e^(−jωT))²} = −2·cos ωT·(1 − cos ωT). The most difficult
+/// frequency for a positive B is half the sampling rate, where it acts with the opposite sign; for a negative one it is
+/// ω = 0. A damper therefore requires as much damping of a device as a spring of 2|B|/T.
 ///
-/// A virtual coupling of k_t and b_t asks for k_t·T/2 + b_t, whatever its tool touches: the tool and its contacts are
-/// integrated implicitly and add no energy, and at half the sampling rate the tool's mass stands still. The two springs in
-/// series, K·k_t/(K + k_t), are no bound: a tool of 2 g on the default coupling asks for 1.11 N s/m on a contact of 500 N/m,
-/// 1.43 on one of 50 kN/m, and 1.5 on a rigid one, at 1 kHz.
+/// A virtual coupling of k_t and b_t requires k_t·T/2 + b_t, independent of what its tool touches: the tool and its
+/// contacts are integrated implicitly and add no energy, and at half the sampling rate the tool's mass is at rest. The
+/// two springs in series, K·k_t/(K + k_t), are not a bound: a tool of 2 g on the default coupling requires 1.11 N s/m
+/// on a contact of 500 N/m, 1.43 on one of 50 kN/m, and 1.5 on a rigid one, at 1 kHz.
 ///
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
 double passive_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept;
 
-/// The steepest damper B [N s/m] that an apparent mass m does not oscillate on, when the velocity that enters F = −B·v is
-/// τ (`delay_s`) old and the force is held for T:
+/// The steepest damper B [N s/m] on which an apparent mass m does not oscillate if the velocity in F = −B·v is delayed
+/// by τ (`delay_s`) and the force is held for T:
 ///
 ///   B < 2m/T · sin(π/(2(2τ/T + 1)))
 ///
-/// From m·(v_{n+1} − v_n) = −B·T·v_{n−d} with d = τ/T: at the limit z = e^(jθ) solves z^d·(1 − z) = B·T/m, whose angle
-/// gives θ = π/(2d + 1) and whose length 2·sin(θ/2). Without a delay it is 2m/T, and the oscillation is at half the sampling
-/// rate; with a long one (π/2)·m/(τ + T/2), at a frequency of 1/(4τ + 2T).
+/// From m·(v_{n+1} − v_n) = −B·T·v_{n−d} with d = τ/T: at the limit z = e^(jθ) solves z^d·(1 − z) = B·T/m; its angle
+/// gives θ = π/(2d + 1) and its modulus 2·sin(θ/2). Without a delay the limit is 2m/T, with an oscillation at half the
+/// sampling rate; with a long delay it is (π/2)·m/(τ + T/2), at a frequency of 1/(4τ + 2T).
 ///
-/// Limits: a free mass. A velocity that is estimated by a line through n readings is τ = (n − 1)·T/2 old; that the line also
-/// weakens fast velocities is left out, as are damping and hold of a hand and steps of positions. With 5 N s/m and 300 N/m
-/// on 50 g a loop begins to vibrate at 99 N s/m for 100 (velocity of now), 42 for 28 (five readings and 0.25 ms) and 23
-/// for 16 (eight readings and 1 ms).
+/// Limits: a free mass. A velocity that is estimated by a line through n readings is delayed by τ = (n − 1)·T/2; the
+/// line's attenuation of fast velocities is neglected, as are the damping and grip of a hand and the quantisation of
+/// positions. With 5 N s/m and 300 N/m on 50 g a loop begins to vibrate at 99 N s/m where the limit is 100 (undelayed
+/// velocity), at 42 for 28 (five readings and 0.25 ms) and at 23 for 16 (eight readings and 1 ms).
 double steepest_damper_N_s_per_m(double moving_mass_kg, double delay_s, double period_s) noexcept;
 
 }  // namespace asperity
