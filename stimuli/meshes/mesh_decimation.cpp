@@ -1,7 +1,8 @@
-// Half-edges, heap and legality of collapses are OpenMesh's; what a collapse costs and which are forbidden is ours.
+// Implements the decimation with OpenMesh's half-edges, heap and legality checks, and with a separate cost and separate
+// restrictions of the collapses.
 //
-// OpenMesh's own ModQuadric takes an error for a refusal when rounding makes it negative, which on flat faces is every
-// second one; its ModNormalFlipping forbids every collapse beside a face of no area.
+// OpenMesh's ModQuadric treats an error that rounding makes negative as a rejection, which affects every second
+// collapse on flat faces; its ModNormalFlipping forbids every collapse next to a face of zero area.
 
 #include "stimuli/meshes/mesh_decimation.h"
 
@@ -14,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// QuadricT.hh does not include what it needs.
+// QuadricT.hh does not include the header that it requires.
 // clang-format off
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
@@ -43,18 +44,18 @@ using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
 using Quadric = OpenMesh::Geometry::Quadricd;
 
-/// A place of the given surface, and how much of it that place stands for.
+/// A sample of the given surface and the area that it represents.
 struct Sample {
   glm::dvec3 place{};
   double area = 0.0;
 };
 
-/// What a vertex keeps while the mesh around it changes.
+/// The data of a vertex that persist while the mesh around it changes.
 struct VertexPast {
-  std::uint32_t origin = 0;       ///< the vertex of the given mesh whose very coordinates it has
-  Vec3d normal{0.0};              ///< of the given mesh: of the faces around, by their angles
+  std::uint32_t origin = 0;       ///< the vertex of the given mesh with these coordinates
+  Vec3d normal{0.0};              ///< of the given mesh: of its faces, weighted by angle
   Quadric quadric{};              ///< of the planes that were merged into it
-  std::vector<Sample> samples{};  ///< of the given surface about it
+  std::vector<Sample> samples{};  ///< of the given surface around the vertex
 };
 using PastProperty = OpenMesh::VPropHandleT<VertexPast>;
 
@@ -65,11 +66,11 @@ constexpr std::size_t kFewestTriangles = 4;  // a tetrahedron
 
 glm::dvec3 place_of(const Vec3d& point) { return {point[0], point[1], point[2]}; }
 
-/// What a collapse costs.
+/// Computes the cost of a collapse.
 ///
-/// Planes alone would mislead on rough surfaces: extended over the length of an edge, those of a fine relief are
-/// further from the surface than a corner that is cut off. What decides is how far the samples of the given
-/// surface that the vanishing vertex keeps are from the faces that come of it.
+/// Quadrics alone are misleading on rough surfaces: the planes of a fine relief, extended over the length of an edge,
+/// deviate more from the surface than a corner that is cut off. The decisive term is therefore the distance of the
+/// removed vertex's samples of the given surface from the resulting faces.
 class CollapseCost final : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<CollapseCost>;
@@ -77,7 +78,7 @@ class CollapseCost final : public Module {
   explicit CollapseCost(HalfEdgeMesh& mesh) : Module(mesh, false) {}
 
   void set_pasts(PastProperty pasts) { pasts_ = pasts; }
-  /// A collapse that takes a sample further from the surface is not done.
+  /// Forbids collapses that move a sample further from the surface than `distance`.
   void set_furthest(double distance) { squared_furthest_ = distance * distance; }
 
   float collapse_priority(const CollapseInfo& collapse) override {
@@ -107,7 +108,7 @@ class CollapseCost final : public Module {
   }
 
  private:
-  /// A face that stays, moved to where it will be: its first corner is the vertex that both become.
+  /// A remaining face at its position after the collapse; its first corner is the merged vertex.
   struct Face {
     std::array<HalfEdgeMesh::VertexHandle, 3> corners;
     std::array<glm::dvec3, 3> places{};
@@ -127,7 +128,7 @@ class CollapseCost final : public Module {
     }
   }
 
-  /// With the squared distance; of a vertex without faces, none.
+  /// The nearest face and its squared distance; null for a vertex without faces.
   std::pair<const Face*, double> nearest(const glm::dvec3& place) const {
     std::pair<const Face*, double> best{nullptr, std::numeric_limits<double>::infinity()};
     for (const Face& face : faces_) {
@@ -160,7 +161,7 @@ class CollapseCost final : public Module {
     std::vector<Sample>& samples = mesh().property(pasts_, keeper).samples;
     samples.push_back(sample);
     if (samples.size() <= kMostSamples) return;
-    // Every second one, which then stands for two.
+    // Keeps every second sample, with the area of two.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < samples.size(); i += 2) {
       Sample next = samples[i];
@@ -177,7 +178,7 @@ class CollapseCost final : public Module {
 
 enum class Strictness { turn_and_shape, look, flip_only };
 
-/// Which collapses are forbidden.
+/// Determines which collapses are forbidden.
 class NormalControl final : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<NormalControl>;
@@ -198,7 +199,7 @@ class NormalControl final : public Module {
       const Corners after{collapse.p1, mesh().point(one), mesh().point(other)};
       if (!allowed({collapse.p0, after[1], after[2]}, after)) return ILLEGAL_COLLAPSE;
       if (strictness_ == Strictness::flip_only) continue;
-      // Turns add up, collapse by collapse; what a vertex once looked like does not change.
+      // Rotations accumulate over collapses; the normals of the given mesh are constant.
       const Vec3d front = doubled_area(after);
       for (const auto vertex : {HalfEdgeMesh::VertexHandle(collapse.v1), one, other}) {
         const Vec3d& look = mesh().property(pasts_, vertex).normal;
@@ -214,7 +215,7 @@ class NormalControl final : public Module {
   static Vec3d doubled_area(const Corners& face) {
     return (face[1] - face[0]) % (face[2] - face[0]);
   }
-  /// 1 for equal sides, 0 for a needle.
+  /// The roundness of a face: 1 for equal sides, 0 for a degenerate face.
   static double roundness(const Corners& face, double doubled_area) {
     const double sides = (face[1] - face[0]).sqrnorm() + (face[2] - face[1]).sqrnorm() +
                          (face[0] - face[2]).sqrnorm();
@@ -230,7 +231,7 @@ class NormalControl final : public Module {
     const double new_size = new_area.norm();
     const double old_roundness = roundness(before, old_size);
     const double new_roundness = roundness(after, new_size);
-    if (old_roundness < 1e-6) return true;  // it had no direction that could turn
+    if (old_roundness < 1e-6) return true;  // a degenerate face had no orientation
     const double least = strictness_ == Strictness::turn_and_shape ? kSmallestCosine : 0.0;
     if ((old_area | new_area) <= least * old_size * new_size) return false;
     return strictness_ != Strictness::turn_and_shape || new_roundness >= kLeastRoundness ||
@@ -251,7 +252,7 @@ class Watch final : public OpenMesh::Decimater::Observer {
           std::min(1.0, static_cast<double>(before_ + step) / static_cast<double>(collapses_)));
     }
   }
-  /// Steps are counted from one each time.
+  /// Each simplification counts its steps from one; this sets the offset.
   void begin_after(std::size_t collapses) {
     before_ = collapses;
     notify(0);
@@ -264,7 +265,7 @@ class Watch final : public OpenMesh::Decimater::Observer {
   const std::function<void(double)>& progress_;
 };
 
-/// Where a mesh lies, so that the arithmetic can happen about the origin at a size of one.
+/// The position and size of a mesh, for computation about the origin at unit size.
 struct Place {
   glm::dvec3 centre_m{};
   double size_m = 1.0;
@@ -280,7 +281,7 @@ Place place_of(const TriangleMesh& mesh) {
   return {0.5 * (low_m + high_m), glm::length(high_m - low_m)};
 }
 
-/// A mesh on its way from the given one to the simple one, about the origin and of a size of one.
+/// The mesh during its simplification, about the origin and at unit size.
 class Simplification final {
  public:
   explicit Simplification(const TriangleMesh& mesh) : place_(place_of(mesh)), mesh_(mesh) {
@@ -295,7 +296,7 @@ class Simplification final {
 
   std::size_t triangles() const { return mesh_.triangles.size(); }
 
-  /// `furthest`: in parts of the size.
+  /// `furthest` is relative to the size.
   void collapse(std::size_t triangles, Strictness strictness, double furthest, Watch& watch,
                 const std::string& name) {
     HalfEdgeMesh half_edges{};
@@ -318,13 +319,13 @@ class Simplification final {
     take(half_edges, pasts);
   }
 
-  /// Handles that are narrower than the side of a face where there are `triangles` of them.
+  /// Cuts handles that are narrower than the side of a face in a mesh of `triangles` faces.
   void cut_handles(std::size_t triangles, SimplifiedMesh& result) {
     const double side = std::sqrt(4.0 * area_ / (std::sqrt(3.0) * static_cast<double>(triangles)));
     const HandleCuts cuts = cut_narrow_handles(mesh_, side);
     for (const std::uint32_t copied : cuts.copies) {
       VertexPast copy = pasts_[copied];
-      copy.samples.clear();  // the surface has not become larger
+      copy.samples.clear();  // the area of the surface is unchanged
       pasts_.push_back(std::move(copy));
     }
     result.handles_cut += cuts.handles;
@@ -350,8 +351,8 @@ class Simplification final {
     return (point(triangle[1]) - origin) % (point(triangle[2]) - origin);
   }
 
-  /// A vertex stands for a third of the faces around it, and looks as they do by their angles: by area, a corner
-  /// between a large face and a small one would look like the large one alone.
+  /// A vertex represents a third of the area of its faces. Its normal is their mean, weighted by angle: weighted by
+  /// area, the normal at a corner between a large and a small face would be that of the large one.
   void remember(const std::array<std::uint32_t, 3>& triangle) {
     const Vec3d area = doubled_area(triangle);
     const double size = area.norm();
@@ -370,7 +371,7 @@ class Simplification final {
     }
   }
 
-  /// Leaves nothing here: of millions of faces one copy is enough.
+  /// Moves the mesh to `half_edges` and leaves this object empty: one copy of millions of faces suffices.
   void fill(HalfEdgeMesh& half_edges, PastProperty pasts, const std::string& name) {
     half_edges.reserve(mesh_.vertices_m.size(), 3 * mesh_.triangles.size() / 2,
                        mesh_.triangles.size());
@@ -430,7 +431,7 @@ SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
     result.mesh = mesh;
     return result;
   }
-  omerr().disable();  // what it would print is said below, in a sentence
+  omerr().disable();  // the error below replaces its output
   Watch watch((mesh.triangles.size() - triangles) / 2, progress);
   Simplification simple(mesh);
   const auto collapse = [&](std::size_t wanted, Strictness strictness, double furthest) {
@@ -439,15 +440,15 @@ SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
         (mesh.triangles.size() - std::min(mesh.triangles.size(), simple.triangles())) / 2);
     simple.collapse(wanted, strictness, furthest, watch, name);
   };
-  constexpr double kFurthest = 1.0;  // nothing is as far from a mesh as it is long
+  constexpr double kFurthest = 1.0;  // no point is as far from a mesh as its size
   const auto collapse_to = [&](std::size_t wanted) {
     for (double furthest = 0.001; furthest < kFurthest; furthest *= 2.0) {
       collapse(wanted, Strictness::turn_and_shape, furthest);
       collapse(wanted, Strictness::look, furthest);
     }
   };
-  // A handle can neither close nor open, and takes ever more of the faces that are left: it goes when
-  // the faces around have become as large as it is.
+  // A handle can neither close nor open and would occupy an increasing fraction of the remaining faces. It is cut when
+  // the surrounding faces are as large as the handle.
   const bool has_handles = handles_of(mesh) > 0;
   for (const std::size_t times : {32U, 16U, 8U, 4U, 2U}) {
     if (!has_handles || simple.triangles() <= times * triangles) continue;

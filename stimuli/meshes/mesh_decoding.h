@@ -23,11 +23,11 @@ class MeshText final {
  public:
   MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Goes to the next line; false at the end of the text.
+  /// Advances to the next line; false at the end of the text.
   bool next_line() noexcept;
   /// The next word of this line, empty at its end.
   std::string_view word() noexcept;
-  /// The next word of this line or of the next one that has any; empty at the end of the text.
+  /// The next word of this line or of a following one; empty at the end of the text.
   std::string_view word_of_any_line() noexcept;
   double number_in(std::string_view word) const;
   std::int64_t integer_in(std::string_view word) const;
@@ -53,9 +53,10 @@ class GrowingMesh final {
   void reserve(std::size_t vertices, std::size_t triangles);
   void add_vertex(const glm::dvec3& in_units);
   std::size_t vertices() const noexcept { return read_.mesh.vertices_m.size(); }
-  /// Its corners by index; more than three become a fan, fewer are counted and left out.
+  /// Adds a face by the indices of its corners. A face with more than three corners is divided into a fan; one with
+  /// fewer is counted and left out.
   void add_face(std::span<const std::int64_t> corners);
-  /// Corners one after the other, −1 between strips; every second triangle runs the other way.
+  /// Adds triangle strips: consecutive corners, −1 between strips. Every second triangle has the opposite orientation.
   void add_strips(std::span<const std::int64_t> corners);
   /// Checks that every index has a vertex. The mesh.
   ReadMesh finish(MeshFormat format);

@@ -1,4 +1,4 @@
-// Inside the mesh code: edges by their ends, and what lies across them.
+// Declares internals of the mesh code: edges by their ends, and the adjacency of half-edges.
 
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace asperity {
 
-/// The same for both directions of an edge.
+/// A key that is the same for both directions of an edge.
 inline std::uint64_t edge_key(std::uint32_t one, std::uint32_t other) {
   return static_cast<std::uint64_t>(std::min(one, other)) << 32 | std::max(one, other);
 }
 
-/// A half-edge is 3·triangle + corner, from that corner to the next.
+/// The next half-edge of a triangle. A half-edge is 3·triangle + corner, from that corner to the next.
 inline std::uint32_t next_half_edge(std::uint32_t half) {
   return half % 3 == 2 ? half - 2 : half + 1;
 }
 
 inline constexpr std::uint32_t kNoHalfEdge = std::numeric_limits<std::uint32_t>::max();
 
-/// Of each half-edge the one in the other triangle of its edge; kNoHalfEdge where the edge has not
-/// exactly two.
+/// For each half-edge the one in the other triangle of its edge; kNoHalfEdge if the edge does not have exactly two
+/// triangles.
 inline std::vector<std::uint32_t> opposite_half_edges(
     const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   const auto corner = [&](std::uint32_t half) { return triangles[half / 3][half % 3]; };

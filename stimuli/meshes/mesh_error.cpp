@@ -1,4 +1,4 @@
-// Distances of samples, each in its own place, summed in one order.
+// Implements the distances of samples, which are stored by index and summed in a fixed order.
 
 #include "stimuli/meshes/mesh_error.h"
 
@@ -33,7 +33,7 @@ GeometricError error_of(const std::vector<double>& distances_m) {
   return error;
 }
 
-/// A place of the mesh, before displacement.
+/// A position on the mesh before displacement.
 struct PlaceOnFace {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{};
@@ -56,9 +56,9 @@ class DisplacedSurface final {
   }
 
  private:
-  // Displacements may be longer than parts of the body are thick: what is nearest to a point before them
-  // can be the wrong side of a leg, or another leg. So it is looked for on the displaced surface, with each
-  // face in so many rows of triangles.
+  // Displacements may be longer than parts of the body are thick: the nearest point on the undisplaced mesh may be on
+  // the wrong side of a leg, or on another leg. The search therefore uses the displaced surface, with each face divided
+  // into this number of rows of triangles.
   static int rows_for(std::size_t triangles) {
     constexpr std::size_t kMostTriangles = std::size_t{1} << 19;
     constexpr int kMostRows = 32;
@@ -70,14 +70,14 @@ class DisplacedSurface final {
     return rows;
   }
 
-  /// The corner (i, j) of the rows of a face; 0 ≤ i, 0 ≤ j, i + j ≤ rows.
+  /// The barycentric coordinates of the grid point (i, j) of a face; 0 ≤ i, 0 ≤ j, i + j ≤ rows.
   static glm::dvec3 corner(int i, int j, int rows) {
     const double b = static_cast<double>(i) / rows;
     const double c = static_cast<double>(j) / rows;
     return {1.0 - b - c, b, c};
   }
 
-  /// Row after row rows² triangles of each face, in each row those that stand like the face first.
+  /// The mesh with rows² triangles per face, row by row; in each row those with the face's orientation come first.
   static TriangleMesh coarse_of(const TexturedMesh& mesh, int rows) {
     TriangleMesh coarse{};
     for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
@@ -118,8 +118,8 @@ class DisplacedSurface final {
                                    b.z * corner(i, j + 1, rows_)};
   }
 
-  /// Newton's method for the place whose interpolated normal goes through the point, from triangle
-  /// to triangle. Where it does not arrive it returns where it came to.
+  /// Finds the position whose interpolated normal passes through the point, by Newton's method from triangle to
+  /// triangle. Without convergence it returns the last position.
   PlaceOnFace place_under(const glm::dvec3& point_m, PlaceOnFace place) const {
     constexpr int kMostSteps = 24;
     constexpr double kArrived = 1e-9;
@@ -145,7 +145,7 @@ class DisplacedSurface final {
       }
       const glm::dvec3 change = glm::inverse(jacobian) * (point_m - at_m - height * along);
       const glm::dvec3 by{-change.x - change.y, change.x, change.y};
-      // As far as the triangle reaches.
+      // The step is limited to the triangle.
       double part = 1.0;
       int left_behind = -1;
       for (int i = 0; i < 3; ++i) {
@@ -179,7 +179,7 @@ class DisplacedSurface final {
     return place;
   }
 
-  /// To the nearest triangle between texels around a place; the window grows with the distance.
+  /// The distance from the nearest triangle between texels around a position; the window grows with the distance.
   double distance_about_m(const glm::dvec3& point_m, const PlaceOnFace& place) const {
     constexpr int kWidest = 32;
     double distance_m = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// How far a simplified mesh lies from the original, with its texture and without.
+// Declares the distance of a simplified mesh from the original, with and without its texture.
 
 #pragma once
 
@@ -12,25 +12,25 @@
 
 namespace asperity {
 
-/// Of the distances of points of the original.
+/// Statistics of the distances of points of the original.
 struct GeometricError {
   double rms_m = 0.0;
   double max_m = 0.0;
 };
 
-/// `count` points spread evenly over the surface, the same ones every time.
+/// Returns `count` points, evenly distributed over the surface and the same at every call.
 std::vector<glm::dvec3> surface_samples(const TriangleMesh& mesh, std::size_t count);
 
-/// How far each point lies from the nearest place of the mesh that `search` is on.
+/// The distances of the points from the mesh of `search`.
 GeometricError plain_error(const std::vector<glm::dvec3>& samples_m, const SurfaceSearch& search,
                            const Workers& workers);
 
-/// How far each point lies from the displaced surface.
+/// The distances of the points from the displaced surface.
 ///
-/// The surface is taken as triangles between texels. Of those near the place that is nearest to the
-/// point where every face is displaced in at most 32 rows of triangles, and near the one that the point lies
-/// over along the interpolated normals from there, the nearest one counts; so a distance is never told
-/// too small.
+/// The surface consists of triangles between texels. For each point, two neighbourhoods are searched: that of the
+/// nearest point on the surface with each face displaced in at most 32 rows of triangles, and that of the position
+/// under the point along the interpolated normals from there. The smaller distance is used; a distance is therefore
+/// never underestimated.
 GeometricError textured_error(const std::vector<glm::dvec3>& samples_m, const TexturedMesh& mesh,
                               const Workers& workers);
 

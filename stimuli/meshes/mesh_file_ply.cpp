@@ -1,4 +1,4 @@
-// PLY, as text and binary of either byte order.
+// Implements the reader of PLY, as text and as binary of either byte order.
 
 #include <array>
 #include <bit>
@@ -114,11 +114,11 @@ Header read_header(MeshText& text) {
   text.refuse("the file ends within its header.");
 }
 
-/// The numbers of the body, whatever they are written as. Every integer of PLY is a double exactly.
+/// Reads the numbers of the body in any encoding. A double represents every integer of PLY exactly.
 class Numbers {
  public:
   virtual ~Numbers() = default;
-  /// Nothing at the end of the file.
+  /// The next number; nullopt at the end of the file.
   virtual std::optional<double> next(Scalar type) = 0;
   virtual std::size_t rest_bytes() const = 0;
 };
@@ -131,7 +131,7 @@ class TextNumbers final : public Numbers {
     if (word.empty()) return {};
     return text_.number_in(word);
   }
-  // The line that is being read counts as well; a line is never longer than this by much.
+  // The current line is included; no line is much longer than this.
   std::size_t rest_bytes() const override { return text_.rest_bytes() + 4096; }
 
  private:
@@ -195,7 +195,7 @@ class Body final {
     const bool is_vertex = element.name == "vertex";
     const bool is_face = element.name == "face";
     const bool is_strips = element.name == "tristrips";
-    if (element.properties.empty()) return;  // takes no room in the file
+    if (element.properties.empty()) return;  // occupies no bytes in the file
     if (element.count > numbers_.rest_bytes()) cut_off(0);
     const std::array<std::optional<std::size_t>, 3> axes{property("x"), property("y"),
                                                          property("z")};

@@ -1,4 +1,4 @@
-// STL, as text and binary.
+// Implements the reader of STL, as text and as binary.
 
 #include <array>
 #include <bit>
@@ -28,7 +28,8 @@ ReadMesh decode_stl_binary(std::string_view content, const MeshReading& reading,
   const std::size_t triangles = binary_stl_triangles(content);
   mesh.reserve(3 * triangles, triangles);
   for (std::size_t i = 0; i < triangles; ++i) {
-    // A normal of 12 bytes, which the corners tell better; three corners; two bytes of anything.
+    // A record has a normal of 12 bytes, which is ignored in favour of the corners; three corners; two bytes of any
+    // content.
     const char* corner = content.data() + binary_stl_bytes(i) + 12;
     std::array<std::int64_t, 3> indices{};
     for (std::int64_t& index : indices) {

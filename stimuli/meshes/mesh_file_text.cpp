@@ -1,4 +1,4 @@
-// OBJ and OFF.
+// Implements the readers of OBJ and OFF.
 
 #include <array>
 #include <vector>
@@ -15,7 +15,7 @@ glm::dvec3 next_point(MeshText& text) {
   return point;
 }
 
-/// Goes to the next line that holds anything but a comment and returns its first word.
+/// Advances to the next line with other contents than a comment and returns its first word.
 std::string_view next_item(MeshText& text) {
   while (text.next_line()) {
     const std::string_view word = text.word();
@@ -26,7 +26,7 @@ std::string_view next_item(MeshText& text) {
 
 std::size_t next_count(MeshText& text, std::string_view word, const char* what) {
   const std::int64_t count = text.integer_in(word);
-  // An item takes two bytes at least, a digit and the end of its line.
+  // An item occupies at least two bytes, a digit and the end of its line.
   if (count < 0 || static_cast<std::size_t>(count) > text.rest_bytes()) {
     text.refuse("the file states " + std::string(word) + ' ' + what +
                 ", for which it is too short.");
@@ -54,7 +54,7 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
         }
         const std::int64_t index = text.integer_in(word.substr(0, word.find('/')));
         if (index == 0) text.refuse("a face refers to vertex 0; the first vertex is number 1.");
-        // A negative index counts back from the last vertex so far.
+        // A negative index counts backwards from the last vertex read.
         const auto before = static_cast<std::int64_t>(mesh.vertices());
         if (index < -before) {
           text.refuse("a face refers to vertex " + std::to_string(index) + ", but only " +
@@ -92,7 +92,7 @@ ReadMesh decode_off(std::string_view content, const MeshReading& reading, const 
     const double x = text.number_in(word);
     const double y = text.number_in(text.word());
     const double z = text.number_in(text.word());
-    mesh.add_vertex({x, y, z});  // normals and colours that may follow are left
+    mesh.add_vertex({x, y, z});  // normals and colours that may follow are ignored
   }
   std::vector<std::int64_t> corners{};
   for (std::size_t i = 0; i < faces; ++i) {

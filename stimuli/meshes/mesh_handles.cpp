@@ -1,3 +1,5 @@
+// Implements the search for narrow handles and their cuts.
+
 #include "stimuli/meshes/mesh_handles.h"
 
 #include <algorithm>
@@ -36,7 +38,7 @@ std::size_t parts_of(const TriangleMesh& mesh) {
   return parts;
 }
 
-/// One round of cuts that do not touch each other.
+/// One round of cuts that share no vertex.
 class Cutting final {
  public:
   Cutting(TriangleMesh& mesh, HandleCuts& cuts)
@@ -50,7 +52,7 @@ class Cutting final {
     }
   }
 
-  /// How many were cut.
+  /// Cuts up to `most` handles and returns their number.
   std::size_t cut(double widest_m, std::size_t most) {
     std::size_t done = 0;
     for (const Way& way : ways_shorter_than(widest_m)) {
@@ -69,7 +71,7 @@ class Cutting final {
   }
 
  private:
-  /// Around a handle, along three edges.
+  /// A closed path around a handle, along three edges.
   struct Way {
     double length_m = 0.0;
     std::array<std::uint32_t, 3> corners{};
@@ -109,7 +111,7 @@ class Cutting final {
     return ways;
   }
 
-  /// Whether no way leads over faces from one side to the other but across these edges.
+  /// Whether these edges separate the part: no path over faces leads from one side to the other without crossing them.
   bool falls_apart(const std::array<std::uint32_t, 3>& halves) const {
     const auto is_cut = [&](std::uint32_t half) {
       return std::any_of(halves.begin(), halves.end(), [&](std::uint32_t each) {
@@ -134,7 +136,7 @@ class Cutting final {
     return true;
   }
 
-  /// The faces on the left of a → b → c → a get corners of their own.
+  /// Gives the faces on the left of a → b → c → a separate corners.
   void divide(const std::array<std::uint32_t, 3>& halves) {
     const std::array<std::uint32_t, 3> corners{from(halves[0]), from(halves[1]), from(halves[2])};
     std::array<std::uint32_t, 3> copies{};
@@ -161,7 +163,7 @@ class Cutting final {
     add_face(corners, right);
   }
 
-  /// `across`: the half-edge beyond each of its own.
+  /// `across` contains the opposite half-edge of each of its own.
   void add_face(const std::array<std::uint32_t, 3>& corners,
                 const std::array<std::uint32_t, 3>& across) {
     const auto first = static_cast<std::uint32_t>(3 * mesh_.triangles.size());
@@ -181,7 +183,7 @@ class Cutting final {
 
 }  // namespace
 
-// Vertices − edges + faces = 2·(parts − handles), and there are three edges for every two faces.
+// Vertices − edges + faces = 2·(parts − handles), with three edges for every two faces.
 std::size_t handles_of(const TriangleMesh& mesh) {
   return (2 * parts_of(mesh) + mesh.triangles.size() / 2 - mesh.vertices_m.size()) / 2;
 }

@@ -1,4 +1,4 @@
-// Handles of a closed surface that are too narrow to be kept, as scans have them where they guessed.
+// Declares the removal of narrow handles of a closed surface, which are frequent artefacts of scans.
 
 #pragma once
 
@@ -10,24 +10,23 @@
 
 namespace asperity {
 
-/// How many handles (or tunnels, which are the same) the surface has, all parts together: its genus.
-/// A ball has none, a ring one.
+/// The number of handles (equivalently, tunnels) of the surface, all parts together: its genus. A sphere has none, a
+/// torus has one.
 std::size_t handles_of(const TriangleMesh& mesh);
 
-/// What `cut_narrow_handles` did.
+/// The result of `cut_narrow_handles`.
 struct HandleCuts {
   std::size_t handles = 0;
-  double widest_m = 0.0;  ///< the longest way around one
-  /// Which vertex each of those is a copy of that were added at the end.
+  double widest_m = 0.0;  ///< the greatest circumference of a handle that was cut
+  /// For each vertex appended at the end, the vertex of which it is a copy.
   std::vector<std::uint32_t> copies{};
 };
 
-/// Cuts handles along three edges that are not a face, the shortest first, and closes both ends with
-/// a face each: the two ends lie in the same place. Only where the way along the three edges is
-/// shorter than `widest_m`, and never so that a part falls into two. Faces keep their places, two are
-/// added for each cut.
+/// Cuts handles along three edges that do not form a face, the shortest path first, and closes both ends with one face
+/// each, at the same position. A handle is cut only if the path along the three edges is shorter than `widest_m` and
+/// the part does not fall into two. Faces keep their indices; two are added per cut.
 ///
-/// `mesh` is what repair_mesh returns, or was simplified from it; it stays closed. The same mesh gives the same
+/// `mesh` is a result of repair_mesh or a simplification of one; it remains closed. The same mesh gives the same
 /// result.
 HandleCuts cut_narrow_handles(TriangleMesh& mesh, double widest_m);
 

@@ -1,3 +1,5 @@
+// Implements the distribution of work to threads.
+
 #include "stimuli/meshes/side_by_side.h"
 
 #include <algorithm>

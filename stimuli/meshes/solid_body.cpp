@@ -1,3 +1,5 @@
+// Implements the meshes, orientation and position of bodies.
+
 #include "stimuli/meshes/solid_body.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ double smallest_size_m(const Shape& shape) {
 }
 
 ShapeRelief relief_on(const Shape& shape) {
-  // A size that is not positive is refused with the shape, not here.
+  // A size that is not positive is rejected by the shape, not here.
   const double quarter_m = 0.25 * smallest_size_m(shape);
   ShapeRelief relief{};
   relief.rim_m = quarter_m > 0.0 ? std::min(kRim_m, quarter_m) : kRim_m;

@@ -1,4 +1,4 @@
-// A shape as a body that touches or is touched: what it is made of, and how it lies.
+// Declares a body that touches or is touched: its shape, relief and position.
 
 #pragma once
 
@@ -11,44 +11,44 @@
 
 namespace asperity {
 
-/// Where the axis of a cylinder, a disc or a sphere (through its poles) lies.
+/// The direction of the axis of a cylinder, a disc or a sphere (through its poles).
 enum class BodyAxis { x, y, z };
 
-/// What a body is for: its frame has its origin where that needs it.
+/// The role of a body, which determines the origin of its frame.
 enum class BodyRole {
   surface,  ///< its highest point lies in the plane z = 0
-  tool,     ///< its lowest point lies in the plane z = 0: the tip of what the hand holds
+  tool,     ///< its lowest point, the tip, lies in the plane z = 0
 };
 
-/// Everything that has to be known to make the mesh of one body.
+/// The complete description of the mesh of one body.
 struct BodyDescription {
-  std::string name{};                 ///< as the protocol calls it
-  std::optional<std::string> mesh{};  ///< study-relative file of a textured mesh; or else
-  std::optional<Shape> shape{};       ///< this, of which exactly one is there
+  std::string name{};                 ///< the name in the protocol
+  std::optional<std::string> mesh{};  ///< study-relative file of a textured mesh
+  std::optional<Shape> shape{};       ///< alternative to `mesh`; exactly one of the two is given
   BodyAxis axis = BodyAxis::z;
-  std::optional<std::string> texture{};       ///< the protocol's name of the relief on the shape
+  std::optional<std::string> texture{};       ///< name of the texture with the shape's relief
   std::optional<std::string> height_field{};  ///< study-relative, of that relief
 };
 
 const char* text_of(BodyAxis axis) noexcept;
 const char* text_of(BodyRole role) noexcept;
 
-/// A cylinder a tenth as long as it is wide.
+/// A cylinder whose length is a tenth of its diameter.
 CylinderShape disc_of(double diameter_m) noexcept;
 
-/// A shape as it is made in its own frame (textured_shape.h), smooth where there is no field. The
-/// rim is 2 mm, or a quarter of the smallest size where that is less.
+/// Makes a shape in its own frame (textured_shape.h), smooth if there is no field. The rim is 2 mm, or a quarter of the
+/// smallest size if that is less.
 ///
-/// Errors: as `textured_shape`.
+/// Errors: those of `textured_shape`.
 TexturedMesh body_mesh(const Shape& shape, const HeightField* field);
 
-/// Whether `body_mesh` can be made, without making it. Errors: as `body_mesh`.
+/// Checks that `body_mesh` would succeed, without making it. Errors: those of `body_mesh`.
 void require_body_mesh(const Shape& shape, const HeightField* field);
 
-/// Turns the z axis of a mesh to another one, and the other two with it: x → y → z → x.
+/// Rotates a mesh so that its z axis becomes `axis`, by a cyclic exchange of the axes: x → y → z → x.
 TexturedMesh turned(TexturedMesh mesh, BodyAxis axis);
 
-/// Moves a mesh along z until its corners lie as its role wants.
+/// Moves a mesh along z to the position that its role requires.
 TexturedMesh placed(TexturedMesh mesh, BodyRole role);
 
 }  // namespace asperity

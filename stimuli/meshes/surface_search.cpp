@@ -1,4 +1,4 @@
-// The only user of Embree.
+// Implements ray and nearest-point queries; the only user of Embree.
 
 #include "stimuli/meshes/surface_search.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 struct Device {
   RTCDevice device = nullptr;
-  // One thread builds: the tree, and with it which of two equal hits is found, is always the same.
+  // The tree is built by one thread, so that it, and the choice between two equal hits, is always the same.
   Device() : device(rtcNewDevice("threads=1,set_affinity=0")) {
     if (device == nullptr) {
       throw std::runtime_error("Embree cannot start; its error is number " +
@@ -75,7 +75,7 @@ struct SurfaceSearch::Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Single precision is spent on a mesh of size one about the origin.
+  /// The coordinates in a frame in which the mesh has unit size about the origin, for single precision.
   glm::dvec3 scaled(const glm::dvec3& point_m) const { return (point_m - centre_m) / size_m; }
 
   std::array<glm::dvec3, 3> corners_m(std::uint32_t triangle) const {
@@ -107,7 +107,7 @@ bool consider(RTCPointQueryFunctionArguments* arguments) {
   const glm::dvec3 b = nearest_in_triangle(corners_m, search.point_m);
   const double distance_m =
       glm::length(b.x * corners_m[0] + b.y * corners_m[1] + b.z * corners_m[2] - search.point_m);
-  // Of equally near triangles the first by number, in whatever order the tree shows them.
+  // Of equally near triangles the one with the smallest index is used, independent of the order of traversal.
   if (distance_m > search.best.distance_m ||
       (distance_m == search.best.distance_m && arguments->primID >= search.best.triangle)) {
     return false;
@@ -137,7 +137,7 @@ std::optional<SurfaceSearch::Hit> SurfaceSearch::first_front(const Ray& ray) con
   hit.ray.dir_z = static_cast<float>(direction.z);
   hit.ray.mask = ~0U;
   hit.ray.tnear = 0.0F;
-  // A ray that has to pass through more sheets than this is nowhere near the surface it looks for.
+  // A ray that has to pass through more sheets is far from the surface that is searched.
   constexpr int kMostSheets = 16;
   for (int sheet = 0; sheet < kMostSheets; ++sheet) {
     hit.ray.tfar = static_cast<float>(ray.reach);
@@ -186,7 +186,7 @@ glm::dvec3 nearest_in_triangle(const std::array<glm::dvec3, 3>& corners_m,
     const double c = (bb * pc - bc * pb) / determinant;
     if (b >= 0.0 && c >= 0.0 && b + c <= 1.0) return {1.0 - b - c, b, c};
   }
-  // Outside, or no area: the nearest point of the three sides.
+  // Outside, or zero area: the nearest point of the three sides.
   glm::dvec3 best{1.0, 0.0, 0.0};
   double best_m2 = std::numeric_limits<double>::infinity();
   for (int side = 0; side < 3; ++side) {

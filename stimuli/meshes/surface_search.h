@@ -1,4 +1,4 @@
-// Finding places on a mesh: along a ray, and near a point.
+// Declares queries on a mesh: along a ray, and nearest to a point.
 
 #pragma once
 
@@ -11,15 +11,14 @@
 
 namespace asperity {
 
-/// Rays and nearest points on one mesh.
+/// Answers ray and nearest-point queries on one mesh.
 ///
-/// Rays are followed in single precision about the mesh's centre: places are right to about 10⁻⁷ of
-/// its size. Nearest points are found among candidates of that precision and computed in double
-/// precision. An answer depends on mesh and question only, and on the kind of processor in its last
-/// digits, never on the number of threads.
+/// Rays are traced in single precision about the mesh's centre: positions are accurate to about 10⁻⁷ of its size.
+/// Nearest points are determined among candidates of that precision and computed in double precision. A result depends
+/// only on the mesh and the query, and in its last digits on the type of processor, but never on the number of threads.
 ///
-/// Errors: the constructor throws std::invalid_argument for a mesh without triangles, and
-/// std::runtime_error where the library refuses.
+/// Errors: the constructor throws std::invalid_argument for a mesh without triangles, and std::runtime_error for an
+/// error of the library.
 ///
 /// Threads: any number at a time after construction.
 class SurfaceSearch final {
@@ -31,11 +30,11 @@ class SurfaceSearch final {
   SurfaceSearch& operator=(const SurfaceSearch&) = delete;
 
   struct Hit {
-    double distance = 0.0;  ///< in lengths of the direction
+    double distance = 0.0;  ///< in multiples of the direction's length
     std::uint32_t triangle = 0;
   };
-  /// Where origin + t·direction with 0 ≤ t ≤ reach first meets a triangle whose front (the side that
-  /// its normal points to) looks along `outward`, dot > 0. Others are passed through.
+  /// The first intersection of origin + t·direction, 0 ≤ t ≤ reach, with a triangle whose front (the side of its
+  /// normal) faces `outward`: dot > 0. Other triangles are ignored.
   struct Ray {
     glm::dvec3 origin_m{};
     glm::dvec3 direction{};

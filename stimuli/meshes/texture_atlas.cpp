@@ -1,3 +1,5 @@
+// Implements the packing and filling of the atlas.
+
 #include "stimuli/meshes/texture_atlas.h"
 
 #include <algorithm>
@@ -11,8 +13,8 @@ namespace asperity {
 
 namespace {
 
-// A patch with n texels along a side holds (i, j) with i, j ≥ −1 and i + j ≤ n + 2: its margin all around. Two of
-// them, one turned by half a turn, fit into a block of n + 5 by n + 6.
+// A patch with n texels along a side contains (i, j) with i, j ≥ −1 and i + j ≤ n + 2, including its margin. Two of
+// them, one rotated by half a turn, fit into a block of n + 5 by n + 6.
 std::size_t block_columns(int side) { return static_cast<std::size_t>(side) + 5; }
 std::size_t block_rows(int side) { return static_cast<std::size_t>(side) + 6; }
 
@@ -59,7 +61,7 @@ Packing pack(const std::vector<int>& sides) {
   return packing;
 }
 
-/// Counts of one patch with its margin, (i, j) from −1.
+/// The counts of one patch with its margin, (i, j) from −1.
 class Counts final {
  public:
   explicit Counts(int side)
@@ -70,7 +72,7 @@ class Counts final {
 
   void continue_beyond() {
     const int n = side_;
-    // Flat cells along the hypotenuse: a look-up there finds straight lines between its texels.
+    // The cells along the hypotenuse are planar, so that interpolation on it is linear between its texels.
     for (int i = 1; i <= n; ++i) {
       const int j = n + 1 - i;
       at(i, j) = at(i - 1, j) + at(i, j - 1) - at(i - 1, j - 1);
@@ -91,7 +93,7 @@ class Counts final {
   std::vector<int> counts_;
 };
 
-/// A margin texel is at most 3 times as large as what it continues; then it still is an int16.
+/// A margin texel is at most 3 times as large as the texels that it continues; within this limit it fits into an int16.
 constexpr double kLargestCount = 10900.0;
 constexpr double kSmallestStep_m = 1e-12;
 
@@ -174,7 +176,7 @@ std::vector<glm::dvec3> vertex_normals(const std::vector<glm::dvec3>& vertices_m
         return glm::dot(a, candidate) < glm::dot(b, candidate);
       });
     };
-    // Towards the face that is most averted, by ever smaller steps; the best of all is kept.
+    // Moves towards the most averted face by decreasing steps and keeps the best normal.
     constexpr double kLeast = 0.2;
     glm::dvec3 best = normal;
     for (double step = 0.5; !faces.empty() && step > 0.01; step *= 0.85) {

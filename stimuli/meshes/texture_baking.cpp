@@ -1,4 +1,4 @@
-// Rays from a simple mesh to a fine one.
+// Implements the rays from a simplified mesh to the original.
 
 #include "stimuli/meshes/texture_baking.h"
 
@@ -58,7 +58,7 @@ class Baking final {
  private:
   static constexpr int kFewestTexels = 8;  ///< along a side: a curved original under flat faces
   static constexpr int kMostTexels = 1024;
-  static constexpr double kReach = 2.0;  ///< along a normal it is further than to the nearest place
+  static constexpr double kReach = 2.0;  ///< distance along a normal over nearest distance
 
   Workers part(double from, double to) const {
     if (!workers_.progress) return workers_;
@@ -92,7 +92,7 @@ class Baking final {
     }
   }
 
-  /// The vertices of the original say how far it lies from the simplified mesh, here and there.
+  /// Determines the local distance of the surfaces from the vertices of the original.
   void find_reach() {
     const std::size_t count = original_.vertices_m.size();
     std::vector<SurfaceSearch::Nearest> nearest(count);
@@ -107,7 +107,7 @@ class Baking final {
       low_m = glm::min(low_m, point_m);
       high_m = glm::max(high_m, point_m);
     }
-    // A ray starts this far behind its texel, so that an original just there is not missed.
+    // A ray starts this far behind its texel, so that an original directly at the texel is not missed.
     back_m_ = 1e-5 * glm::length(high_m - low_m);
     reach_m_.assign(simplified_.vertices_m.size(), back_m_);
     for (const SurfaceSearch::Nearest& found : nearest) {
@@ -122,16 +122,16 @@ class Baking final {
     double displacement_m = 0.0;
     std::uint32_t triangle = 0;
   };
-  /// Where the original lies from a point along a normal, both interpolated.
+  /// The intersection with the original from a point along a normal, both interpolated.
   std::optional<Meeting> meet(const glm::dvec3& point_m, const glm::dvec3& normal,
                               double reach_m) const {
-    // Normals that nearly cancel each other point nowhere.
+    // Normals that nearly cancel each other have no meaningful direction.
     constexpr double kShortestNormal = 0.3;
     const double length = glm::length(normal);
     if (!(length > kShortestNormal)) return {};
     const double back = back_m_ / length;
-    // Of the displacement, which a short normal multiplies: where a face is folded, a front twice as
-    // far off is somewhere else, and one such texel would push the hull of the whole body outward.
+    // Limits the displacement, which is in multiples of the normal: where a face is folded, a front twice as far away
+    // is a different part, and one such texel would enlarge the hull of the whole body.
     const double reach = reach_m + back;
     std::optional<Meeting> nearest{};
     for (const double sign : {1.0, -1.0}) {
@@ -162,7 +162,7 @@ class Baking final {
     return meet(point_m, normal, reach_m);
   }
 
-  /// From how far apart the original's vertices lie under a face, but for its coarser two thirds.
+  /// Chooses the texels from the vertex spacing of the original under each face, the lower third of its distribution.
   void choose_sides() {
     constexpr int kProbes = 12;
     std::vector<double> spacings_m(triangles(), 0.0);
@@ -210,7 +210,7 @@ class Baking final {
     }
   }
 
-  /// The edge of the triangle with equal sides that has the same area.
+  /// The side of the equilateral triangle with the same area.
   double spacing_m(std::uint32_t triangle) const {
     const auto& corners = original_.triangles[triangle];
     const glm::dvec3& a_m = original_.vertices_m[corners[0]];
@@ -219,7 +219,7 @@ class Baking final {
     return std::sqrt(2.0 / std::sqrt(3.0) * glm::length(doubled));
   }
 
-  /// Each edge belongs to the half-edge that comes first, and has as many texels as its coarser face.
+  /// Each edge belongs to its first half-edge and has the number of texels of its coarser face.
   bool owns_edge(std::uint32_t half) const {
     return opposite_[half] == kNoHalfEdge || half < opposite_[half];
   }
@@ -231,7 +231,7 @@ class Baking final {
   static std::size_t interior_texels(int side) {
     return static_cast<std::size_t>(side - 1) * static_cast<std::size_t>(side - 2) / 2;
   }
-  /// Within the interior of a patch, row after row; 1 ≤ i, 1 ≤ j, i + j < side.
+  /// The index within the interior of a patch, row by row; 1 ≤ i, 1 ≤ j, i + j < side.
   static std::size_t interior_index(int side, int i, int j) {
     const auto rows_before = static_cast<std::size_t>(j - 1);
     return rows_before * static_cast<std::size_t>(side - 1) - rows_before * (rows_before + 1) / 2 +
@@ -282,8 +282,8 @@ class Baking final {
         values_m.begin(), values_m.end(), [](float value) { return std::isnan(value); }));
   }
 
-  /// What a ray missed goes on from its neighbours: along an edge in a straight line between those
-  /// that met something, within a face layer by layer.
+  /// Fills the texels whose rays missed from their neighbours: along an edge by linear interpolation between hits,
+  /// within a face layer by layer.
   void continue_misses() {
     count(vertex_m_);
     for (float& value : vertex_m_) {
@@ -358,7 +358,7 @@ class Baking final {
     }
   }
 
-  /// At texel k of `side` along a half-edge, from the texels that its edge has.
+  /// The displacement at texel k of `side` along a half-edge, from the texels of its edge.
   double edge_texel_m(std::uint32_t half, int k, int side) const {
     const bool own = owns_edge(half);
     const std::uint32_t owner = own ? half : opposite_[half];
@@ -394,12 +394,12 @@ class Baking final {
   std::vector<std::uint32_t> opposite_;
   std::vector<glm::dvec3> normals_{};
   BakeReport report_{};
-  std::vector<double> reach_m_{};  ///< of rays from about each vertex
+  std::vector<double> reach_m_{};  ///< of rays around each vertex
   double back_m_ = 0.0;
   std::vector<int> sides_{};  ///< texels along the sides of each face's patch
   std::vector<float> vertex_m_{};
   std::vector<std::vector<float>>
-      edge_m_{};  ///< of the half-edge that owns the edge, ends left out
+      edge_m_{};  ///< of the half-edge that owns the edge, without its ends
   std::vector<std::vector<float>> interior_m_{};
 };
 
@@ -408,7 +408,7 @@ class Baking final {
 std::optional<std::string> warning_of(const BakeReport& report) {
   const GeometricError& plain = report.plain;
   const GeometricError& textured = report.textured;
-  // Rounding: a mesh that is its own original.
+  // Tolerance for rounding errors of a mesh that is its own original.
   constexpr double kFinest_m = 1e-7;
   const bool is_further = textured.rms_m > plain.rms_m + kFinest_m;
   if (!is_further && !(textured.max_m > plain.max_m + kFinest_m)) return {};

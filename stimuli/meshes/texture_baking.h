@@ -1,4 +1,4 @@
-// The detail of a mesh as the haptic texture of a simpler one.
+// Declares the conversion of a mesh's detail to the haptic texture of a simpler mesh.
 
 #pragma once
 
@@ -14,29 +14,29 @@
 namespace asperity {
 
 struct BakeSettings {
-  /// Texels per shortest wavelength of the original: two edges, each as long as in a triangle with equal
-  /// sides and the area of those that are there.
+  /// Texels per shortest wavelength of the original, which is two edges, each with the length of an edge in an
+  /// equilateral triangle of the same area.
   double samples_per_wavelength = 8.0;
-  /// The texture gets coarser where it would take more.
+  /// The texture is coarser if it would exceed this number.
   std::size_t most_texels = std::size_t{1} << 25;
-  /// Points of the original at which the error is measured.
+  /// The number of points of the original at which the error is measured.
   std::size_t error_samples = 200'000;
 };
 
-/// What came of it.
+/// The result of a baking, in numbers.
 struct BakeReport {
-  std::size_t samples = 0;  ///< rays' origins: texels that hold a displacement of their own
-  std::size_t missed = 0;   ///< of these, where the ray met nothing and neighbours were continued
-  double samples_per_wavelength = 0.0;  ///< reached by the coarsest face
+  std::size_t samples = 0;  ///< ray origins: texels with a separate displacement
+  std::size_t missed = 0;   ///< of these, rays without a hit, filled from their neighbours
+  double samples_per_wavelength = 0.0;  ///< of the coarsest face
   double finest_pitch_m = 0.0;
   double coarsest_pitch_m = 0.0;
-  /// Faces on which an interpolated normal points inward, at a fold finer than a face.
+  /// Faces on which an interpolated normal points inward, at a fold that is smaller than a face.
   std::size_t folded_faces = 0;
   GeometricError plain{};     ///< of the simplified mesh alone
   GeometricError textured{};  ///< with its texture
 };
 
-/// What has to be said of a texture that makes the mesh worse than it is without; nothing otherwise.
+/// A warning about a texture that makes the mesh worse than without it; nullopt if there is no problem.
 std::optional<std::string> warning_of(const BakeReport& report);
 
 struct BakedMesh {
@@ -44,18 +44,17 @@ struct BakedMesh {
   BakeReport report{};
 };
 
-/// Displaces `simplified` to where `original` lies.
+/// Displaces `simplified` to the surface of `original`.
 ///
-/// From every texel of every face a ray goes both ways along the interpolated normal. The nearer
-/// meeting with a front of the original counts, up to twice as far as the two surfaces lie apart
-/// thereabouts. Each face has a patch of the atlas of its own, a right triangle with n = 2ᵏ texels along each
-/// side; n follows from the triangles of the original that the face lies over, the finer ones of them. An edge's texels are
-/// computed once for both its faces, with the n of the coarser one, and the finer one reads straight
-/// lines between them; the texel beyond a hypotenuse is set so that its cell is flat. So the
-/// displacement along an edge is the same on both sides within one step of the atlas.
+/// From every texel of every face a ray is traced in both directions along the interpolated normal. The nearer
+/// intersection with a front of the original is used, up to twice the local distance of the two surfaces. Each face has
+/// a separate patch of the atlas, a right triangle with n = 2ᵏ texels along each side; n is chosen from the triangles
+/// of the original under the face, by the finer ones. An edge's texels are computed once for both its faces, with the n
+/// of the coarser one, and the finer one interpolates linearly between them; the texel beyond a hypotenuse is set so
+/// that its cell is planar. The displacement along an edge is therefore the same on both sides within one step of the
+/// atlas.
 ///
-/// Both meshes are closed and lie in the same frame. The result depends on the meshes and settings,
-/// not on `workers`.
+/// Both meshes are closed and have the same frame. The result depends on the meshes and settings, not on `workers`.
 ///
 /// Errors: std::invalid_argument for meshes without triangles.
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,

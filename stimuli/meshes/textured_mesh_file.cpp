@@ -1,4 +1,4 @@
-// A line of JSON, a digest, and five packed arrays.
+// Implements the file format: a line of JSON, a digest, and five compressed arrays.
 
 #include "stimuli/meshes/textured_mesh_file.h"
 
@@ -32,10 +32,10 @@ constexpr std::size_t kDigest_bytes = 64;
 constexpr std::size_t kLongestHeader_bytes = 1 << 20;
 constexpr std::size_t kMostItems = std::size_t{1} << 28;
 constexpr int kCompressionLevel = 3;
-// A zstd block of four bytes stands for 128 KiB at most.
+// Four bytes of a zstd block expand to at most 128 KiB.
 constexpr std::size_t kMostUnpacked = std::size_t{1} << 15;
-// What is felt measures up to 10 m across (mesh_repair.h) and lies near its frame's origin. The tick computes in
-// single precision, which cubes of lengths must not leave.
+// A felt body measures up to 10 m (mesh_repair.h) and lies near its frame's origin. The tick computes in single
+// precision, and cubes of lengths must stay within its range.
 constexpr double kFurthest_m = 20.0;
 constexpr double kLargestTexel = 32767.0;
 constexpr const char* kRemedy = "Make the mesh again with asperity bake.";
@@ -56,7 +56,7 @@ std::string sha256_of(std::initializer_list<std::string_view> parts) {
   return text;
 }
 
-/// One of the arrays: its name, its type and how many numbers an item has.
+/// The name, type and numbers per item of one of the arrays.
 struct ArrayKind {
   const char* name;
   const char* type;
@@ -172,7 +172,7 @@ class Reader final {
     const Json& kind = array(which_++);
     const std::size_t count = whole(kind, "count");
     const std::size_t bytes = whole(kind, "bytes");
-    // Before any memory is taken for it.
+    // Checked before memory is allocated.
     const unsigned long long unpacked = ZSTD_getFrameContentSize(payload_.data(), bytes);
     const bool states_size = unpacked != ZSTD_CONTENTSIZE_UNKNOWN;
     if ((states_size && unpacked != count * sizeof(Item)) ||
@@ -191,7 +191,7 @@ class Reader final {
     return items;
   }
 
-  /// A file with the right digest may still be wrong: anybody can write one.
+  /// A file with the correct digest may still be invalid, since it may have been written by another program.
   void check(const TexturedMesh& mesh) const {
     const DisplacementAtlas& atlas = mesh.atlas;
     if (mesh.vertices_m.empty() || mesh.triangles.empty()) refuse("has no triangles.");
@@ -225,7 +225,7 @@ class Reader final {
         refuse("has a normal at vertex " + std::to_string(i) + " that is not of unit length.");
       }
     }
-    // A look-up on the border of a face may touch the texel beyond.
+    // Interpolation on the border of a face may access the next texel.
     const glm::dvec2 furthest{static_cast<double>(atlas.columns) - 2.0,
                               static_cast<double>(atlas.rows) - 2.0};
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -317,7 +317,7 @@ std::vector<std::byte> encode_textured_mesh(const StoredTexturedMesh& stored) {
         {"findings", provenance.findings},
         {"program_version", provenance.program_version}}},
       {"arrays", list}};
-  // A file name may hold bytes that are not UTF-8; the header is, whatever happens.
+  // A file name may contain bytes that are not UTF-8; they are replaced, because the header is always UTF-8.
   const std::string header = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   const std::string whole = header + '\n' + sha256_of({header, payload}) + '\n' + payload;
   const auto* first = reinterpret_cast<const std::byte*>(whole.data());

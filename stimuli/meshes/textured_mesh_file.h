@@ -1,4 +1,4 @@
-// A textured mesh as one file.
+// Declares the file format of a textured mesh.
 
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace asperity {
 
-/// How a textured mesh came about; stored with it, so that it can be made again.
+/// The origin of a textured mesh; stored with it, so that it can be reproduced.
 struct TexturedMeshProvenance {
   std::string source_name{};    ///< the original's file name
   std::string source_sha256{};  ///< of that file
   double source_unit_m = 0.0;
   std::size_t source_triangles = 0;
-  std::vector<std::string> findings{};  ///< what was found in the original and done about it
+  std::vector<std::string> findings{};  ///< problems of the original and their repairs
   std::string program_version{};
 };
 
@@ -29,11 +29,11 @@ struct StoredTexturedMesh {
   TexturedMeshProvenance provenance{};
 };
 
-/// The bytes of the file (docs/formats/textured_mesh.md). All numbers come back as they are.
+/// Encodes the file (docs/formats/textured_mesh.md). All numbers are preserved exactly.
 std::vector<std::byte> encode_textured_mesh(const StoredTexturedMesh& stored);
 
-/// Errors: std::invalid_argument, a sentence that begins with `name`: not this format or another
-/// version, cut off, damaged (the SHA-256 differs), or saying something that no textured mesh can be.
+/// Errors: std::invalid_argument with a sentence that begins with `name`: another format or version, truncated, damaged
+/// (the SHA-256 differs), or contents that are invalid for a textured mesh.
 StoredTexturedMesh decode_textured_mesh(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace asperity

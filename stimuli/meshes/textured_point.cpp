@@ -1,3 +1,5 @@
+// Implements the interpolation of displacements and points.
+
 #include "stimuli/meshes/textured_point.h"
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 namespace asperity {
 
 double displacement_m(const DisplacementAtlas& atlas, const glm::dvec2& place) noexcept {
-  // The last cell is closed on both sides: a place on the outermost centres reads nothing beyond.
+  // The last cell includes its upper limits: a position on the outermost centres accesses no texel outside.
   const auto column = std::min(static_cast<std::size_t>(place.x), atlas.columns - 2);
   const auto row = std::min(static_cast<std::size_t>(place.y), atlas.rows - 2);
   const double x = place.x - static_cast<double>(column);

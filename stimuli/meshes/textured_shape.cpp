@@ -1,3 +1,5 @@
+// Implements the meshes of shapes and the layout of a height field on them.
+
 #include "stimuli/meshes/textured_shape.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ namespace {
 
 constexpr double kLargest_m = 10.0;
 constexpr std::size_t kMostTexels = std::size_t{1} << 25;
-/// Texels along the side of a face, about: few faces, and patches that are quickly searched.
+/// Approximate number of texels along the side of a face: few faces, and patches that are searched quickly.
 constexpr double kCell_texels = 128.0;
 
 struct Corner {
@@ -30,7 +32,7 @@ struct Corner {
   glm::dvec3 normal{};
 };
 
-/// How far a point goes along the normal, both interpolated.
+/// The displacement of a point along the normal, both interpolated.
 using Displacement = std::function<double(const glm::dvec3& point_m, const glm::dvec3& normal)>;
 
 double area_m2(const glm::dvec3& box_m) {
@@ -51,7 +53,7 @@ class Building final {
     }
   }
 
-  /// The faces, without their texels.
+  /// Adds the faces, without their texels.
   void lay_out(const PlateShape& plate) {
     check({plate.size_m.x, plate.size_m.y, plate.size_m.z});
     require_few_faces(area_m2(plate.size_m));
@@ -93,7 +95,7 @@ class Building final {
                                 " texels, and at most " + std::to_string(kMostTexels) +
                                 " are made; take a smaller shape or a coarser height field.");
   }
-  /// Before there are more faces than a memory holds. Texels lie closer than this at most.
+  /// Throws before the number of faces exceeds the memory. The actual texel spacing is at most `pitch_m_`.
   void require_few_faces(double area_m2) const {
     const double texels = area_m2 / (pitch_m_ * pitch_m_);
     if (texels > 8.0 * static_cast<double>(kMostTexels)) refuse(number_text(std::floor(texels)));
@@ -102,9 +104,10 @@ class Building final {
   double height_m(double x_m, double y_m) const {
     return field_.sample(x_m, y_m, relief_.tiling).height_m;
   }
-  /// Straight lines between texels leave p²/(8R) of a round side: R/80 000.
+  /// Linear interpolation between texels deviates from a round side by p²/(8R): R/80 000.
   void bend(double radius_m) { pitch_m_ = std::min(pitch_m_, 0.01 * radius_m); }
-  /// Half of the rim stays bare, so that normals may turn there; in the other half the relief rises.
+  /// In the outer half of the rim there is no relief, so that normals can change direction there; in the other half the
+  /// relief rises.
   double bare_m() const { return 0.5 * relief_.rim_m; }
   double risen(double from_edge_m) const {
     return glm::smoothstep(0.0, 1.0, (from_edge_m - bare_m()) / (relief_.rim_m - bare_m()));
@@ -129,13 +132,13 @@ class Building final {
     sides_.push_back(texels);
     displacement_of_.push_back(displacement);
   }
-  /// a, b, c, d counter-clockwise.
+  /// a, b, c, d are counter-clockwise.
   void add_cell(const std::array<Corner, 4>& corners, int texels, std::size_t displacement) {
     add({corners[0], corners[1], corners[3]}, texels, displacement);
     add({corners[2], corners[3], corners[1]}, texels, displacement);
   }
 
-  /// Lines across a length: its ends, the bare rim at both, cells in between.
+  /// The lines across a length: its ends, the bare rim at both ends, cells in between.
   std::vector<double> lines_m(double length_m) const {
     const double half_m = 0.5 * length_m;
     const double inner_m = half_m - bare_m();
@@ -153,7 +156,7 @@ class Building final {
     return widest;
   }
 
-  /// `rough` are the sides with relief: the axis for its upper side, −1 − axis for its lower one.
+  /// `rough` lists the sides with relief: the axis for its upper side, −1 − axis for its lower one.
   void box(const glm::dvec3& size_m, const glm::dvec3& centre_m, const std::vector<int>& rough);
 
   const HeightField& field_;
@@ -239,8 +242,9 @@ void Building::lay_out(const CylinderShape& cylinder) {
       std::clamp(static_cast<int>(std::ceil(around_m / (kCell_texels * pitch_m_))), 32, 1024);
   const int texels = texels_for(std::max(around_m / segments, widest_m(lines)));
   const double periods = std::max(1.0, std::round(around_m / field_.width_m()));
-  // Points and normals of the round side both lie between those of two lines of it: |point| is R w and |normal|
-  // w, with w the cosine that a chord lacks. So R + h from the axis is (R + h)/w − R along the normal.
+  // Points and normals of the round side are interpolated between those of two of its lines: |point| is R w and
+  // |normal| is w, with w the cosine factor of the chord. A distance of R + h from the axis is therefore (R + h)/w − R
+  // along the normal.
   displacements_.push_back([=, this](const glm::dvec3& point_m, const glm::dvec3&) {
     const double w = std::hypot(point_m.x, point_m.y) / radius_m;
     const double from_end_m = half_m - std::abs(point_m.z);
@@ -303,7 +307,7 @@ void Building::lay_out(const SphereShape& sphere) {
     return (radius_m + height) / w - radius_m;
   });
   constexpr int kParts = 8;  // each face of an octahedron in 8² triangles
-  // The sides of the middle ones are longer than a quarter circle over 8, by less than two.
+  // The sides of the middle ones are longer than an eighth of a quarter circle, by a factor below two.
   const int texels = texels_for(2.0 * around_m / 4.0 / kParts);
   for (const double x : {1.0, -1.0}) {
     for (const double y : {1.0, -1.0}) {

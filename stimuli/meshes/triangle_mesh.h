@@ -1,4 +1,4 @@
-// A triangle mesh as it comes from a file: vertices and faces, nothing else.
+// Declares a triangle mesh as read from a file: vertices and faces only.
 
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace asperity {
 
-/// Triangles over shared vertices.
+/// Stores triangles over shared vertices.
 ///
-/// Lengths in metres, in the mesh's own frame; a triangle's corners run counter-clockwise seen from
-/// outside. Nothing is promised here of what a file held: see what checks and mends it.
+/// Lengths in metres, in the mesh's own frame; a triangle's corners are counter-clockwise as seen from outside. The
+/// contents of a file are not checked here: repair_mesh checks and repairs them.
 struct TriangleMesh {
   std::vector<glm::dvec3> vertices_m{};
   std::vector<std::array<std::uint32_t, 3>> triangles{};
