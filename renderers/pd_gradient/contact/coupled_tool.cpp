@@ -1,3 +1,5 @@
+// Implements the integration step of the coupled tool.
+
 #include "renderers/pd_gradient/contact/coupled_tool.h"
 
 #include <algorithm>
@@ -25,12 +27,12 @@ Vector6 stacked(const glm::dvec3& first, const glm::dvec3& second) {
 glm::dvec3 head_of(const Vector6& both) { return {both[0], both[1], both[2]}; }
 glm::dvec3 tail_of(const Vector6& both) { return {both[3], both[4], both[5]}; }
 
-/// The rotation vector [rad] of a unit quaternion, no longer than π.
+/// The rotation vector [rad] of a unit quaternion, with a length of at most π.
 glm::dvec3 rotation_vector(glm::dquat turn) noexcept {
   if (turn.w < 0.0) turn = -turn;
   const glm::dvec3 axis(turn.x, turn.y, turn.z);
   const double sine = glm::length(axis);
-  // sin(a/2) = a/2 to the last digit below.
+  // Below this value sin(a/2) equals a/2 to the last digit.
   if (sine < 1e-9) return 2.0 * axis;
   return axis * (2.0 * std::atan2(sine, turn.w) / sine);
 }
@@ -42,7 +44,7 @@ glm::dquat turn_by(const glm::dvec3& rotation_rad) noexcept {
   return {std::cos(0.5 * angle_rad), rotation_rad * (sine / angle_rad)};
 }
 
-/// What a damper across n at a point resists: b·Jᵀ(1 − n nᵀ)J, J the point's velocity per twist.
+/// The matrix of a damper perpendicular to n at a point: b·Jᵀ(1 − n nᵀ)J, with J the point's velocity per twist.
 Matrix6 friction_of(const PenaltyContact& contact) noexcept {
   Eigen::Matrix<double, 3, 6> point = Eigen::Matrix<double, 3, 6>::Zero();
   for (int axis = 0; axis < 3; ++axis) {
@@ -115,8 +117,8 @@ Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContac
   const Vector6 free_right = mass.cwiseProduct(twist_before) / dt_s + stiffness.cwiseProduct(way) +
                              damping.cwiseProduct(device_twist);
 
-  // A contact that is left out may set another one free: looked again until none pulls, once for each
-  // contact at most.
+  // The removal of one contact may make another one pull: the step is repeated until none pulls, at most once per
+  // contact.
   std::array<bool, kMaximumContacts> is_left_out{};
   Vector6 twist = twist_before;
   for (bool has_changed = true; has_changed;) {

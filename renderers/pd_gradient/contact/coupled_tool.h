@@ -1,4 +1,4 @@
-// The tool that is simulated between the hand and the surfaces: virtual coupling, integrated implicitly.
+// Declares the simulated tool between the hand and the surfaces: a virtual coupling, integrated implicitly.
 
 #pragma once
 
@@ -12,48 +12,47 @@
 
 namespace asperity {
 
-/// A rigid body's pose: where its centre of mass is, and how it is turned.
+/// A rigid body's pose: the position of its centre of mass and its orientation.
 struct ToolPose {
   glm::dvec3 centre_m{0.0};
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
 };
 
-/// One contact as a penalty energy ½·k·δ² of the tool's pose, to first order around the present one:
+/// A contact as a penalty energy ½·k·δ² of the tool's pose, to first order around the current pose:
 ///
 ///   δ(x + dx) = δ + ∇δ · dx      dx a translation [m] and a rotation vector [rad] of the tool about
 ///                                its centre of mass, both in the device's frame
 struct PenaltyContact {
   double stiffness_N_per_m = 0.0;   ///< k
   double depth_m = 0.0;             ///< δ, positive
-  glm::dvec3 depth_per_m{0.0};      ///< of a translation; −n where n separates
+  glm::dvec3 depth_per_m{0.0};      ///< of a translation; −n if n separates
   glm::dvec3 depth_per_rad_m{0.0};  ///< of a rotation [m/rad]
-  double damping_N_s_per_m = 0.0;   ///< along ∇δ, while they touch
-  /// Friction: a damper across `n` at a point of the tool, while they touch.
+  double damping_N_s_per_m = 0.0;   ///< along ∇δ, during contact
+  /// Friction: a damper perpendicular to `n` at a point of the tool, during contact.
   double friction_N_s_per_m = 0.0;
   glm::dvec3 n{0.0, 0.0, 1.0};
   glm::dvec3 arm_m{0.0};  ///< of the point, from the centre of mass
 };
 
-/// A body of mass m and inertia I (the same about every axis) between the device and the contacts.
+/// Simulates a body of mass m and inertia I (the same about every axis) between the device and the contacts.
 ///
-/// The hand holds it by springs and dampers to where the device is,
+/// Springs and dampers couple the body to the pose of the device:
 ///
 ///   F_c = k_t·(p_d − p) + b_t·(v_d − v)      T_c = k_r·φ + b_r·(ω_d − ω)
 ///
-/// with φ the rotation vector [rad] from the tool's orientation to the device's, and the contacts
-/// push with −(k·δ + b·δ̇)·∇δ and rub with −b_f·v_t, v_t what the velocity of their point has across
+/// φ is the rotation vector [rad] from the tool's orientation to the device's. The contacts exert the normal forces
+/// −(k·δ + b·δ̇)·∇δ and the friction forces −b_f·v_t, with v_t the component of their point's velocity perpendicular to
 /// n. One step solves
 ///
 ///   (M/h + h·K + B)·V⁺ = M·V/h + Q
 ///
-/// for the twist V⁺ at its end, Q the generalised force at the present pose, K and B the sums of the
-/// springs' and dampers' matrices, those of a contact k·∇δ∇δᵀ, b·∇δ∇δᵀ and that of its friction:
-/// backward Euler, linearised once. K and B are positive semi-definite, therefore a step never adds energy to a linear problem,
-/// however stiff the contacts and however long the step. Contacts that would pull are left out and the step
-/// is solved again without them, until none of the rest pulls: in n + 1 passes over n contacts at most,
-/// mostly in one or two.
+/// for the twist V⁺ at its end. Q is the generalised force at the current pose; K and B are the sums of the springs'
+/// and dampers' matrices, which for a contact are k·∇δ∇δᵀ, b·∇δ∇δᵀ and that of its friction. This is backward Euler,
+/// linearised once. K and B are positive semi-definite, therefore a step never adds energy to a linear problem, for any
+/// stiffness of the contacts and any length of the step. Contacts that would pull are removed and the step is solved
+/// again, until none of the remaining ones pulls: in at most n + 1 passes over n contacts, usually in one or two.
 ///
-/// What the hand feels is the springs and dampers of the coupling: it is never stiffer than k_t, k_r.
+/// The hand feels the springs and dampers of the coupling: the rendered stiffness never exceeds k_t, k_r.
 ///
 /// Units and frame: SI, in the device's frame. The centre of mass lies at `centre_in_tool_m` from the
 /// device's tip, in the frame that turns with the device.
@@ -78,16 +77,16 @@ class CoupledTool final {
 
   explicit CoupledTool(const Properties& properties);
 
-  /// The tool is where the device is, and moves with it.
+  /// Sets the tool to the device's pose and velocity.
   void reset(const ProbeState& device) noexcept;
 
-  /// Where the tool is now: the pose for which the next step's contacts are to be found.
+  /// The pose of the tool, for which the next step's contacts must be found.
   const ToolPose& pose() const noexcept { return pose_; }
-  /// Of the tool at a point that far from its centre of mass.
+  /// The velocity of the tool at a point with this offset from its centre of mass.
   glm::dvec3 velocity_m_per_s(const glm::dvec3& arm_m) const noexcept;
 
-  /// One step of `dt_s`. What it returns is the coupling's wrench on the hand, about the device's
-  /// tip. Of more than `kMaximumContacts` contacts the deepest should be given: the rest is ignored.
+  /// Advances the tool by `dt_s` and returns the coupling's wrench on the hand, about the device's tip. Only the first
+  /// `kMaximumContacts` contacts are used; if there are more, pass the deepest.
   Wrench step(const ProbeState& device, std::span<const PenaltyContact> contacts,
               double dt_s) noexcept;
 

@@ -1,4 +1,4 @@
-// Asks a body where a point is, once it has moved far enough.
+// Implements the query of a body after the point has moved far enough.
 
 #include "renderers/pd_gradient/contact/held_point.h"
 
@@ -7,7 +7,7 @@
 namespace asperity {
 
 bool HeldPoint::is_in(const TexturedBody& body, const glm::dvec3& point_m) noexcept {
-  constexpr double kSure = 0.999;  // whatever rounding does
+  constexpr double kSure = 0.999;  // margin for rounding errors
   if (!known_ || !(glm::distance(point_m, known_->point_m) < kSure * known_->there.clear_m)) {
     known_ = {.point_m = point_m, .there = body.whereabouts(point_m)};
     ++visits_;

@@ -1,4 +1,4 @@
-// Whether a point is inside a body, without visiting all of its faces each time.
+// Declares the cached test whether a point is inside a body, which rarely visits all faces.
 
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace asperity {
 
-/// Remembers whether a point was inside a body's hull, and within how far from there no face is: until
-/// it has moved further, the answer is the same.
+/// Caches whether a point was inside a body's hull, and the radius around the point without faces: within this radius
+/// the result is unchanged.
 ///
-/// What it answers is what TexturedBody::whereabouts answers, whatever was asked before.
+/// The result equals that of TexturedBody::whereabouts, independent of previous calls.
 ///
 /// Real-time: `is_in` does not allocate, lock or throw. One object serves one thread, and one body.
 class HeldPoint final {
@@ -22,7 +22,7 @@ class HeldPoint final {
   /// In the mesh's own axes.
   bool is_in(const TexturedBody& body, const glm::dvec3& point_m) noexcept;
 
-  /// How often all faces were visited.
+  /// The number of complete visits of all faces.
   std::uint64_t visits() const noexcept { return visits_; }
 
  private:

@@ -1,4 +1,4 @@
-// The tool in the hand, its contacts, and what the hand feels.
+// Implements the tool, its contacts and the wrench on the hand.
 
 #include "renderers/pd_gradient/contact/pd_gradient.h"
 
@@ -17,9 +17,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kSamplesPerWave = 8.0;  // fewer and the gradient is off by more than 10 %
-constexpr double kWavesPerTick = 0.5;    // more and the servo takes one wave for another
-constexpr double kTouching_m = 1e-9;     // a penetration that is not 0, and no more
+constexpr double kSamplesPerWave = 8.0;  // with fewer, the error of the gradient exceeds 10 %
+constexpr double kWavesPerTick = 0.5;    // with more, the servo's samples alias the waves
+constexpr double kTouching_m = 1e-9;     // the smallest penetration that is reported for contact
 
 const RendererInputs& checked(const RendererInputs& inputs) {
   if (inputs.patch.motion_scale != 1.0) {
@@ -54,7 +54,7 @@ CoupledTool::Properties properties_of(const ParameterValues& values,
       .centre_in_tool_m = centre_in_tool_m};
 }
 
-/// A wrench about `from_m`, about another point.
+/// Converts a wrench about `from_m` to one about another point.
 Wrench about(const glm::dvec3& point_m, const glm::dvec3& from_m, const Wrench& wrench) noexcept {
   return {.force_N = wrench.force_N,
           .torque_N_m = wrench.torque_N_m + glm::cross(from_m - point_m, wrench.force_N)};
@@ -191,7 +191,7 @@ Wrench PdGradient::coupled(const ProbeState& probe, double dt_s) noexcept {
     contacts[i] = {.stiffness_N_per_m = contact.share * patch_.material().stiffness_N_per_m,
                    .depth_m = contact.penetration.depth_m,
                    .depth_per_m = gradient,
-                   // Turning about the centre also moves the frame's origin.
+                   // A rotation about the centre also moves the frame's origin.
                    .depth_per_rad_m = contact.frame.to_world(contact.penetration.lever_m) +
                                       glm::cross(contact.frame.origin_m - centre_m, gradient),
                    .damping_N_s_per_m = contact.share * contact_damping_N_s_per_m_,
@@ -320,7 +320,7 @@ ForceModel pd_gradient_model() {
           "IEEE Visualization 2004",
       .needs_bodies = true,
       .amplitude_parameter = "texture_gain",
-      // Where two places are as deep as each other, the last digit decides between two gradients.
+      // Where two places have equal depth, the last digit selects one of two gradients.
       .replay_tolerance_N = 0.01,
       .parameters = parameters(),
       .conflict_among = [](const ParameterValues& values) {

@@ -1,3 +1,5 @@
+// Implements the hull, thickness and queries of a textured body.
+
 #include "renderers/pd_gradient/contact/textured_body.h"
 
 #include <algorithm>
@@ -50,8 +52,8 @@ bool is_inside(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& place
   return left || right;
 }
 
-/// The lowest and the highest displacement of the faces. The margin around a face continues it and may
-/// go further: the texels beyond a crest that an edge cuts off lie above it.
+/// Computes the lowest and the highest displacement of the faces, without their margins. A margin continues its face
+/// and may exceed it: the texels beyond a crest that is cut by an edge lie above it.
 class Relief final {
  public:
   Relief(const TexturedMesh& mesh, double gain) : atlas_(mesh.atlas), gain_(gain) {
@@ -61,8 +63,8 @@ class Relief final {
   double high_m() const { return std::max(gain_ * low_m_, gain_ * high_m_); }
 
  private:
-  // Between texels it is bilinear, without a peak inside a cell. So it is highest at a texel of the face
-  // or on its border, where it is quadratic from one line of texels to the next.
+  // The displacement is bilinear between texels, without a maximum inside a cell. Its maximum is therefore at a texel
+  // of the face or on the border, where it is quadratic between the lines of texels.
   void add(const std::array<glm::dvec2, 3>& places) {
     const auto first = texel(glm::ceil(glm::min(glm::min(places[0], places[1]), places[2])));
     const auto last = texel(glm::floor(glm::max(glm::max(places[0], places[1]), places[2])));
@@ -74,7 +76,7 @@ class Relief final {
     for (std::size_t i = 0; i < 3; ++i) add_edge(places[i], places[(i + 1) % 3]);
   }
   void add_edge(const glm::dvec2& from, const glm::dvec2& to) {
-    std::vector<double> parts{0.0, 1.0};  // of the way, where it meets a line of texels
+    std::vector<double> parts{0.0, 1.0};  // of the edge, at lines of texels
     for (const int axis : {0, 1}) {
       const double way = to[axis] - from[axis];
       const double last = texel(glm::floor(glm::max(from, to)))[axis];
@@ -90,7 +92,7 @@ class Relief final {
       const double end_m = at(parts[i]);
       const double bulge_m = at(0.5 * (parts[i - 1] + parts[i])) - 0.5 * (begin_m + end_m);
       add(end_m);
-      // begin + (end − begin)·t + 4·bulge·t·(1 − t), level at `top`.
+      // begin + (end − begin)·t + 4·bulge·t·(1 − t), with its extremum at `top`.
       if (bulge_m == 0.0) continue;
       const double top = 0.5 + (end_m - begin_m) / (8.0 * bulge_m);
       if (top > 0.0 && top < 1.0) add(begin_m + 4.0 * bulge_m * top * top);
@@ -100,7 +102,7 @@ class Relief final {
     low_m_ = std::min(low_m_, height_m);
     high_m_ = std::max(high_m_, height_m);
   }
-  // The nearest place of the atlas.
+  // The nearest position within the atlas.
   glm::dvec2 texel(const glm::dvec2& place) const {
     return glm::clamp(
         place, glm::dvec2(0.0),
@@ -132,7 +134,7 @@ class Relief final {
   double high_m_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Across each of the largest faces, from its plane to the furthest vertices: the least of them.
+/// The thickness across each of the largest faces, from its plane to the farthest vertices; the smallest of them.
 double thickness_m(const TriangleMesh& mesh) {
   constexpr std::size_t kFaces = 256;
   struct Face {
@@ -146,7 +148,7 @@ double thickness_m(const TriangleMesh& mesh) {
                                        mesh.vertices_m[c] - mesh.vertices_m[a]);
     faces.push_back({area, glm::length(area)});
   }
-  // Of equals the first: the same ones every time.
+  // Stable, so that equal faces are selected reproducibly.
   std::stable_sort(faces.begin(), faces.end(),
                    [](const Face& one, const Face& other) { return one.size > other.size; });
   if (faces.size() > kFaces) faces.resize(kFaces);
@@ -166,18 +168,18 @@ double thickness_m(const TriangleMesh& mesh) {
   return least_m;
 }
 
-/// How far the corners of a box reach from its middle along an axis.
+/// The half-extent of a box along an axis.
 double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
   return glm::dot(half_m, glm::abs(axis));
 }
 
-/// Where a line from a point along a unit vector meets a face.
+/// The intersection of a ray, from a point along a unit vector, with a face.
 struct Crossing {
   double way_m = std::numeric_limits<double>::infinity();  // not behind the point
   bool is_out = false;
 };
 
-// What meets an edge meets both faces.
+// A ray through an edge intersects both faces.
 Crossing crossing(const std::array<glm::dvec3, 3>& corners_m, const glm::dvec3& point_m,
                   const glm::dvec3& along) noexcept {
   constexpr double kRounding = 1e-9;
@@ -195,7 +197,7 @@ Crossing crossing(const std::array<glm::dvec3, 3>& corners_m, const glm::dvec3& 
   return {.way_m = way_m, .is_out = facing > 0.0};
 }
 
-/// Never more than how far a face is from the origin.
+/// A lower bound of the distance of a face from the origin.
 double clearance_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
   const glm::dvec3 low_m = glm::min(a, glm::min(b, c));
   const glm::dvec3 high_m = glm::max(a, glm::max(b, c));
@@ -290,7 +292,7 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
   return {.way_m = std::min(out_m, most_m), .is_inside = out_m <= most_m && out_m < in_m};
 }
 
-// Half the solid angles of all faces, seen from the point [Van Oosterom 1983].
+// Half the sum of the solid angles of all faces, as seen from the point [Van Oosterom 1983].
 Whereabouts TexturedBody::whereabouts(const glm::dvec3& point_m) const noexcept {
   double half_angles_rad = 0.0;
   double nearest_m = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// A textured mesh as a body in contact: what finds it, what is sampled of it, and how fine it is.
+// Declares a textured mesh as a body in contact: its hull, its sampled surface and the finest waves of its texture.
 
 #pragma once
 
@@ -17,36 +17,37 @@
 
 namespace asperity {
 
-/// A box along the axes of a contact: across n that far from its origin each way, along n likewise.
+/// A box in the axes of a contact: half-sizes perpendicular to n and along n, about the frame's origin.
 struct WindowBox {
   double half_width_m = 0.0;
   double half_height_m = 0.0;
 };
 
-/// How a line leaves a body.
+/// The intersection of a ray with the surface of a body, from inside outwards.
 struct WayOut {
-  double way_m = 0.0;      ///< to the first face that looks along the line; `most_m` without one
-  bool is_inside = false;  ///< that face is met before any that looks the other way
+  double way_m = 0.0;      ///< to the first face that the ray leaves through; `most_m` if none
+  bool is_inside = false;  ///< this face comes before any that the ray enters through
 };
 
-/// Where a point is, as the hull goes.
+/// The position of a point relative to the hull.
 struct Whereabouts {
-  bool is_inside = false;  ///< its winding number is above a half
-  /// No face is nearer: of each the larger distance of those to its plane and to a box around it.
+  bool is_inside = false;  ///< its winding number is above one half
+  /// Radius without faces: the minimum over the faces of the larger of the distances to its plane and to its bounding
+  /// box.
   double clear_m = 0.0;
 };
 
-/// A mesh with its displacements `gain` times as large, and its hull: the same triangles with every
-/// vertex moved outward along its normal by the largest displacement of all faces, margins of the
-/// atlas left out: they may go further, by up to an eighth of a grating with ten texels a wave. The
-/// textured surface lies inside the hull, so that the hulls of two bodies meet before their textures
-/// do. The distance is the same everywhere because a flat side has to stay flat: a hull that
-/// followed the texture would cut another one in many places, and each would count as a contact.
+/// Stores a mesh with its displacements multiplied by `gain`, and its hull: the same triangles with every vertex moved
+/// outward along its normal by the largest displacement of all faces. Margins of the atlas are excluded; they may go
+/// further, by up to an eighth of a grating with ten texels per wave. The textured surface lies inside the hull, so
+/// that the hulls of two bodies touch before their textures do. The distance is the same everywhere because a flat side
+/// has to remain flat: a hull that followed the texture would intersect another one in many places, and each would
+/// count as a contact.
 ///
-/// Errors: std::invalid_argument as PackedSurface has them, for a mesh without triangles, and for a
-/// gain that is negative or no number.
+/// Errors: std::invalid_argument in the cases of PackedSurface, for a mesh without triangles, and for a gain that is
+/// negative or not a number.
 ///
-/// Real-time: what is const noexcept does not allocate, lock or throw.
+/// Real-time: const noexcept functions do not allocate, lock or throw.
 class TexturedBody final {
  public:
   TexturedBody(const TexturedMesh& mesh, double gain);
@@ -57,31 +58,31 @@ class TexturedBody final {
   std::size_t triangles() const noexcept { return hull_.triangles.size(); }
   double furthest_displacement_m() const noexcept { return furthest_m_; }
 
-  /// No less than how thick the hull is: the shortest way between two parallel planes around it, of those
-  /// that lie along one of its 256 largest faces. Between two edges a body is thinner, a regular tetrahedron
-  /// by 13 %, and the wall of a hollow one by any amount.
+  /// An upper bound of the thickness of the hull: the smallest distance between two parallel planes that enclose it,
+  /// among those parallel to one of its 256 largest faces. Between two edges a body can be thinner, a regular
+  /// tetrahedron by 13 %, and the wall of a hollow body by any amount.
   double thickness_m() const noexcept { return thickness_m_; }
 
-  /// How long the finest waves of the texture are (finest_wave.h).
+  /// The wavelength of the finest waves of the texture (finest_wave.h).
   double finest_wave_m() const noexcept { return finest_wave_m_; }
 
-  /// Fills `room` with the triangles that look along `facing` and touch the box around the frame's
-  /// origin, by their plain corners; the frame is in the mesh's own axes, `facing` n or −n. Always in
-  /// the same order. Answers how many there are, also when there was no room for all.
+  /// Fills `room` with the triangles that face `facing` and touch the box around the frame's origin, by their
+  /// undisplaced corners, always in the same order. The frame is in the mesh's own axes; `facing` is n or −n. Returns
+  /// the number of triangles found, which may exceed the room.
   std::size_t find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
                              const WindowBox& box, std::span<std::uint32_t> room) const noexcept;
 
-  /// Where a line from a point along a unit vector first leaves the plain surface, no further away than
-  /// `most_m`; in the mesh's own axes.
+  /// The first point, within `most_m`, where a ray from a point along a unit vector leaves the undisplaced surface; in
+  /// the mesh's own axes.
   WayOut way_out(const glm::dvec3& point_m, const glm::dvec3& along, double most_m) const noexcept;
 
-  /// Visits all faces.
+  /// The position of a point relative to the hull. Visits all faces.
   Whereabouts whereabouts(const glm::dvec3& point_m) const noexcept;
 
  private:
   PackedSurface surface_;
   TriangleMesh hull_{};
-  // Shared with the queries that are made of it.
+  // Shared with the queries that use it.
   std::shared_ptr<const ClusteredMesh> hull_clusters_{};
   ClusteredMesh plain_clusters_;
   double furthest_m_ = 0.0;

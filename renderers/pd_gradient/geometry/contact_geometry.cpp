@@ -1,4 +1,4 @@
-// What makes a frame, a grid, a mesh and a patch fit for sampling.
+// Implements the checks of a frame, a grid, a mesh and a patch.
 
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 

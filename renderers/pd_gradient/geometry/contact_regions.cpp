@@ -1,3 +1,5 @@
+// Implements the grouping of triangle pairs and the frames of the regions.
+
 #include "renderers/pd_gradient/geometry/contact_regions.h"
 
 #include <algorithm>
@@ -16,11 +18,11 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-constexpr double kSmallestDirection = 0.05;       // of what n would be if all normals were one
+constexpr double kSmallestDirection = 0.05;       // relative to n of equal normals
 constexpr double kWidthStep = 1.189207115002721;  // 2^(1/4)
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Where a triangle meets the line in which another's plane cuts its own, as two places along it.
+/// The intersection of a triangle with the line in which another's plane cuts its own, as two positions along it.
 struct Interval {
   std::pair<double, glm::dvec3> low{std::numeric_limits<double>::infinity(), glm::dvec3(0.0)};
   std::pair<double, glm::dvec3> high{-std::numeric_limits<double>::infinity(), glm::dvec3(0.0)};
@@ -50,12 +52,12 @@ glm::dvec3 placed(const Pose& pose, const glm::dvec3& place_m) noexcept {
   return pose.rotation * place_m + pose.position_m;
 }
 
-/// The turn that takes one unit vector to another, about their common normal, of a third.
+/// Applies to a third vector the rotation that takes one unit vector to another, about their common normal.
 glm::dvec3 turned_along(const glm::dvec3& from, const glm::dvec3& to,
                         const glm::dvec3& vector) noexcept {
   const glm::dvec3 axis = glm::cross(from, to);
   const double cosine = glm::dot(from, to);
-  if (cosine < -0.999) return vector;  // opposite: any axis is as good; u is made orthogonal below
+  if (cosine < -0.999) return vector;  // opposite: any axis is valid; u is made orthogonal below
   return vector * cosine + glm::cross(axis, vector) +
          axis * (glm::dot(axis, vector) / (1.0 + cosine));
 }
@@ -64,8 +66,8 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& wanted) noexcept {
   return glm::normalize(wanted - n * glm::dot(n, wanted));
 }
 
-/// Axes for a direction that was not there before: u along the axis of B most across it, the first of
-/// those that are so up to rounding.
+/// The axes for a new direction: u along the axis of B that is most perpendicular to it, the first one in the case of
+/// ties within rounding.
 ContactFrame first_frame(const glm::dvec3& origin_m, const glm::dvec3& n,
                          const glm::dmat3& rotation_b) noexcept {
   constexpr double kRounding = 1e-6;
@@ -78,14 +80,14 @@ ContactFrame first_frame(const glm::dvec3& origin_m, const glm::dvec3& n,
   return {.origin_m = origin_m, .u = u, .v = glm::cross(n, u), .n = n};
 }
 
-/// The frame of the tick before, led to a new place and, with play, to a new direction.
+/// The frame of the previous tick, moved to a new origin and, with play, to a new direction.
 ContactFrame led_frame(const ContactFrame& before, const glm::dvec3& origin_m,
                        const glm::dvec3& wanted_n) noexcept {
   const double cosine = std::clamp(glm::dot(before.n, wanted_n), -1.0, 1.0);
   const double angle_rad = std::atan2(glm::length(glm::cross(before.n, wanted_n)), cosine);
   glm::dvec3 n = before.n;
   if (angle_rad > ContactRegions::kPlay_rad) {
-    // On the great circle between the two, the play away from the wanted one.
+    // The direction on the great circle between the two at the distance of the play from the new one.
     const glm::dvec3 side = across(wanted_n, before.n);
     n = glm::normalize(std::cos(ContactRegions::kPlay_rad) * wanted_n +
                        std::sin(ContactRegions::kPlay_rad) * side);
@@ -94,7 +96,7 @@ ContactFrame led_frame(const ContactFrame& before, const glm::dvec3& origin_m,
   return {.origin_m = origin_m, .u = u, .v = glm::cross(n, u), .n = n};
 }
 
-/// The smallest of the widths that holds `needed_m`.
+/// The smallest permitted width that contains `needed_m`.
 double stepped_width_m(double needed_m) noexcept {
   constexpr double kUnit_m = 1e-3;
   const double steps = std::ceil(std::log(needed_m / kUnit_m) / std::log(kWidthStep));
@@ -148,12 +150,12 @@ std::uint32_t ContactRegions::root_of(std::uint32_t pair) noexcept {
 void ContactRegions::join(std::uint32_t one, std::uint32_t other) noexcept {
   const std::uint32_t first = root_of(one);
   const std::uint32_t second = root_of(other);
-  // The smaller index stays: the result does not depend on the order of joining.
+  // The smaller index is kept: the result does not depend on the order of joining.
   parents_[std::max(first, second)] = std::min(first, second);
 }
 
-// Joins pairs of one triangle of `same` whose triangles of `other` have a corner in common. The pairs of a
-// triangle are chained, and each chain is walked once: what meets at a corner hangs together.
+// Joins pairs of one triangle of `same` whose triangles of `other` share a corner. The pairs of a triangle are linked
+// in a list, and each list is traversed once.
 void ContactRegions::join_along(std::span<const TrianglePair> pairs, Side same,
                                 Side other) noexcept {
   Body& held = *same.body;
@@ -180,8 +182,8 @@ void ContactRegions::join_along(std::span<const TrianglePair> pairs, Side same,
   }
 }
 
-// A curve goes from one pair to the next through an edge or a corner of one mesh, while the triangle
-// of the other mesh stays the same.
+// A curve continues from one pair to the next through an edge or a corner of one mesh, while the triangle of the other
+// mesh is the same.
 void ContactRegions::join_neighbours(std::span<const TrianglePair> pairs) noexcept {
   const Side a{.body = &a_, .of_pair = &TrianglePair::a};
   const Side b{.body = &b_, .of_pair = &TrianglePair::b};
@@ -237,10 +239,10 @@ const ContactRegion* ContactRegions::before(const glm::dvec3& origin_m) noexcept
   return &before_[nearest];
 }
 
-// Of all regions that are kept, along u or v from their origins.
+// The half-extents of all kept regions, along u or v from their origins.
 void ContactRegions::find_half_extents() noexcept {
   half_extents_m_.assign(kept_.size(), 0.0);
-  // The regions are in the order of their sums; what was left out has none.
+  // The regions are in the order of their sums; regions that were left out have none.
   sum_of_root_.assign(segments_.size(), kNone);
   for (std::uint32_t i = 0; i < sums_.size(); ++i) sum_of_root_[sums_[i].root] = i;
   for (std::uint32_t pair = 0; pair < segments_.size(); ++pair) {

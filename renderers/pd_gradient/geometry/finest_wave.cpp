@@ -1,3 +1,5 @@
+// Implements the analysis of a texture's finest waves.
+
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 
 #include <algorithm>
@@ -15,10 +17,10 @@
 namespace asperity {
 namespace {
 
-constexpr double kLeastSlope = 0.005;  // turns a force by 0.3°
-constexpr double kMostDrawnOut = 1e6;  // longer one way by more, texels have no relief to be felt
+constexpr double kLeastSlope = 0.005;  // changes the direction of a force by 0.3°
+constexpr double kMostDrawnOut = 1e6;  // at a greater aspect ratio there is no perceptible relief
 
-/// From texel to texel of a face: so many columns and rows, and the same on the surface.
+/// A step between texels of a face, in columns and rows and on the surface.
 struct Chord {
   long long columns = 0;
   long long rows = 0;
@@ -31,8 +33,8 @@ Chord difference(const Chord& one, const Chord& other, double times = 1.0) {
           one.way_m - times * other.way_m};
 }
 
-/// The shortest ways between texels of a face (Lagrange's reduction of its lattice), at 60° to 90° to
-/// each other, the shorter one first.
+/// The shortest steps between texels of a face (Lagrange's lattice reduction), at 60° to 90° to each other, the shorter
+/// one first.
 std::pair<Chord, Chord> shortest(Chord a, Chord b) {
   constexpr int kMostSteps = 64;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -88,8 +90,8 @@ class FaceTexels final {
     }
   }
 
-  /// Covariances of the second differences h(x + ℓ) − 2 h(x) + h(x − ℓ) along three chords at one
-  /// place, in counts², without what rounding to counts adds.
+  /// The covariances of the second differences h(x + ℓ) − 2 h(x) + h(x − ℓ) along three chords at one position, in
+  /// counts², corrected for the rounding to counts.
   struct Bends {
     long long places = 0;
     std::array<std::array<double, 3>, 3> covariances{};
@@ -130,7 +132,7 @@ class FaceTexels final {
     const auto places = static_cast<double>(bends.places);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        // Of steps²/12 for each value: 1 + 4 + 1, of which different chords share the 4.
+        // The variance is steps²/12 for each value: 1 + 4 + 1, of which different chords share the 4.
         const double of_rounding = (i == j ? 6.0 : 4.0) / 12.0;
         bends.covariances[i][j] =
             bends.covariances[i][j] / places - sums[i] / places * (sums[j] / places) - of_rounding;
@@ -140,7 +142,7 @@ class FaceTexels final {
     return bends;
   }
 
-  /// The mean square of h(x + ℓ) − h(x) in counts², without what rounding adds.
+  /// The mean square of h(x + ℓ) − h(x) in counts², corrected for rounding.
   double steps(const Chord& chord) const {
     const auto count = static_cast<long long>(spans_.size());
     long long places = 0;
@@ -172,28 +174,28 @@ class FaceTexels final {
   std::vector<Span> spans_{};
 };
 
-/// Slope² times area that is lost where chords grow from `from_m` to twice that.
+/// Slope² times area that is lost when chords grow from `from_m` to twice that length.
 struct Loss {
   double from_m = 0.0;
   double slope_m2 = 0.0;
-  double least = 1.0;  ///< chords in `from_m` that it begins with: 0 where nothing is known below
+  double least = 1.0;  ///< chords in `from_m` at which it begins: 0 if unknown below
 };
 
-// By the square of the length; then what is lost up to ℓ is a third of what is lost from there to 2ℓ.
+// Proportional to the square of the length; the loss up to ℓ is then a third of the loss from there to 2ℓ.
 double lost_m2(const Loss& loss, double chord_m) {
   const double part = std::clamp(chord_m / loss.from_m, loss.least, 2.0);
   return loss.slope_m2 / 3.0 * (part * part - loss.least * loss.least);
 }
 
-/// Slope² times area of a relief, and what of it chords lose.
+/// Slope² times area of a relief, and the part of it that chords lose.
 struct Slopes {
   double all_m2 = 0.0;
-  double area_m2 = 0.0;  ///< of the faces that have a relief
+  double area_m2 = 0.0;  ///< of the faces with a relief
   std::vector<Loss> losses{};
 };
 
-/// Along the two shortest ways between texels, and across: |∇h|² = Σ cot·Δh²/(2·area) over the sides of a
-/// triangle, each with the cotangent of the angle across from it.
+/// Along the two shortest steps between texels, and across: |∇h|² = Σ cot·Δh²/(2·area) over the sides of a triangle,
+/// each with the cotangent of the opposite angle.
 double slope2(const FaceTexels& texels, const Chord& a, const Chord& b) {
   const double doubled_m2 = glm::length(glm::cross(a.way_m, b.way_m));
   const double across_m2 = glm::dot(a.way_m, b.way_m);
@@ -207,7 +209,7 @@ double slope2(const FaceTexels& texels, const Chord& a, const Chord& b) {
   return sum_m2 / (doubled_m2 * doubled_m2);
 }
 
-/// |∇∇h|² = tr(G⁻¹HG⁻¹H) with G the scalar products of two chords, H the second differences along them.
+/// ∇∇h|² = tr(G⁻¹HG⁻¹H), with G the scalar products of two chords and H the second differences along them.
 double bend2_per_m2(const FaceTexels::Bends& bends, const Chord& a, const Chord& b) {
   const double aa = glm::dot(a.way_m, a.way_m);
   const double ab = glm::dot(a.way_m, b.way_m);
@@ -217,7 +219,7 @@ double bend2_per_m2(const FaceTexels::Bends& bends, const Chord& a, const Chord&
   // H_ab is (H_aa + H_bb − H_cc)/2 with c = a − b.
   const auto with_ab = [&](std::size_t i) { return 0.5 * (of[i][0] + of[i][1] - of[i][2]); };
   const double ab_ab = 0.5 * (with_ab(0) + with_ab(1) - with_ab(2));
-  // G⁻¹H is this over the determinant: [bb·Haa − ab·Hab, bb·Hab − ab·Hbb; aa·Hab − ab·Haa, aa·Hbb − ab·Hab].
+  // G⁻¹H is this divided by the determinant: [bb·Haa − ab·Hab, bb·Hab − ab·Hbb; aa·Hab − ab·Haa, aa·Hbb − ab·Hab].
   const double diagonal = bb * bb * of[0][0] + aa * aa * of[1][1] + 2.0 * ab * ab * ab_ab -
                           2.0 * ab * (bb * with_ab(0) + aa * with_ab(1));
   const double others =
@@ -234,7 +236,7 @@ void add(Slopes& slopes, const FaceTexels& texels, const std::pair<Chord, Chord>
   if (!(face_slope2 > kLeastSlope * kLeastSlope)) return;
   slopes.all_m2 += face_slope2 * area_m2;
   slopes.area_m2 += area_m2;
-  // Nearly as long along both: below that only the shorter way is known.
+  // Chords of nearly equal length along both; below this length only the shorter step is known.
   long long ratio = 1;
   while (1.5 * static_cast<double>(ratio) * first_m < glm::length(b.way_m)) ratio *= 2;
   const auto add_loss = [&](double from_m, double least, double slope2_of_counts) {

@@ -1,4 +1,4 @@
-// How fine the detail of a texture is, where it can be felt.
+// Declares the wavelength of the finest perceptible detail of a texture.
 
 #pragma once
 
@@ -6,28 +6,29 @@
 
 namespace asperity {
 
-/// The finest waves of a texture whose displacements are `gain` times as large, in metres: the detail
-/// that samples further apart than an eighth of it pass over.
+/// The wavelength of the finest waves of a texture with displacements multiplied by `gain`, in metres: samples at a
+/// distance of more than an eighth of it miss this detail.
 ///
-/// Force follows slope, so what counts is slope². Replacing the relief by chords of length s loses a
-/// share L(s) of it: where two chords of length ℓ become one of 2ℓ, half the difference of their slopes,
-/// squared, which is
+/// Force depends on slope, so the relevant quantity is slope². Replacing the relief by chords of length s loses a
+/// fraction L(s) of it. The loss of replacing two chords of length ℓ by one of 2ℓ is the square of half the difference
+/// of their slopes,
 ///
 ///     (h(x + ℓ) − 2 h(x) + h(x − ℓ))² / (2ℓ)²,     h and ℓ in m,
 ///
-/// in all directions |∇∇h|²·ℓ²/4, summed over ℓ = 1, 2, 4, … texels, by s² in between. The finest wave is
-/// 8 s where L is 1 − sinc²(π/8), 5 %: what chords of λ/8 lose of a grating of wavelength λ, so it is λ
-/// then. Of a mixture it is the length of waves that together with all finer ones hold some 5 % of
-/// slope²; finer ones of less share do not count.
+/// in all directions |∇∇h|²·ℓ²/4, summed over ℓ = 1, 2, 4, … texels, and interpolated by s². The finest wave is 8 s for
+/// the s at which L is 1 − sinc²(π/8), 5 %. This is the loss of chords of λ/8 on a grating of wavelength λ, for which
+/// the result is therefore λ. For a mixture it is the wavelength at which this wave and all finer ones contain
+/// approximately 5 % of slope²; finer waves with a smaller proportion do not count.
 ///
-/// Lengths are true ones on every face, along the shortest ways between its texels, however slender it
-/// is. Over each face the mean of the second differences is the bend of the shape, where a texture makes
-/// a faceted body round, and no loss; neither is what rounding to steps of the atlas adds. An RMS slope of
-/// 0.5 % counts neither as a loss nor, on a whole face, as relief. Of waves that are longer than a face is wide the bend is most, so they are told too long.
+/// Lengths are measured on each face, along the shortest steps between its texels, even for slender faces. The mean of
+/// the second differences over a face is the curvature of the shape, where a texture makes a faceted body round, and
+/// does not count as a loss; nor does the rounding to steps of the atlas. An RMS slope of 0.5 % counts neither as a
+/// loss nor, on a whole face, as relief. For waves longer than the width of a face most of the second difference is
+/// curvature, so their wavelength is overestimated.
 ///
-/// One value for the whole body: a texture that is fine at one end is told to be as fine everywhere.
+/// There is one value for the whole body: a texture that is fine at one end is treated as equally fine everywhere.
 ///
-/// Infinite where there is no detail.
+/// Infinity if there is no detail.
 double finest_wave_m(const TexturedMesh& mesh, double gain);
 
 }  // namespace asperity

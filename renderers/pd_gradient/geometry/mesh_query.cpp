@@ -1,3 +1,5 @@
+// Implements the search for intersecting triangles with clusters of sixteen.
+
 #include "renderers/pd_gradient/geometry/mesh_query.h"
 
 #include <algorithm>
@@ -23,8 +25,8 @@ glm::dvec3 middle_of(const Corners& corners) {
   return (corners[0] + corners[1] + corners[2]) / 3.0;
 }
 
-/// Splits `order` at the median of the longest axis until at most sixteen are left, all clusters
-/// but one full.
+/// Splits `order` at the median of the longest axis until at most sixteen elements are left; all clusters but one are
+/// full.
 void cluster(std::span<std::uint32_t> order, const std::vector<glm::dvec3>& middles) {
   if (order.size() <= kLanes) return;
   glm::dvec3 low = middles[order[0]];
@@ -37,7 +39,7 @@ void cluster(std::span<std::uint32_t> order, const std::vector<glm::dvec3>& midd
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::size_t clusters = (order.size() + kLanes - 1) / kLanes;
   const std::size_t half = (clusters / 2) * kLanes;
-  // By index where places are equal: the same clusters with every standard library.
+  // Ties are broken by index: the clusters are the same with every standard library.
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
                    [&](std::uint32_t first, std::uint32_t second) {
                      return std::pair(middles[first][axis], first) <
@@ -47,7 +49,7 @@ void cluster(std::span<std::uint32_t> order, const std::vector<glm::dvec3>& midd
   cluster(order.subspan(half), middles);
 }
 
-/// The planes across the mean normal between which a cluster's triangles lie.
+/// Sets the planes perpendicular to the mean normal that enclose a cluster's triangles.
 void set_slab(TriangleCluster& cluster) {
   const auto corner = [&cluster](std::size_t which, std::size_t lane) {
     return glm::dvec3(cluster.corners[which][0][lane], cluster.corners[which][1][lane],
@@ -62,7 +64,7 @@ void set_slab(TriangleCluster& cluster) {
   normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {  // those that are not used repeat others
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {  // unused lanes repeat others
     for (std::size_t which = 0; which < 3; ++which) {
       low = std::min(low, glm::dot(normal, corner(which, lane)));
       high = std::max(high, glm::dot(normal, corner(which, lane)));
@@ -73,7 +75,7 @@ void set_slab(TriangleCluster& cluster) {
   cluster.slab_high_m = static_cast<float>(high);
 }
 
-/// Whether the projections on `axis` leave a gap.
+/// Whether there is a gap between the projections on `axis`.
 bool separates(const glm::dvec3& axis, const Corners& a, const Corners& b) noexcept {
   const auto range = [&axis](const Corners& corners) {
     const double first = glm::dot(axis, corners[0]);
@@ -107,7 +109,7 @@ TriangleClusters clusters_of(const ClusteredMesh& mesh) {
 }  // namespace
 
 bool triangles_intersect(const Corners& a, const Corners& b) noexcept {
-  // From a corner of A: the products below do not lose what two near triangles differ by.
+  // Relative to a corner of A: the products below then preserve the small differences of two near triangles.
   const Corners p{glm::dvec3(0.0), a[1] - a[0], a[2] - a[0]};
   const Corners q{b[0] - a[0], b[1] - a[0], b[2] - a[0]};
   const Corners p_edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
@@ -213,7 +215,7 @@ std::span<const TrianglePair> MeshQuery::find(const Pose& a_in_b) noexcept {
     }
     pose.shift_m[static_cast<std::size_t>(row)] = static_cast<float>(shift_m[row]);
   }
-  // Rounding of a place in single precision, with room for the products of the test.
+  // The rounding error of a position in single precision, with a margin for the products of the test.
   pose.tolerance_m = 4e-6F * static_cast<float>(a_->radius_m() + b_->radius_m());
 
   struct Found {

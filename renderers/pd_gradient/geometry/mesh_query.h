@@ -1,4 +1,4 @@
-// Which triangles of two meshes intersect.
+// Declares the search for intersecting triangles of two meshes.
 
 #pragma once
 
@@ -25,17 +25,17 @@ struct TrianglePair {
   friend bool operator==(const TrianglePair&, const TrianglePair&) = default;
 };
 
-/// The triangles of one mesh in clusters of sixteen, as the query reads them.
+/// Stores the triangles of one mesh in clusters of sixteen for the query.
 class ClusteredMesh final {
  public:
-  /// Errors: std::invalid_argument for a mesh without triangles or with a corner that is no vertex.
+  /// Errors: std::invalid_argument for a mesh without triangles or with a corner that is not a vertex.
   explicit ClusteredMesh(const TriangleMesh& mesh);
 
   const glm::dvec3& centre_m() const noexcept { return centre_m_; }
-  double radius_m() const noexcept { return radius_m_; }  ///< of a ball around the centre
+  double radius_m() const noexcept { return radius_m_; }  ///< of a sphere around the centre
   std::span<const TriangleCluster> clusters() const noexcept { return clusters_; }
   std::span<const ClusterBoxes> boxes() const noexcept { return boxes_; }
-  /// A triangle's corners, as the mesh has them.
+  /// A triangle's corners, as in the mesh.
   const std::array<glm::dvec3, 3>& corners_m(std::uint32_t triangle) const noexcept {
     return corners_m_[triangle];
   }
@@ -48,38 +48,38 @@ class ClusteredMesh final {
   std::vector<std::array<glm::dvec3, 3>> corners_m_{};
 };
 
-/// Finds every pair of triangles, one of each mesh, that share a point.
+/// Finds all pairs of triangles, one of each mesh, that share a point.
 ///
-/// Two triangles are apart if and only if a plane is between them whose normal is one of seventeen:
-/// the two of the triangles, the nine products of their edges, and the six in their planes across
-/// an edge. The test runs in single precision on sixteen triangles at once; what it finds nearer to
-/// touching than its rounding is decided in double precision. Triangles that touch are a pair.
+/// Two triangles are separate if and only if there is a separating plane whose normal is one of seventeen: the two of
+/// the triangles, the nine products of their edges, and the six in their planes perpendicular to an edge. The test runs
+/// in single precision on sixteen triangles at once; results within the rounding error of touching are decided in
+/// double precision. Touching triangles are a pair.
 ///
-/// The same pairs in the same order whatever the processor: the code is compiled for SSE2, AVX2 and
-/// AVX-512 without contraction, and the widest that the processor has is used.
+/// The pairs and their order do not depend on the processor: the code is compiled for SSE2, AVX2 and AVX-512 without
+/// contraction, and the widest set of the processor is used.
 ///
 /// Real-time: `find` does not allocate, lock or throw.
 ///
 /// Sources: separating axes [Gottschalk 1996].
 class MeshQuery final {
  public:
-  /// More pairs than `maximum_pairs` are counted, not listed.
+  /// Pairs beyond `maximum_pairs` are counted, not listed.
   MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
             std::size_t maximum_pairs);
-  /// With the code for one instruction set, which has to be among `instruction_sets_here()`.
+  /// Uses the code for one instruction set, which must be one of `instruction_sets_here()`.
   MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,
             std::size_t maximum_pairs, InstructionSet set);
 
   /// Ordered by cluster; valid until the next call.
   std::span<const TrianglePair> find(const Pose& a_in_b) noexcept;
-  /// Of the last `find`, all that intersect.
+  /// The number of all intersecting pairs in the last `find`.
   std::size_t count() const noexcept { return count_; }
 
   const ClusteredMesh& a() const noexcept { return *a_; }
   const ClusteredMesh& b() const noexcept { return *b_; }
 
  private:
-  // Shared, because every stimulus with the same tool or surface has a query of its own.
+  // Shared, because every stimulus with the same tool or surface has a separate query.
   std::shared_ptr<const ClusteredMesh> a_{};
   std::shared_ptr<const ClusteredMesh> b_{};
   const TriangleLoops* loops_ = nullptr;
@@ -87,7 +87,7 @@ class MeshQuery final {
   std::size_t count_ = 0;
 };
 
-/// Whether two triangles share a point, in double precision: what `MeshQuery` goes back to.
+/// Whether two triangles share a point, in double precision; used by `MeshQuery` for uncertain pairs.
 bool triangles_intersect(const std::array<glm::dvec3, 3>& a,
                          const std::array<glm::dvec3, 3>& b) noexcept;
 

@@ -1,4 +1,4 @@
-// Keeping heights, finding where they are now, and sampling them anew a few rows at a time.
+// Implements the storage of heights, their evaluation after motion, and their renewal a few rows at a time.
 
 #include "renderers/pd_gradient/sampling/cached_penetration.h"
 
@@ -20,15 +20,15 @@ namespace asperity {
 namespace {
 
 constexpr double kSoftStrain = 0.5;
-constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane move aside by that
+constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane shift by this
 constexpr double kMostAwayFromN = 0.06;
-constexpr double kLeastFall = 0.8;  // at that angle, of a surface that is 73° from n
-// Of its half height: how far its ends may have gone since. With 1 a ball through two thin sheets is off by 0.15 N of
-// 1.1; with 0.5 a small contact is sampled so often that a closed path of the smooth maximum does 8e-5 of the gross work
-// instead of 2e-5.
+constexpr double kLeastFall = 0.8;  // at this angle, of a surface that is 73° from n
+// Permitted displacement of the box's ends, relative to its half height. With 1 the force of a ball through two thin
+// sheets is off by 0.15 N of 1.1; with 0.5 a small contact is sampled so often that the work of a closed path of the
+// smooth maximum is 8e-5 of the gross work instead of 2e-5.
 constexpr double kMostOfBox = 0.75;
 constexpr double kMostOtherLeaning = 0.05;  // of the cosine from which faces sink, at most 0.5
-constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows hold what lies along a row
+constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows contain a row of lanes
 constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
 constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
 constexpr double kLittle = 1e-9;
@@ -50,14 +50,14 @@ Pose pose_of(const ContactFrame& frame) noexcept {
 
 int rounded_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
-// Of A's heights: the places for the window whose first sample is at (column, row) of B's lattice, with
-// A turned about the window's middle by `turn_rad`. In cells.
+// The positions in A's heights for the window whose first sample is at (column, row) of B's lattice, with A turned
+// about the window's middle by `turn_rad`. In cells.
 KeptPlaces places_of(const Pose& motion, const SamplingGrid& lattice, int samples,
                      const glm::dvec2& first, double turn_rad) {
   const double cosine = std::cos(turn_rad);
   const double sine = std::sin(turn_rad);
   const glm::dmat3& r = motion.rotation;  // r[column][row]
-  // q = R₂ₓ₂·p + shift, all from the lattice's middle
+  // q = R₂ₓ₂·p + shift, all relative to the lattice's middle
   const glm::dmat2 ahead(r[0].x, r[0].y, r[1].x, r[1].y);
   const double z_m = -motion.position_m.z;
   const double per_m = 1.0 / lattice.spacing_m();
@@ -76,7 +76,7 @@ KeptPlaces places_of(const Pose& motion, const SamplingGrid& lattice, int sample
           .y_per_row = static_cast<float>(back[1].y)};
 }
 
-// A's heights are against n: what stands at (x, y, −a) now stands a' against n.
+// A's heights are measured against n: a point at (x, y, −a) is now at a' against n.
 KeptLift lift_of(const Pose& motion, const SamplingGrid& lattice) {
   const glm::dmat3& r = motion.rotation;
   const double middle_m = 0.5 * (lattice.samples - 1) * lattice.spacing_m();
@@ -86,8 +86,9 @@ KeptLift lift_of(const Pose& motion, const SamplingGrid& lattice) {
           .shift_m = static_cast<float>((r[0].z + r[1].z) * middle_m - motion.position_m.z)};
 }
 
-// In another frame: δ falls by less than a metre per metre along an n that is not the kept one. As little
-// as kLeastFall, or not at all, only where it is steeper than any surface of which n is a direction.
+// Converts to another frame: along an n other than the kept one, δ decreases by less than a metre per metre. It
+// decreases by less than kLeastFall, or not at all, only where the surface is steeper than any for which n is a contact
+// direction.
 Penetration in_frame(const Penetration& found, const ContactFrame& kept,
                      const ContactFrame& asked) {
   const glm::dvec3 gradient = kept.to_world({found.slope, -1.0});
@@ -131,7 +132,7 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
   lattice_.samples = grid.samples + 2 * margin_;
   lattice_.width_m = lattice_.samples * grid.spacing_m();
   stride_ = stride_of_samples(lattice_.samples);
-  // What find_bounds reaches along a row, with room for lattices that are not parallel.
+  // The reach of find_bounds along a row, with a margin for lattices that are not parallel.
   const double around = 1.05 * step_cells_;
   const double reach = 1.02 * (0.5 * (kMostLanes - 1) + around) +
                        kMostTurnOfLanes * (0.5 * (kBlockRows - 1) + around) + 1.2;
@@ -179,7 +180,7 @@ void CachedPenetration::reset() noexcept {
   sampled_answers_ = 0;
 }
 
-// Nothing for a place of other bodies, or one that is too far from where the bodies are now.
+// nullopt for a place of other bodies, or one that is too far from the current poses.
 std::optional<CachedPenetration::Fit> CachedPenetration::fit(
     const Place& place, const PackedPatch& a, const PackedPatch& b,
     const ContactFrame& frame) const noexcept {
@@ -200,13 +201,13 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   const double tilt = std::max(std::abs(r[0].z), std::abs(r[1].z));
   bool fits = n.z > 0.0 && r[2].z > 0.0;
   const auto strained = [&](double share) {
-    fits = fits && share < 1.0;  // nor where it is no number
+    fits = fits && share < 1.0;  // false also for NaN
     found.strain = std::max(found.strain, share);
   };
   strained(std::abs(aside.x) / most_aside);
   strained(std::abs(aside.y) / most_aside);
   strained(std::abs(origin_m.z) / (0.5 * grid().width_m));
-  // What another box would hold or leave out is unknown.
+  // The content of a different box is unknown.
   const double half_m = a.half_height_m;
   strained((std::abs(origin_m.z) + std::abs(half_m - place.half_height_m)) /
            (kMostOfBox * std::min(half_m, place.half_height_m)));
@@ -221,7 +222,7 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   };
   found.column = first(aside.x);
   found.row = first(aside.y);
-  // A's heights under the window's middle, and how far from there it reaches.
+  // A's heights under the window's middle, and the greatest distance from there that is used.
   const KeptPlaces places =
       places_of(found.motion, lattice_, samples, {found.column, found.row}, 0.0);
   const double half = 0.5 * (samples - 1);
@@ -307,7 +308,7 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
                 .first_block = place.deepest_block,
                 .bound_m = bound_m_.data(),
                 .block_most_m = block_most_m_.data()};
-  // The window's middle, from which places and levers are counted.
+  // The window's middle, the reference of positions and levers.
   const glm::dvec2 aside = (first - static_cast<double>(margin_)) * cell_m;
   ContactFrame kept_frame{
       .u = fit.lattice.rotation[0], .v = fit.lattice.rotation[1], .n = fit.lattice.rotation[2]};
@@ -381,15 +382,15 @@ void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
   triangle_count_ = 0;
 }
 
-// How much of the work has to be done now: the kept heights will not serve until all is done if the
-// bodies go on as they do.
+// The fraction of the work that has to be done now: if the bodies continue their motion, the kept heights become
+// invalid before all of it would be done.
 double CachedPenetration::hurry(double strain) noexcept {
   const double grown = std::max(0.0, strain - work_.strain_before);
   work_.strain_before = strain;
   return std::min(1.0, 2.0 * grown / std::max(1.0 - strain, grown + kLittle));
 }
 
-// Some triangles or some rows, more in a hurry.
+// Continues with some triangles or some rows, more if `hurry` requires it.
 void CachedPenetration::continue_work(double hurry) noexcept {
   if (work_.step == Step::idle) return;
   Place& place = places_[work_.place];
@@ -424,7 +425,7 @@ void CachedPenetration::continue_work(double hurry) noexcept {
                   share(rows_in_a_call_, 2 * lattice_.samples));
       if (work_.next_row < lattice_.samples) return;
       work_.step = Step::idle;
-      // Of a place without anything in it the next call wants to know whether there is something now.
+      // For a place without a surface the next call checks again whether there is one.
       place.is_whole = place.covered > 0;
       return;
   }
@@ -474,7 +475,7 @@ void CachedPenetration::sample_rows(const PackedSurface& surface, const KeptHeig
   if (work_.step == Step::rows_of_b) count_covered(place, first, end);
 }
 
-// Of the window in the lattice's middle.
+// For the window in the lattice's middle.
 void CachedPenetration::count_covered(Place& place, int first_row, int end_row) noexcept {
   const int end = std::min(end_row, margin_ + grid().samples);
   for (int row = std::max(first_row, margin_); row < end; ++row) {
@@ -485,7 +486,7 @@ void CachedPenetration::count_covered(Place& place, int first_row, int end_row) 
   }
 }
 
-// Whether the window ends at a sample, or a surface beside it.
+// Whether the window, or a surface next to the sample, ends there.
 bool CachedPenetration::at_border(const KeptTask& task, int row, int column) const noexcept {
   if (grid().is_outermost(row, column)) return true;
   const auto missing = [](const KeptHeights& of, int r, int c) {

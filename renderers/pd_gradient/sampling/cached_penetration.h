@@ -1,4 +1,4 @@
-// The evaluation of contacts from heights that are kept while the bodies move little.
+// Declares the evaluation of contacts from heights that are kept during small motions of the bodies.
 
 #pragma once
 
@@ -15,79 +15,77 @@ enum class Pruning { off, on };
 
 struct CachedSettings {
   SamplerSettings sampler{};
-  /// Places at which bodies can be known at a time: two more than contacts at a time. 0: heights are
-  /// sampled anew in every call.
+  /// The maximum number of places whose heights are kept: two more than simultaneous contacts. 0: heights are sampled
+  /// anew in every call.
   std::size_t most_places = 12;
-  /// Fewer places, down to two, where they would take more.
+  /// The number of places is reduced, down to two, if they would need more.
   std::size_t most_bytes = std::size_t{8} << 20;
-  /// Of a body's surface, at most so many in a call; more where a contact moves so fast that its
-  /// heights would come too late. A multiple of 4.
+  /// The number of rows of a body's surface per call; more if a contact moves so fast that its heights would be late. A
+  /// multiple of 4.
   int rows_in_a_call = 4;
-  /// `off` is for tests: the answers are the same to the bit.
+  /// `off` is for tests: the results are identical to the bit.
   Pruning pruning = Pruning::on;
 };
 
-/// δ and ∇δ as PenetrationSampler finds them, mostly without looking at a triangle or a texture.
+/// Computes δ and ∇δ as PenetrationSampler does, usually without reading triangles or textures.
 ///
-/// Around a contact both surfaces are sampled once, on a lattice wider than the window. The lattice of
-/// B stays with B, and so do n and the axes: they are those asked for when the heights were sampled.
-/// In a tick A's heights are read between its samples at where A is now,
+/// Around a contact both surfaces are sampled once, on a lattice wider than the window. The lattice of B is fixed to B;
+/// n and the axes are those of the frame for which the heights were sampled. In a tick A's heights are interpolated
+/// between its samples at A's current pose,
 ///
 ///   h'(q) = R₃₃·h(p) + R₃₁·x + R₃₂·y + t₃      p = (x, y): q = R₂ₓ₂·p + t₁₂ + (R₁₃, R₂₃)·z
 ///
-/// with R, t A's motion relative to B since then and z where A meets the lattice's plane. The window
-/// is laid on B's samples, in steps of four, so that it holds the asked origin in its middle. A sum of
-/// the highest of A and of B thereabouts bounds what a block of 16 × 8 samples can hold; blocks that
-/// can hold none of the eleven maxima are passed over. The rest is as in PenetrationSampler, but that
-/// A turned about n is found between samples once and not twice.
+/// R, t is A's motion relative to B since then and z the height at which A meets the lattice's plane. The window is
+/// placed on B's samples, in steps of four, with the requested origin in its middle. The sum of the local maxima of A
+/// and of B is an upper bound for a block of 16 × 8 samples; blocks that cannot contain any of the eleven maxima are
+/// skipped. The rest is as in PenetrationSampler, except that A turned about n is interpolated once and not twice.
 ///
-/// The answer is for the asked frame: the gradient is turned into its axes and divided by how little δ
-/// falls along its n, δ with it (the direction of δ·∇δ stays). By 0.8 at least: less is that of a surface
-/// more than 73° from n, and of one at 86.6° the division would have no end.
+/// The result is converted to the requested frame: the gradient is rotated to its axes and divided by the decrease of δ
+/// along its n, and so is δ (the direction of δ·∇δ is unchanged). The divisor is at least 0.8: a smaller value would
+/// belong to a surface more than 73° from n, and at 86.6° the quotient would be unbounded.
 ///
-/// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
-/// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
-/// differences, 0.06 rad between the asked n and the kept one, by 0.05 for the cosines from which faces sink
-/// (PackedPatch::leaning_cosine), and by 0.75 of its half height for either end of the box in which
-/// triangles are looked for (PackedPatch::half_height_m, the same for both): what was outside of it then is
-/// not in the heights. Until they are there the kept ones serve; where none serve, PenetrationSampler does.
-/// A place that no contact comes back to is the first to be given up.
+/// Heights are sampled anew, some rows per call, when the bodies have moved half of the permitted distance. The limits
+/// are a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of rotation about n minus the step of the
+/// differences, 0.06 rad between the requested n and the kept one, a change of 0.05 of the cosines from which faces
+/// sink (PackedPatch::leaning_cosine), and 0.75 of its half height for either end of the box in which triangles are
+/// searched (PackedPatch::half_height_m, the same for both): what was outside the box is not in the heights. Until the
+/// new heights are complete the kept ones are used; without usable heights, PenetrationSampler is used. A place to
+/// which no contact returns is the first to be replaced.
 ///
-/// Reading between samples shaves peaks. Bodies that have drifted as far as they may, against
-/// PenetrationSampler: at 8 samples a wavelength 4 to 11 % of the RMS of ∂δ/∂u, at 16 half of that.
-/// It is also what the answer jumps by where other heights take over: on a slide of the tests at 8
-/// samples a wavelength the force was never further from the sampler's than 0.16 of its RMS.
+/// Interpolation between samples lowers peaks. For bodies at the limits of motion, the error relative to
+/// PenetrationSampler is 4 to 11 % of the RMS of ∂δ/∂u at 8 samples per wavelength, and half of that at 16. This is
+/// also the jump of the result when new heights replace the kept ones: in a slide of the tests at 8 samples per
+/// wavelength the force never differed from the sampler's by more than 0.16 of its RMS.
 ///
-/// What is found depends on the calls since `reset` and on nothing else. A place beside one without a
-/// surface has none here. `covered` and `folded` are of when the heights were sampled; where nothing was
-/// covered, none are kept.
+/// The result depends only on the calls since `reset`. A position next to one without a surface counts as having none.
+/// `covered` and `folded` are those of the time of sampling; where nothing was covered, no heights are kept.
 ///
-/// Every instruction set gives the same bits.
+/// All instruction sets give the same bits.
 ///
-/// Errors: those of PenetrationSampler; a single place, since one serves while another one is
-/// sampled; rows that are no positive multiple of 4.
+/// Errors: those of PenetrationSampler; a number of places of 1, since one is used while another one is sampled; rows
+/// that are not a positive multiple of 4.
 ///
-/// Real-time: `evaluate` and `reset` do not allocate, lock or throw. One object serves one thread.
+/// Real-time: `evaluate` and `reset` do not allocate, lock or throw. An object may be used by one thread only.
 class CachedPenetration final {
  public:
   explicit CachedPenetration(const CachedSettings& settings);
 
-  /// Forgets all heights.
+  /// Clears all heights.
   void reset() noexcept;
 
-  /// Whether `evaluate` will look at triangles. Where it will not, patches may come without any.
+  /// Whether `evaluate` will read triangles. If not, the patches may be passed without any.
   bool needs_triangles(const PackedPatch& a, const PackedPatch& b,
                        const ContactFrame& frame) const noexcept;
 
-  /// As PenetrationSampler::evaluate. The triangles have to fill a square of `patch_width_m()` around
-  /// the frame's origin, and the surfaces have to last until the next `reset`.
+  /// As PenetrationSampler::evaluate. The triangles have to cover a square of `patch_width_m()` around the frame's
+  /// origin, and the surfaces have to live until the next `reset`.
   std::optional<Penetration> evaluate(const PackedPatch& a, const PackedPatch& b,
                                       const ContactFrame& frame) noexcept;
 
   const SamplingGrid& grid() const noexcept { return sampler_.grid(); }
   double patch_width_m() const noexcept { return patch_width_m_; }
   std::size_t bytes() const noexcept;
-  /// Since `reset`: answers from kept heights, and those for which there were none.
+  /// Since `reset`: results from kept heights, and those without kept heights.
   std::uint64_t kept_answers() const noexcept { return kept_answers_; }
   std::uint64_t sampled_answers() const noexcept { return sampled_answers_; }
 
@@ -96,32 +94,32 @@ class CachedPenetration final {
     std::vector<float> height_m{};
     std::vector<float> most_m{};
   };
-  // What is known of both bodies where they meet.
+  // The kept heights of both bodies around one contact.
   struct Place {
     bool is_whole = false;
     const PackedSurface* surface_a = nullptr;
     const PackedSurface* surface_b = nullptr;
     Pose lattice_in_a{};  // axes u, v, n and the middle, in the mesh's frame
     Pose lattice_in_b{};
-    double half_height_m = 0.0;  // of the box that its triangles were chosen by
+    double half_height_m = 0.0;  // of the box by which its triangles were selected
     double leaning_a = 0.0;      // the cosines of the patches
     double leaning_b = 0.0;
     BodyHeights a{};
     BodyHeights b{};
     int covered = 0;
     int folded = 0;
-    int deepest_block = 0;  // in the last answer
+    int deepest_block = 0;  // in the last result
     std::uint64_t last_used = 0;
   };
-  // How a place fits what is asked.
+  // The suitability of a place for a request.
   struct Fit {
-    double strain = 0.0;  // 1: as far as it may be
+    double strain = 0.0;  // 1: at the limits of motion
     Pose lattice{};       // in the world
     Pose motion{};        // of A relative to it
     int column = 0;       // of the window's first sample in B's lattice
     int row = 0;
   };
-  // What an answer comes from, and what is being sampled for it.
+  // The place of the result, and the one that is being sampled for it.
   struct Choice {
     std::optional<std::size_t> place{};
     Fit fit{};
@@ -164,7 +162,7 @@ class CachedPenetration final {
   MaximumLaw law_{};
   DifferenceSteps steps_{};
   int step_cells_ = 0;
-  int margin_ = 0;  // samples of the lattice around a window in its middle
+  int margin_ = 0;  // samples of the lattice around a centred window
   SamplingGrid lattice_{};
   double patch_width_m_ = 0.0;
   int stride_ = 0;

@@ -1,4 +1,4 @@
-// Differences of maxima, means from sums.
+// Implements the gradient from differences of maxima and from weighted means.
 
 #include "renderers/pd_gradient/sampling/found_gradient.h"
 
@@ -41,7 +41,7 @@ Penetration gradient_of(const WeightedSums& sums, const SmoothMaximum& law, doub
   result.slope = per_slope * glm::dvec2{mean(&PlaceSums::slope_x_m), mean(&PlaceSums::slope_y_m)};
   result.lever_m = {-cell_m * mean(&PlaceSums::y) - per_slope * mean(&PlaceSums::z_slope_y_m2),
                     cell_m * mean(&PlaceSums::x) + per_slope * mean(&PlaceSums::z_slope_x_m2),
-                    mean(&PlaceSums::turn_m) / kSlope_cells};  // both up and along in cells
+                    mean(&PlaceSums::turn_m) / kSlope_cells};  // both height and distance in cells
   return result;
 }
 

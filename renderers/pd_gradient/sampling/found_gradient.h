@@ -1,4 +1,4 @@
-// δ and ∇δ from what the loops over samples found.
+// Declares the conversion of the sample loops' results to δ and ∇δ.
 
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace asperity {
 
-/// Depth, slope and lever of the hard maximum. A configuration in which nothing overlaps leaves a
-/// one-sided difference, two leave none. `deepest_m` is that sample, in the frame.
+/// The depth, slope and lever of the hard maximum. If one of the two configurations has no overlap, the difference is
+/// one-sided; if both have none, it is 0. `deepest_m` is the deepest sample, in the frame.
 Penetration gradient_of(const ElevenMaxima& found, const DifferenceSteps& steps,
                         const glm::dvec3& deepest_m) noexcept;
 
-/// Depth, slope and lever of the smooth maximum: the derivatives of the reference, with sums for means.
+/// The depth, slope and lever of the smooth maximum: the derivatives of the reference, with sums for means.
 Penetration gradient_of(const WeightedSums& sums, const SmoothMaximum& law, double cell_m,
                         const glm::dvec3& deepest_m) noexcept;
 

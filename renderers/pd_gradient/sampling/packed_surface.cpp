@@ -1,4 +1,4 @@
-// Pairing texels and gathering corners.
+// Implements the pairing of texels and the collection of corners.
 
 #include "renderers/pd_gradient/sampling/packed_surface.h"
 
@@ -14,7 +14,7 @@ namespace {
 // Row and pitch are multiplied as signed 16-bit numbers.
 constexpr std::size_t kMostTexels = 32000;
 constexpr std::size_t kPadding = 20;
-// Texels that are a power of two of bytes apart share their place in the cache.
+// Texels at a distance of a power of two of bytes map to the same cache set.
 constexpr std::size_t kCrowded = 64;
 
 std::size_t pitch_of(std::size_t columns) {
@@ -40,7 +40,7 @@ PackedSurface::PackedSurface(const TexturedMesh& mesh, double gain) {
   for (std::size_t row = 0; row < rows_; ++row) {
     const std::size_t below = std::min(row + 1, rows_ - 1);
     for (std::size_t column = 0; column < pitch_; ++column) {
-      const std::size_t held = std::min(column, columns_ - 1);  // the last texel goes on
+      const std::size_t held = std::min(column, columns_ - 1);  // the last texel is repeated
       const auto bits = [&](std::size_t of_row) {
         return std::uint32_t{static_cast<std::uint16_t>(atlas.values[of_row * columns_ + held])};
       };

@@ -1,4 +1,4 @@
-// A textured mesh as the loops over samples read it.
+// Declares the memory layout of a textured mesh for the sample loops.
 
 #pragma once
 
@@ -14,11 +14,10 @@
 
 namespace asperity {
 
-/// A copy of a mesh that is made once: what belongs to a triangle's corner stands together, and
-/// texels are paired. Twice the atlas's bytes.
+/// Stores a copy of a mesh, made once: the data of a triangle's corners are contiguous, and texels are paired. It needs
+/// twice the bytes of the atlas.
 ///
-/// Throws std::invalid_argument as require_sound does, and for an atlas of more than 32000 rows or
-/// columns.
+/// Throws std::invalid_argument in the cases of require_sound, and for an atlas of more than 32000 rows or columns.
 class PackedSurface final {
  public:
   struct Corner {
@@ -30,7 +29,7 @@ class PackedSurface final {
   using Triangle = std::array<Corner, 3>;
 
   explicit PackedSurface(const TexturedMesh& mesh) : PackedSurface(mesh, 1.0) {}
-  /// With displacements that many times as large.
+  /// Multiplies the displacements by `gain`.
   PackedSurface(const TexturedMesh& mesh, double gain);
 
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }

@@ -1,4 +1,4 @@
-// The steps of the differences and the force of a penetration depth.
+// Implements the steps of the differences and the force of a penetration depth.
 
 #include "renderers/pd_gradient/sampling/penetration.h"
 
@@ -27,7 +27,7 @@ DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexce
 Penetration flattened(double part, const Penetration& found) noexcept {
   Penetration result = found;
   result.slope = part * found.slope;
-  // At one place the lever is −r × (−h_u, −h_v, 1); what differences add to that shrinks as well.
+  // At a single position the lever is −r × (−h_u, −h_v, 1); the remainder, from the differences, is scaled too.
   const glm::dvec3 rest_m =
       found.lever_m + glm::cross(found.deepest_m, glm::dvec3{-found.slope, 1.0});
   result.lever_m = part * rest_m - glm::cross(found.deepest_m, glm::dvec3{-result.slope, 1.0});

@@ -1,4 +1,4 @@
-// Triangles in the window, and the gradient from eleven maxima.
+// Implements the sampling of triangles in the window and the gradient from eleven maxima.
 
 #include "renderers/pd_gradient/sampling/penetration_sampler.h"
 
@@ -19,9 +19,9 @@
 namespace asperity {
 namespace {
 
-constexpr int kColumnsPerStep = 2 * kMostLanes;  // a turn's table has one entry for so many lanes
+constexpr int kColumnsPerStep = 2 * kMostLanes;  // columns per entry of the turn table
 constexpr int kMostStepCells = 8;
-constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
+constexpr double kWholeCell = 1e-6;  // tolerance for a whole number of cells
 
 }  // namespace
 
@@ -72,7 +72,7 @@ PenetrationSampler::Field PenetrationSampler::field_with_apron(int apron) const 
   return field;
 }
 
-// Turning A by +θ shows at (x, y) what stood at (x + θ·y, y − θ·x).
+// Turning A by +θ moves the point at (x + θ·y, y − θ·x) to (x, y).
 void PenetrationSampler::prepare_turn() {
   const auto side = static_cast<std::size_t>(grid_.samples);
   const std::size_t blocks = side / kMostLanes;

@@ -1,4 +1,4 @@
-// The fast evaluation of a contact: each surface is sampled once, all configurations at a time.
+// Declares the fast evaluation of a contact: each surface is sampled once for all configurations.
 
 #pragma once
 
@@ -17,12 +17,12 @@ namespace asperity {
 /// The triangles of a packed body that take part in a contact.
 struct PackedPatch {
   const PackedSurface& surface;
-  std::span<const std::uint32_t> triangles{};  ///< each once, all of them the surface's
+  std::span<const std::uint32_t> triangles{};  ///< of the surface, without duplicates
   Pose pose{};
-  /// What of the surface is further than that from the frame's origin along n, either way, may be left
-  /// out; without another number, all that can be sampled is there.
+  /// Parts of the surface at a greater distance from the frame's origin along n may be left out; by default, the patch
+  /// contains everything that can be sampled.
   double half_height_m = 0.2;
-  /// Faces that lean further from n than this cosine says sink and are left out (sunk_m). 0: none.
+  /// The cosine between face normal and n from which faces sink and are finally left out (sunk_m). 0: none.
   double leaning_cosine = 0.0;
 };
 
@@ -30,56 +30,55 @@ struct SamplerSettings {
   SamplingGrid grid{};
   /// The step of the hard maximum has to be a whole number of cells of the grid.
   MaximumLaw law{};
-  /// Of the larger of the patches that will come.
+  /// The greatest number of triangles of a patch.
   std::size_t most_triangles = 0;
   InstructionSet instructions = InstructionSet::sse2;
 };
 
-/// δ and ∇δ, as reference_penetration finds them, for little of its price.
+/// Computes δ and ∇δ as reference_penetration does, at a small fraction of its cost.
 ///
-/// Only the motion of A relative to B matters, and it is small, so that what moves is not sampled
-/// anew. Hard maximum:
+/// Only the motion of A relative to B matters, and it is small, so that the configurations are derived from one
+/// sampling. Hard maximum:
 ///
-///   ± u, ± v      A's samples, some cells further on: exact, with an apron around A's window
-///   ± θu, ± θv    h_A ± θ·v and h_A ∓ θ·u: the maxima of rows and of columns are enough. Tilting also
-///                 moves what stands at height z along by θ·z, which adds −z·∂δ/∂v and z·∂δ/∂u with z
-///                 of the deepest point
-///   ± θn          A's samples between four, to first order in θ
+///   ± u, ± v      A's samples, shifted by some cells: exact, with an apron around A's window
+///   ± θu, ± θv    h_A ± θ·v and h_A ∓ θ·u: the maxima of rows and of columns are sufficient. Tilting
+///                 also shifts a point at height z by θ·z, which adds −z·∂δ/∂v and z·∂δ/∂u with z of
+///                 the deepest point
+///   ± θn          A's samples, interpolated between four, to first order in θ
 ///
-/// Smooth maximum: weighted means over the samples, with slopes of A from five samples each way. What
-/// weighs less than 2⁻³⁰ of the deepest sample is left out.
+/// Smooth maximum: weighted means over the samples, with slopes of A from five samples in each direction. Samples with
+/// a weight below 2⁻³⁰ of the deepest one's are left out.
 ///
-/// Against the reference on the same grid, from rounding: δ to 10 nm, ∂δ/∂u and ∂δ/∂v of the hard
-/// maximum to 10⁻⁴. To first order only: the levers of tilts, to 3 % of their RMS, and that of
-/// turning, where interpolation shaves peaks, to 5 to 10 % at 8 samples a wavelength. The slopes of
-/// the smooth maximum are those through the samples, not those between two texels. Neither is further
-/// from the truth than the reference is (bench/penetration_depth --accuracy). Samples at the border of
-/// what a surface covers may fall to either side. `folded` counts the apron, and every sheet but the
-/// first.
+/// Errors relative to the reference on the same grid, from rounding: δ to 10 nm, ∂δ/∂u and ∂δ/∂v of the hard maximum to
+/// 10⁻⁴. The following are of first order only: the levers of tilts, to 3 % of their RMS, and that of turning, where
+/// interpolation lowers peaks, to 5 to 10 % at 8 samples per wavelength. The slopes of the smooth maximum are those
+/// through the samples, not those between two texels. Neither is further from the true value than the reference is
+/// (bench/penetration_depth --accuracy). Samples at the border of a surface may count as covered or not. `folded`
+/// includes the apron, and every sheet except the first.
 ///
-/// Every instruction set gives the same bits.
+/// All instruction sets give the same bits.
 ///
-/// The surfaces have to lie within some 0.2 m of the frame's origin along n; a missing surface is
-/// told from one that is far away by its height.
+/// The surfaces have to lie within approximately 0.2 m of the frame's origin along n; a missing surface is
+/// distinguished from a distant one by its height.
 ///
-/// Errors: the constructor throws std::invalid_argument for a grid that is none; a number of samples
-/// that is no multiple of 32 times the step in cells (of 16 for the smooth maximum); a step that is
-/// not 1 to 8 whole cells; τ or S that is not positive.
+/// Errors: the constructor throws std::invalid_argument for an invalid grid; a number of samples that is not a multiple
+/// of 32 times the step in cells (of 16 for the smooth maximum); a step that is not 1 to 8 whole cells; τ or S that is
+/// not positive.
 ///
-/// Real-time: `evaluate` does not allocate, lock or throw; it takes microseconds
-/// (bench/penetration_depth). One object serves one thread.
+/// Real-time: `evaluate` does not allocate, lock or throw; it takes microseconds (bench/penetration_depth). An object
+/// may be used by one thread only.
 class PenetrationSampler final {
  public:
   explicit PenetrationSampler(const SamplerSettings& settings);
 
-  /// Nothing where no sample is covered by both, or a pose is not finite.
+  /// nullopt if no sample is covered by both, or if a pose is not finite.
   std::optional<Penetration> evaluate(const PackedPatch& a, const PackedPatch& b,
                                       const ContactFrame& frame) noexcept;
 
   const SamplingGrid& grid() const noexcept { return grid_; }
 
  private:
-  // Heights of one body over the window.
+  // The heights of one body over the window.
   struct Field {
     std::vector<float> height_m{};
     FieldSamples samples{};

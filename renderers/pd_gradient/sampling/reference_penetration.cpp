@@ -1,4 +1,4 @@
-// Sampling triangle by triangle and sample by sample, and moving A for each difference.
+// Implements sampling by triangle and sample, with a new sampling of A for each difference.
 
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
 
@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-// Two sheets further apart than this (and than the texture's steps) are no shared edge.
+// Two sheets with a greater distance than this (and than the texture's steps) do not share an edge.
 constexpr double kSameSheet_m = 1e-6;
 
 // A corner of a triangle in the contact's frame.
@@ -31,7 +31,7 @@ struct Displacement {
 };
 
 Displacement displacement_at(const DisplacementAtlas& atlas, const glm::dvec2& place) {
-  // The last texel of a row or column has no right or lower neighbour: the cell before it ends there.
+  // The last texel of a row or column has no right or lower neighbour: it belongs to the cell before it.
   const auto cell = [](double at, std::size_t texels) {
     const double last = static_cast<double>(texels) - 1.0;
     const double inside = std::clamp(at, 0.0, last);
@@ -73,15 +73,15 @@ std::array<Corner, 3> corners_in_frame(const ContactPatch& patch, const ContactF
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// Twice the area of (from, to, sample), positive on the left of the edge. Both faces of an edge get
-// the same number but for its sign, so that a sample next to it is never outside both.
+// Twice the area of (from, to, sample), positive on the left of the edge. Both faces of an edge get the same number
+// with opposite signs, so that a sample next to it is never outside both.
 double side_of(const Corner& from, const Corner& to, const glm::dvec2& sample) {
   const glm::dvec2 a{from.point_m};
   const glm::dvec2 b{to.point_m};
   return from.vertex < to.vertex ? cross(b - a, sample - a) : -cross(a - b, sample - b);
 }
 
-// A face that looks the wanted way, ready to be asked for its height at a sample.
+// A face with the required orientation, prepared for the evaluation of its height at samples.
 class Face final {
  public:
   Face(const std::array<Corner, 3>& corners, const DisplacementAtlas& atlas)
@@ -90,7 +90,7 @@ class Face final {
     const glm::dvec2 p1{corners[1].point_m};
     const glm::dvec2 p2{corners[2].point_m};
     area_m2_ = cross(p1 - p0, p2 - p0);
-    const auto slope = [this](const glm::dvec2& edge) {  // of the weight of the corner across it
+    const auto slope = [this](const glm::dvec2& edge) {  // of the weight of the opposite corner
       return glm::dvec2{-edge.y, edge.x} / area_m2_;
     };
     weight_slopes_ = {slope(p2 - p1), slope(p0 - p2), slope(p1 - p0)};
@@ -111,7 +111,7 @@ class Face final {
     return at.point_m.z + displacement_at(atlas_, at.place).value_m * at.normal.z;
   }
 
-  // The undisplaced point moves with the body; what stands at the sample afterwards is another one.
+  // The undisplaced point moves with the body; afterwards a different point is at the sample.
   HeightRates rates(const std::array<double, 3>& weights) const {
     const Corner at = interpolated(weights);
     const Displacement d = displacement_at(atlas_, at.place);
@@ -141,7 +141,7 @@ class Face final {
 
   std::array<Corner, 3> corners_{};
   const DisplacementAtlas& atlas_;
-  double area_m2_ = 0.0;  // twice the area across n, with its sign
+  double area_m2_ = 0.0;  // twice the signed area perpendicular to n
   std::array<glm::dvec2, 3> weight_slopes_{};
 };
 
@@ -152,7 +152,7 @@ bool looks(const std::array<Corner, 3>& corners, Facing facing) {
   return along_n > kSteepest_cosine * glm::length(normal);
 }
 
-// The first and last of N samples between two places.
+// The first and last of N samples between two positions.
 std::pair<int, int> samples_between(const SamplingGrid& grid, double low_m, double high_m) {
   const double middle = 0.5 * (grid.samples - 1);
   const double last = grid.samples - 1.0;
@@ -209,7 +209,7 @@ SampledSurface sampled(const ContactPatch& patch, const ContactFrame& frame,
   return surface;
 }
 
-// Where two surfaces leave the most between them, h_B − h_A.
+// The position with the greatest overlap of two surfaces, h_B − h_A.
 struct Deepest {
   std::size_t sample = 0;
   double depth_m = 0.0;
@@ -322,7 +322,7 @@ std::optional<Penetration> smooth_maximum(const ContactPatch& a, const ContactPa
     sum += weight;
     sum_of_logs += weight * log;
     for (std::size_t q = 0; q < weighted.size(); ++q) {
-      weighted[q] -= weight * surface_a.rates[i][q];  // δ falls where A rises
+      weighted[q] -= weight * surface_a.rates[i][q];  // δ decreases where A rises
       weighted_by_log[q] -= weight * log * surface_a.rates[i][q];
     }
   }

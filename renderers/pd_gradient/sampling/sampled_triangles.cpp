@@ -1,4 +1,4 @@
-// Corners into cells, ramps over the window.
+// Implements the conversion of corners to cells and to ramps over the window.
 
 #include "renderers/pd_gradient/sampling/sampled_triangles.h"
 
@@ -13,25 +13,25 @@
 namespace asperity {
 namespace {
 
-// What lies so far from the window is not part of it, and a float still counts cells there.
+// Points at a greater distance are not part of the window, and a float still resolves cells at this distance.
 constexpr double kFarAway_cells = 1e6;
-constexpr double kWeightOfTexture = 16384.0;  // what the loops multiply a texel by
+constexpr double kWeightOfTexture = 16384.0;  // the factor of a texel in the loops
 
-// Where a corner stands in cells. Faces that share it get the same numbers.
+// The position of a corner in cells. Faces that share it get the same numbers.
 struct WindowCorner {
   float x = 0.0F;
   float y = 0.0F;
 };
 
-// The line from one corner to another. The order does not depend on the face, so that neighbours
-// agree on which samples belong to whom.
+// The line from one corner to another. Its direction does not depend on the face, so that neighbouring faces assign
+// samples consistently.
 EdgeLine edge(const WindowCorner& low, const WindowCorner& high) {
   const float rise = high.y - low.y;
   return {.x = low.x, .y = low.y, .slope = rise > 0.0F ? (high.x - low.x) / rise : 0.0F};
 }
 
-// What the corners of a face have, as a ramp over the window. In double: corners may be far away, and
-// a sliver's edges closer to each other than single precision tells.
+// Computes ramps over the window from the values at a face's corners. In double precision: corners may be far away, and
+// the edges of a sliver closer to each other than single precision resolves.
 class Ramps final {
  public:
   Ramps(const std::array<glm::dvec3, 3>& points, double middle)
@@ -100,7 +100,7 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
   });
   const auto& [low, middle, high] = corners;
   const auto first_from = [&ends](float at) {
-    const int cut = static_cast<int>(at);  // std::ceil is a call without SSE4.1
+    const int cut = static_cast<int>(at);  // std::ceil is a function call without SSE4.1
     return std::clamp(static_cast<float>(cut) < at ? cut + 1 : cut, ends.first, ends.end);
   };
   const auto [left, right] = std::minmax({low.x, middle.x, high.x});

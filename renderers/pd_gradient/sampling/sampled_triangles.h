@@ -1,4 +1,4 @@
-// Triangles of a body as the loops over samples want them: in the cells of a window.
+// Declares the triangles of a body in the form of the sample loops: in the cells of a window.
 
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace asperity {
 
-/// From a mesh to a window: x and y in cells from its first sample, z outwards in metres.
+/// The transformation from a mesh to a window: x and y in cells from its first sample, z outwards in metres.
 struct ToWindow {
   glm::dmat3 rotation{1.0};
   glm::dvec3 shift{0.0};
@@ -27,27 +27,27 @@ struct ToWindow {
 ToWindow to_window(const Pose& pose, const ContactFrame& frame, const SamplingGrid& grid,
                    double outwards) noexcept;
 
-/// Where a field ends: its apron included.
+/// The ends of a field, including its apron.
 struct FieldEnds {
   int first = 0;
   int end = 0;
 };
 
-/// Which faces sink (sunk_m).
+/// The inclination from which faces sink (sunk_m).
 struct LeaningFaces {
   double cosine = 0.0;
   double window_m = 0.0;
 };
 
-/// Nothing for a face that looks away, is a wall, or is not finite or far from the window.
-/// `texture_step_m`: of the surface's atlas.
+/// nullopt for a face that faces away, is a wall, is not finite, or is far from the window. `texture_step_m` is that of
+/// the surface's atlas.
 std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& triangle,
                                                 const ToWindow& window, const FieldEnds& ends,
                                                 const LeaningFaces& leaning,
                                                 double texture_step_m) noexcept;
 
-/// Floats from one row of samples to the next: odd multiples of 16, as rows a power of two apart would
-/// share their places in the cache.
+/// The number of floats from one row of samples to the next: odd multiples of 16, because rows at a distance of a power
+/// of two would map to the same cache sets.
 int stride_of_samples(int across) noexcept;
 
 }  // namespace asperity

@@ -1,3 +1,5 @@
+// Implements the choice of windows and the checks of their sampling.
+
 #include "renderers/pd_gradient/sampling/window_samplers.h"
 
 #include <algorithm>
@@ -12,14 +14,14 @@
 namespace asperity {
 namespace {
 
-constexpr int kSamplesPerStep = 32;  // what the sampler's number of samples is a multiple of
-constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
-constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells leaves whole ones
-constexpr std::size_t kMostPlaces = 12;  // ten contacts, and two of which heights are sampled
+constexpr int kSamplesPerStep = 32;  // the sampler's number of samples is a multiple of it
+constexpr double kWholeCell = 1e-6;  // tolerance for a whole number of cells
+constexpr std::array kStepsInCells{1, 2, 4, 8};  // whole numbers also after doubling the cells
+constexpr std::size_t kMostPlaces = 12;  // ten contacts, and two whose heights are being sampled
 constexpr std::size_t kMostCoarsePlaces = 3;
 
-/// The step of the hard maximum in cells; 1 for the smooth one, which has none. Nothing where it is
-/// no number of cells that a window can have.
+/// The step of the hard maximum in cells; 1 for the smooth one, which has no step. nullopt if it is not a number of
+/// cells that a window can have.
 std::optional<int> cells_per_step(const WindowSampling& sampling) {
   const auto* hard = std::get_if<HardMaximum>(&sampling.law);
   if (hard == nullptr) return 1;
@@ -30,7 +32,7 @@ std::optional<int> cells_per_step(const WindowSampling& sampling) {
   return std::nullopt;
 }
 
-/// "0.0001, 0.0002, 0.0004 or 0.0008"
+/// The possible steps as text: "0.0001, 0.0002, 0.0004 or 0.0008".
 std::string whole_steps_m(double cell_m) {
   std::string list = number_text(cell_m);
   for (std::size_t i = 1; i < kStepsInCells.size(); ++i) {

@@ -1,4 +1,4 @@
-// The samplers for windows of every width that a contact may have, made before the first tick.
+// Declares the samplers for windows of all possible widths, which are made before the first tick.
 
 #pragma once
 
@@ -13,40 +13,38 @@
 
 namespace asperity {
 
-/// Whether heights stay for the next ticks, or are sampled anew in each.
+/// Whether heights are kept for the following ticks or resampled in each.
 enum class Heights { kept, sampled };
 
-/// How finely a contact is sampled, whatever its width.
+/// The resolution of the sampling, for contacts of all widths.
 struct WindowSampling {
   MaximumLaw law{};
   double cell_m = 1e-4;
-  int most_samples = 256;  ///< of a window, each way
+  int most_samples = 256;  ///< of a window, in each direction
   Heights heights = Heights::kept;
 };
 
-/// What of a sampling cannot be together, by the names of its fields: a step that is not 1, 2, 4 or 8
-/// cells, or fewer samples than one window takes with it. Errors: std::invalid_argument for a cell,
-/// step or τ that is not positive.
+/// The conflict among the values of a sampling, by the names of its fields: a step that is not 1, 2, 4 or 8 cells, or
+/// fewer samples than one window needs with this step; nullopt if there is none. Errors: std::invalid_argument for a
+/// cell, step or τ that is not positive.
 std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling);
 
-/// A window of the declared cell and step for every width.
+/// Stores a sampler with the declared cell and step for every width.
 ///
-/// Cell and step are lengths and stay what they are; what grows with a contact is the number of
-/// samples N, in multiples of 32 times the step in cells (of 32 for the smooth maximum), and the
-/// window is N cells wide: as wide as the contact or up to 32 steps wider. A window of more than
-/// `most_samples` gets cells of twice, four times, … the length, and, once a cell is longer than the
-/// step, a step of one cell: the tangential force of fine detail is then too small, and
-/// `Window::is_coarse` says so.
+/// Cell and step are constant lengths. With the width of a contact the number of samples N grows, in multiples of 32
+/// times the step in cells (of 32 for the smooth maximum), and the window is N cells wide: as wide as the contact or up
+/// to 32 steps wider. A window of more than `most_samples` gets cells of twice, four times, … the length, and, once a
+/// cell is longer than the step, a step of one cell. The tangential force of fine detail is then too small, and
+/// `Window::is_coarse` is set.
 ///
-/// On the grid: a cell and a step of λ/8, 64 samples over 8 wavelengths λ, is off by 11 % along u and v,
-/// 4.5 % in tilts and 12 % about n (bench/penetration_depth --accuracy) and keeps 90 % of a grating's
-/// tangential force. With λ/12 it keeps 95 %.
+/// Accuracy of the grid: with a cell and a step of λ/8, 64 samples over 8 wavelengths λ, the error is 11 % along u and
+/// v, 4.5 % in tilts and 12 % about n (bench/penetration_depth --accuracy), and 90 % of a grating's tangential force is
+/// kept. With λ/12 it is 95 %.
 ///
-/// Errors: std::invalid_argument for a cell or step that is not positive, and for what
-/// `conflict_in` finds.
+/// Errors: std::invalid_argument for a cell or step that is not positive, and for conflicts that `conflict_in` finds.
 ///
-/// Heights are kept for ten contacts at a time in a window of up to 128 samples, for fewer in wider
-/// ones, and for two in a coarse one; more are sampled anew in every tick.
+/// Heights are kept for ten simultaneous contacts in a window of up to 128 samples, for fewer in wider ones, and for
+/// two in a coarse one; those of further contacts are resampled in every tick.
 ///
 /// Real-time: `evaluate` and `reset` do not allocate, lock or throw.
 class WindowSamplers final {
@@ -57,14 +55,14 @@ class WindowSamplers final {
     bool is_coarse = false;
   };
 
-  /// Up to `widest_m`, with as many triangles as `most_triangles` in a window.
+  /// Makes samplers up to `widest_m`, with up to `most_triangles` triangles in a window.
   WindowSamplers(const WindowSampling& sampling, double widest_m, std::size_t most_triangles,
                  InstructionSet instructions);
 
-  /// The narrowest window that holds that width; the widest for all wider ones.
+  /// The narrowest window that is at least this wide; the widest window for greater widths.
   Window& window_for(double width_m) noexcept;
 
-  /// Forgets all heights.
+  /// Clears all heights.
   void reset() noexcept;
 
  private:
