@@ -1,4 +1,4 @@
-// Eight lanes.
+// Implements the loops with eight lanes (AVX2).
 
 #include <cstdint>
 
@@ -36,7 +36,7 @@ struct Lanes {
     const Mask short_of_it = _mm256_cmp_ps(_mm256_cvtepi32_ps(cut), a, _CMP_LT_OQ);
     return _mm256_sub_epi32(cut, _mm256_castps_si256(short_of_it));
   }
-  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  // a·2ⁿ, by adding to the exponent's bits: neither a nor the result may be 0 or out of range.
   static Floats times_power_of_two(Floats a, Ints n) {
     return _mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(a), _mm256_slli_epi32(n, 23)));
   }
@@ -54,7 +54,7 @@ struct Lanes {
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm256_movemask_ps(a)); }
 
-  // 16384 times the texture at non-negative places.
+  // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {
     const Ints column = _mm256_cvttps_epi32(x);
     const Ints row = _mm256_cvttps_epi32(y);
@@ -64,7 +64,7 @@ struct Lanes {
         _mm256_add_epi32(_mm256_madd_epi16(row, _mm256_set1_epi32(texels.pitch)), column);
     alignas(32) std::uint64_t at[kWidth / 2];
     _mm256_store_si256(reinterpret_cast<__m256i*>(at), index);
-    asm("" : "+m"(at));  // through memory: moving the indices lane by lane takes longer
+    asm("" : "+m"(at));  // through memory: extracting the indices lane by lane takes longer
     const auto two = [&texels, &at](int i) {
       const auto* p =
           reinterpret_cast<const __m128i*>(texels.pairs + static_cast<std::uint32_t>(at[i]));

@@ -1,4 +1,4 @@
-// Sixteen lanes; needs AVX-512 F and BW.
+// Implements the loops with sixteen lanes; requires AVX-512 F and BW.
 
 #include <cstdint>
 
@@ -34,7 +34,7 @@ struct Lanes {
     const Ints cut = _mm512_cvttps_epi32(a);
     return _mm512_mask_add_epi32(cut, less(_mm512_cvtepi32_ps(cut), a), cut, _mm512_set1_epi32(1));
   }
-  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  // a·2ⁿ, by adding to the exponent's bits: neither a nor the result may be 0 or out of range.
   static Floats times_power_of_two(Floats a, Ints n) {
     return _mm512_castsi512_ps(_mm512_add_epi32(_mm512_castps_si512(a), _mm512_slli_epi32(n, 23)));
   }
@@ -50,7 +50,7 @@ struct Lanes {
   static void store_where(float* to, Mask where, Floats a) { _mm512_mask_storeu_ps(to, where, a); }
   static unsigned bits(Mask a) { return a; }
 
-  // 16384 times the texture at non-negative places.
+  // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {
     const Ints column = _mm512_cvttps_epi32(x);
     const Ints row = _mm512_cvttps_epi32(y);
@@ -60,7 +60,7 @@ struct Lanes {
         _mm512_add_epi32(_mm512_madd_epi16(row, _mm512_set1_epi32(texels.pitch)), column);
     alignas(64) std::uint64_t at[kWidth / 2];
     _mm512_store_si512(at, index);
-    asm("" : "+m"(at));  // through memory: moving the indices lane by lane takes longer
+    asm("" : "+m"(at));  // through memory: extracting the indices lane by lane takes longer
     const auto two = [&texels, &at](int i) {
       const auto* p =
           reinterpret_cast<const __m128i*>(texels.pairs + static_cast<std::uint32_t>(at[i]));

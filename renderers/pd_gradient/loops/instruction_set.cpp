@@ -1,4 +1,4 @@
-// What the processor and the system offer.
+// Implements the detection of the instruction sets of the processor and the system.
 
 #include "renderers/pd_gradient/loops/instruction_set.h"
 

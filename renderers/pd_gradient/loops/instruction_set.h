@@ -1,4 +1,4 @@
-// Which vector instructions the loops over samples use.
+// Declares the vector instruction sets of the sample loops.
 
 #pragma once
 
@@ -8,17 +8,17 @@ namespace asperity {
 
 struct SampleLoops;
 
-/// Same source, same operations in the same order, no fused multiplications: every set gives the
-/// same bits, wider ones sooner. x86-64 only.
+/// The instruction sets. All sets use the same source with the same operations in the same order and without fused
+/// multiplications: the results are identical to the bit, and wider sets are faster. x86-64 only.
 enum class InstructionSet { sse2, avx2, avx512 };
 
-/// "sse2", "avx2", "avx512".
+/// The name of the set: "sse2", "avx2", "avx512".
 const char* name_of(InstructionSet set) noexcept;
 
-/// Those that this processor and system can run, the widest last; never empty.
+/// The sets that this processor and system support, the widest last; never empty.
 std::vector<InstructionSet> instruction_sets_here();
 
-/// The loops over samples that are compiled for a set.
+/// The sample loops that are compiled for a set.
 const SampleLoops& loops_of(InstructionSet set) noexcept;
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The loops over kept heights, in terms of Lanes: included once by each instruction set.
+// Defines the loops over kept heights in terms of Lanes; included once by each instruction set.
 
 #pragma once
 
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::int32_t kParts = kMostLanes / Lanes::kWidth;
 constexpr std::int32_t kMostStep = 8;
-// What is found of A for a block: twice kMostLanes columns hold it and the step either side.
+// The size of the room for A's heights of one block: twice kMostLanes columns contain it and the step on either side.
 constexpr std::int32_t kRoomColumns = 2 * kMostLanes;
 constexpr std::int32_t kRoomRows = 2 * kMostLanes;  // at least kBlockRows + 2 * kMostStep
 constexpr float kMiddleLane = 0.5F * (kMostLanes - 1);
-// Rounding in what a bound and a height are made of; heights are below 0.2 m and missing ones at 1 m.
+// Rounding error of bounds and heights; heights are below 0.2 m and missing ones at 1 m.
 constexpr float kRounding_m = 1e-6F;
-// Maxima rise little after the first blocks: what they prune is looked up anew after so many.
+// The maxima increase little after the first blocks; the levels for pruning are updated after this number of blocks.
 constexpr std::int32_t kBlocksBetween = 6;
 
 void bound_rows_by_lanes(const BoundTask& whole_task) {
@@ -38,7 +38,7 @@ void bound_rows_by_lanes(const BoundTask& whole_task) {
       }
       Lanes::store(task.room_m + column, most);
     }
-    // The largest of twice as many columns with every pass.
+    // Each pass doubles the number of columns of the maximum.
     for (std::int32_t span = 1; span < field.span;) {
       const std::int32_t more = sooner(span, field.span - span);
       for (std::int32_t column = 0; column < end; column += Lanes::kWidth) {
@@ -54,12 +54,12 @@ void bound_rows_by_lanes(const BoundTask& whole_task) {
   }
 }
 
-// How places differ along kMostLanes columns from where they would be if the lattices were parallel.
+// The deviation of positions along kMostLanes columns from those for parallel lattices.
 struct Drift {
   Floats right[kParts];
   Floats down[kParts];
   Floats lift_m[kParts];
-  float most_down = 0.0F;  // half the way from the first to the last
+  float most_down = 0.0F;  // half the distance from the first to the last
   std::int32_t rows =
       0;  // of A's lattice, from the first above to the last below a row of the window
 };
@@ -81,9 +81,9 @@ inline Drift drift_along(const KeptPlaces& places, const KeptLift& lift) {
   return drift;
 }
 
-// Where kMostLanes samples of each row of the window begin in A's lattice.
+// The positions in A's lattice at which kMostLanes samples of each row of the window begin.
 struct RowPlaces {
-  std::int32_t column[kRoomRows];  // before the place
+  std::int32_t column[kRoomRows];  // before the position
   std::int32_t row[kRoomRows];
   float right[kRoomRows];
   float down[kRoomRows];
@@ -115,7 +115,7 @@ inline void find_row_places(const KeptLift& lift, const KeptPlaces& places, cons
   }
 }
 
-// A's rows of heights as they are read; copied, so that no store changes it.
+// A's rows of heights for reading; a copy, so that no store changes it.
 struct KeptRows {
   const float* height_m = nullptr;
   std::int32_t stride = 0;
@@ -127,8 +127,8 @@ inline KeptRows rows_of(const KeptTask& task, const Drift& drift) {
   return {task.a.height_m, task.a.stride, drift.rows, Lanes::all(task.lift.per_m)};
 }
 
-// A's height now at the lanes of a part, in row i of those found. A place beside one without a surface
-// has none.
+// A's current height at the lanes of a part, in row i of the rows found. A position next to one without a surface
+// counts as having none.
 [[gnu::always_inline]] inline Floats kept_height(const KeptRows& kept, const RowPlaces& places,
                                                  std::int32_t i, std::int32_t part, Floats right,
                                                  Floats down, Floats lift_m) {
@@ -157,8 +157,8 @@ inline KeptRows rows_of(const KeptTask& task, const Drift& drift) {
   return Lanes::choose(Lanes::less(least, Lanes::all(kNothing_m)), Lanes::all(kNoSurface_m), now);
 }
 
-// A over a block and `around` samples either side, in kRoomColumns columns; of its rows only so many,
-// from `first` on.
+// Finds A's heights over a block and `around` samples on either side, in kRoomColumns columns and in `rows` rows from
+// `first`.
 inline void find_rows_of_a(const KeptTask& task, const Drift& drift, std::int32_t row,
                            std::int32_t column, std::int32_t around, std::int32_t first,
                            std::int32_t rows, float* room) {
@@ -199,7 +199,7 @@ inline const float* b_at(const KeptTask& task, std::int32_t row, std::int32_t co
   return task.b.height_m + (task.b_row + row) * task.b.stride + task.b_column + column;
 }
 
-// The largest of a field's bounds from (row, column) on, so many rows of samples down.
+// The largest of a field's bounds from (row, column) to row `end_row`.
 inline float most_of(const KeptHeights& field, std::int32_t row, std::int32_t end_row,
                      std::int32_t column) {
   const float* from = field.most_m + row / kBoundRows * field.stride + column;
@@ -212,11 +212,11 @@ inline float most_of(const KeptHeights& field, std::int32_t row, std::int32_t en
   return most;
 }
 
-// For each block what no sum of both surfaces is above, in all configurations but the tilted ones.
-// Answers which block's bound is the highest.
+// Computes for each block an upper bound of the sum of both surfaces, in all configurations except the tilted ones.
+// Returns the block with the highest bound.
 inline std::int32_t find_bounds(const KeptTask& task) {
-  // A sample moves by a step, and a little more where the lattices are not parallel; it lies between
-  // samples less than 1.2 away.
+  // A sample moves by a step, and slightly more if the lattices are not parallel; it lies between samples at a distance
+  // below 1.2.
   const float around = 1.05F * static_cast<float>(task.step_cells);
   const float columns = kMiddleLane + around;
   const float rows = 0.5F * (kBlockRows - 1) + around;
@@ -319,7 +319,7 @@ inline void compare_block(const KeptTask& task, const Drifts& drifts, std::int32
   }
 }
 
-// The same for a block that can be the highest in tilted configurations only.
+// The same comparison for a block that can be the highest in tilted configurations only.
 inline void compare_block_tilted(const KeptTask& task, const Drift& drift, std::int32_t block,
                                  KeptMaxima& most) {
   const std::int32_t row = row_of(task, block);
@@ -351,7 +351,7 @@ inline float lowest_of(const Floats (&both)[2]) {
   return lower(largest(both[0]), largest(both[1]));
 }
 
-// What a block has to be able to exceed to matter.
+// The levels that a block's bound must exceed.
 struct Reached {
   float level_m = kFarBelow_m;  // the lowest of the configurations without a tilt
   float tilt_u_m[2] = {kFarBelow_m, kFarBelow_m};
@@ -369,7 +369,7 @@ inline Reached reached_by(const KeptMaxima& most) {
 inline bool matters_tilted(const KeptTask& task, std::int32_t block, const Reached& reached) {
   const float middle = 0.5F * static_cast<float>(task.samples);
   const float bound_m = task.bound_m[block];
-  // From the middle to the last of its samples, and against that way to the first.
+  // The signed distance from the middle to the farthest sample in each direction.
   const auto beyond = [&](std::int32_t first, std::int32_t samples) {
     return bound_m + task.tilt_rise_m * (static_cast<float>(first + samples) - middle);
   };
@@ -382,8 +382,9 @@ inline bool matters_tilted(const KeptTask& task, std::int32_t block, const Reach
          beyond(column, kMostLanes) >= reached.tilt_v_m[0] || before(column) >= reached.tilt_v_m[1];
 }
 
-// The first sample, row by row, where both surfaces together are that high: among blocks whose
-// maxima are known, and those of the rest are lower. `around`: as when they were found, for the bits.
+// The first sample, row by row, at which the sum of both surfaces reaches this height, among the blocks with known
+// maxima; those of the others are lower. `around` must be the same as in the search for the maxima, so that the results
+// agree to the bit.
 inline void find_deepest_kept(const KeptTask& task, const Drift& drift, std::int32_t around,
                               float here_m, std::int32_t& row, std::int32_t& column) {
   const Floats depth = Lanes::all(here_m);
@@ -454,7 +455,7 @@ void compare_kept_by_lanes(const KeptTask& whole_task, ElevenMaxima& maxima) {
   find_deepest_kept(task, drifts.here, task.step_cells, maxima.here_m, maxima.row, maxima.column);
 }
 
-// A block's largest sums, as A stands.
+// A block's largest sums, for A at its current pose.
 inline Floats find_block_most(const KeptTask& task, const Drift& drift, std::int32_t block) {
   const std::int32_t row = row_of(task, block);
   const std::int32_t column = column_of(task, block);
@@ -490,7 +491,7 @@ void weigh_kept_by_lanes(const KeptTask& whole_task, WeightedSums& sums) {
   sums.here_m = here_m;
   sums.covered = 0;
   for (std::int32_t block = 0; block < blocks; ++block) {
-    // What was passed over is lower.
+    // Blocks that were skipped are lower.
     if (task.bound_m[block] < here_m) {
       for (std::int32_t i = 0; i < kMostLanes; i += Lanes::kWidth) {
         Lanes::store(task.block_most_m + block * kMostLanes + i, Lanes::all(kFarBelow_m));

@@ -1,4 +1,4 @@
-// The loops over a contact's samples, in terms of Lanes: included once by each instruction set.
+// Defines the sample loops in terms of Lanes; included once by each instruction set.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 namespace asperity {
 namespace {
 
-// Every lane goes through the same operations in the same order, whatever the width; maxima do not
-// depend on the order. So do the results of all widths agree to the bit.
+// Every lane performs the same operations in the same order for all widths, and maxima do not depend on the order. The
+// results of all widths therefore agree to the bit.
 
 using Floats = Lanes::Floats;
 
@@ -36,8 +36,8 @@ inline Floats along_edge(const EdgeLine& edge, Floats y) {
                     Lanes::mul(Lanes::all(edge.slope), Lanes::sub(y, Lanes::all(edge.y))));
 }
 
-// What a triangle is in the rows from `row` on: the columns [first, end) that it covers, and where its
-// ramps stand in the window's middle column.
+// The state of a triangle in the rows from `row`: the columns [first, end) that it covers, and its ramps in the
+// window's middle column.
 struct TriangleRows {
   std::int32_t first[kBandRows];
   std::int32_t end[kBandRows];
@@ -74,8 +74,8 @@ inline void find_rows(const SampledTriangle& triangle, std::int32_t row, std::in
   }
 }
 
-// Leaves in the band what the triangle is at its samples, where nothing stands further out. Answers at
-// how many something stood already.
+// Writes the triangle's samples to the band where no other surface is further out. Returns the number of samples that
+// already had a surface.
 inline std::int32_t put_triangle(const SampledTriangle& triangle, const FieldSamples& field,
                                  const BandRoom& room, std::int32_t band_row,
                                  std::int32_t band_rows) {
@@ -123,7 +123,7 @@ inline std::int32_t put_triangle(const SampledTriangle& triangle, const FieldSam
 
 std::int32_t sample_surface_by_lanes(const SurfaceTask& task) {
   std::int32_t folded = 0;
-  // Copies: what is stored through the pointers cannot change them.
+  // A copy: stores through the pointers cannot change it.
   const FieldSamples field = task.field;
   const BandRoom room = task.room;
   const PairedTexels texels = task.texels;
@@ -170,7 +170,7 @@ inline void compare_row(const ComparisonTask& whole_task, std::int32_t row, Accu
   const std::int32_t step = task.step_cells;
   const float* const a_row = task.a.height_m + (row + task.a.apron) * stride + task.a.apron;
   const float* const b_row = task.b.height_m + row * task.b.stride;
-  // How far the turned samples are along u, the same all along the row.
+  // The shift of the turned samples along u, constant within the row.
   const float along = task.turn.turn_rad * (static_cast<float>(row) - middle_of(task.b));
   const std::int32_t forth_cells =
       along < 0.0F ? -static_cast<std::int32_t>(-along) - 1 : static_cast<std::int32_t>(along);
@@ -208,7 +208,7 @@ inline void compare_row(const ComparisonTask& whole_task, std::int32_t row, Accu
   Lanes::store(task.row_most_m + row * kMostLanes, row_most);
 }
 
-// A tilt lifts whole rows or columns, so their maxima are all that it needs.
+// A tilt shifts whole rows or columns, so their maxima are sufficient.
 inline void find_tilts(const ComparisonTask& task, ElevenMaxima& maxima) {
   const std::int32_t samples = task.b.samples;
   const float middle = middle_of(task.b);
@@ -237,7 +237,7 @@ inline void find_tilts(const ComparisonTask& task, ElevenMaxima& maxima) {
   }
 }
 
-// The first sample, row by row, at which both surfaces together reach that height.
+// The first sample, row by row, at which the sum of both surfaces reaches this height.
 inline void find_deepest(const FieldSamples& a, const FieldSamples& b, const float* row_most_m,
                          float here_m, std::int32_t& row, std::int32_t& column) {
   const Floats depth = Lanes::all(here_m);

@@ -1,4 +1,4 @@
-// The loop of the smooth maximum, in terms of Lanes: included once by each instruction set.
+// Defines the loop of the smooth maximum in terms of Lanes; included once by each instruction set.
 
 #pragma once
 
@@ -10,12 +10,12 @@
 namespace asperity {
 namespace {
 
-// What weighs less than this beside the deepest sample is left out: 256 × 256 of them are 10⁻⁴.
+// Samples with less than this weight relative to the deepest one are left out: 256 × 256 of them amount to 10⁻⁴.
 constexpr float kLightest_log2 = -30.0F;
 constexpr float kLog2OfE = 1.44269504F;
 
-// kMostLanes sums, in as many variables as the lanes need. The same samples meet in one sum whatever
-// the width, and in the same order.
+// kMostLanes sums, in as many variables as the lanes require. For all widths the same samples are added to the same
+// sum, in the same order.
 struct LaneSums {
   Floats part[kMostLanes / Lanes::kWidth];
 };
@@ -36,7 +36,7 @@ inline double total(const LaneSums& sums) {
   return sum;
 }
 
-// 2ˣ for x ≤ 0 down to some −100, to 2·10⁻⁷: the Taylor series of the fraction, times a power of two.
+// 2ˣ for x ≤ 0 down to approximately −100, accurate to 2·10⁻⁷: the Taylor series of the fraction, times a power of two.
 inline Floats power_of_two(Floats x) {
   const Lanes::Ints whole = Lanes::ceiling(Lanes::sub(x, Lanes::all(0.5F)));
   const Floats rest = Lanes::sub(x, Lanes::as_float(whole));
@@ -47,8 +47,8 @@ inline Floats power_of_two(Floats x) {
   return Lanes::times_power_of_two(sum, whole);
 }
 
-// The slope of heights `step` apart in memory. Next to a place without a surface only the side that
-// has one counts; without either the slope is zero.
+// The slope of heights that are `step` apart in memory. Next to a position without a surface the one-sided difference
+// is used; with no surface on either side the slope is zero.
 inline Floats slope_of(const float* at, std::int32_t step) {
   const Floats nothing = Lanes::all(kNothing_m);
   const Floats here = Lanes::load(at);
@@ -98,7 +98,7 @@ inline void find_rows_most(const WeighingTask& task, WeightedSums& sums) {
   sums.here_m = largest(most);
 }
 
-// Which samples count, and how much.
+// Which samples count, and their weights.
 struct Weighing {
   Floats deepest_m;
   Floats lightest_m;
@@ -132,7 +132,7 @@ struct GatheredTwice {
 
 inline GatheredTwice nothing_gathered() { return {none_of_each(), none_of_each()}; }
 
-// The samples at `a` and after it, with their neighbours `stride` apart; `part`: of kMostLanes.
+// The samples from `a`, with their neighbours at a distance of `stride`; `part` is a part of kMostLanes.
 inline void gather_samples(const Weighing& weighing, const float* a, std::int32_t stride,
                            const float* b, Floats x, Floats y, int part, GatheredTwice& sums) {
   const Floats outwards_m = Lanes::load(a);
@@ -144,7 +144,7 @@ inline void gather_samples(const Weighing& weighing, const float* a, std::int32_
                                  Lanes::all(kLightest_log2));
   const Floats weight = Lanes::choose(heavy, power_of_two(log2), zero);
   const Floats weight_log2 = Lanes::mul(weight, log2);
-  // A's height along n is what it stands out against n, reversed; so are its slopes.
+  // A's height along n is the negative of its height against n; the same applies to its slopes.
   const Floats z_m = Lanes::sub(zero, outwards_m);
   const Floats slope_x = Lanes::sub(zero, slope_of(a, 1));
   const Floats slope_y = Lanes::sub(zero, slope_of(a, stride));

@@ -1,4 +1,4 @@
-// Four lanes: every x86-64 processor.
+// Implements the loops with four lanes (SSE2), for every x86-64 processor.
 
 #include <cstdint>
 
@@ -35,7 +35,7 @@ struct Lanes {
     const Ints cut = _mm_cvttps_epi32(a);
     return _mm_sub_epi32(cut, _mm_castps_si128(_mm_cmplt_ps(_mm_cvtepi32_ps(cut), a)));
   }
-  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  // a·2ⁿ, by adding to the exponent's bits: neither a nor the result may be 0 or out of range.
   static Floats times_power_of_two(Floats a, Ints n) {
     return _mm_castsi128_ps(_mm_add_epi32(_mm_castps_si128(a), _mm_slli_epi32(n, 23)));
   }
@@ -53,13 +53,13 @@ struct Lanes {
   }
   static unsigned bits(Mask a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
 
-  // 16384 times the texture at non-negative places.
+  // 16384 times the texture at non-negative positions.
   static Floats texture(const PairedTexels& texels, Floats x, Floats y) {
     const Ints column = _mm_cvttps_epi32(x);
     const Ints row = _mm_cvttps_epi32(y);
     const Floats right = _mm_sub_ps(x, _mm_cvtepi32_ps(column));
     const Floats down = _mm_sub_ps(y, _mm_cvtepi32_ps(row));
-    // Rows and pitch are below 2¹⁵, so that one product of 16-bit numbers is the whole one.
+    // Rows and pitch are below 2¹⁵, so that one product of 16-bit numbers is exact.
     const Ints index = _mm_add_epi32(_mm_madd_epi16(row, _mm_set1_epi32(texels.pitch)), column);
     alignas(16) std::int32_t at[kWidth];
     _mm_store_si128(reinterpret_cast<__m128i*>(at), index);

@@ -1,4 +1,4 @@
-// What the loops over triangles read and write, and the table of those that are compiled.
+// Declares the input and output of the triangle loops, and the table of the compiled ones.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-// C arrays: the loops may use nothing of the standard library (see README.md).
+// C arrays: the loops must not use the standard library (see README.md).
 
 inline constexpr int kClusterSize = 16;
 
@@ -15,16 +15,16 @@ inline constexpr int kClusterSize = 16;
 struct alignas(64) TriangleCluster {
   float corners[3][3][kClusterSize];
   float low[3][kClusterSize];
-  float high[3][kClusterSize];  ///< below `low` in a lane that holds no triangle
+  float high[3][kClusterSize];  ///< below `low` in a lane without a triangle
   std::uint32_t triangles[kClusterSize];
-  std::uint32_t used;  ///< bit i: lane i holds a triangle
-  // All of them lie between two planes: low ≤ normal · place ≤ high, unit length but for rounding.
+  std::uint32_t used;  ///< bit i: lane i contains a triangle
+  // All of them lie between two planes: low ≤ normal · place ≤ high, with unit length except for rounding.
   float slab_normal[3];
   float slab_low_m;
   float slab_high_m;
 };
 
-/// The boxes of sixteen clusters; those that there are not are empty likewise.
+/// The boxes of sixteen clusters; `high` is below `low` for missing ones.
 struct alignas(64) ClusterBoxes {
   float low[3][kClusterSize];
   float high[3][kClusterSize];
@@ -36,14 +36,14 @@ struct TriangleClusters {
   const ClusterBoxes* boxes = nullptr;
 };
 
-/// From A's frame to B's, both with their origins in the meshes' centres.
+/// The transformation from A's frame to B's, both with their origins in the meshes' centres.
 struct ClusterPose {
-  float turn[9] = {};  ///< row after row
+  float turn[9] = {};  ///< row by row
   float shift_m[3] = {};
-  float tolerance_m = 0.0F;  ///< nearer to touching than this, single precision cannot say
+  float tolerance_m = 0.0F;  ///< within this distance of touching, single precision does not decide
 };
 
-/// Receives a pair; not sure: it may be apart by less than the tolerance.
+/// Receives a pair; if `is_sure` is false, the triangles may be separated by less than the tolerance.
 using TakePair = void (*)(void* to, std::uint32_t a, std::uint32_t b, bool is_sure) noexcept;
 
 /// The loop for one instruction set. Real-time: no allocation, no lock, no exception.

@@ -1,4 +1,4 @@
-// The loop over triangles, in terms of Lanes: included once by each instruction set.
+// Defines the triangle loop in terms of Lanes; included once by each instruction set.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace asperity {
 namespace {
 
-/// One number of each of sixteen triangles.
+/// One number for each of sixteen triangles.
 struct Sixteen {
   Lanes::Floats part[kClusterSize / Lanes::kWidth];
 };
@@ -51,7 +51,7 @@ inline Sixteen lesser(const Sixteen& x, const Sixteen& y) { return each<Lanes::m
 inline Sixteen greater(const Sixteen& x, const Sixteen& y) { return each<Lanes::max>(x, y); }
 inline Sixteen magnitude(const Sixteen& x) { return greater(x, all_sixteen(0.0F) - x); }
 
-/// Bit i: of triangle i.
+/// Bit i is the result for triangle i.
 inline unsigned is_less(const Sixteen& x, const Sixteen& y) {
   unsigned bits = 0;
   for (int i = 0; i < kClusterSize / Lanes::kWidth; ++i) {
@@ -75,7 +75,7 @@ inline Sixteen dot(const Sixteen3& p, const Sixteen3& q) {
 inline Sixteen3 cross(const Sixteen3& p, const Sixteen3& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
-/// At least the length, and no more than √3 of it.
+/// At least the length, and at most √3 times the length.
 inline Sixteen sum_of_magnitudes(const Sixteen3& p) {
   return magnitude(p.x) + magnitude(p.y) + magnitude(p.z);
 }
@@ -86,8 +86,8 @@ struct OneTriangle {
 };
 
 struct Verdict {
-  unsigned together = 0;  ///< not found apart
-  unsigned unsure = 0;    ///< of these, those that are too near to touching to say
+  unsigned together = 0;  ///< not found to be separate
+  unsigned unsure = 0;    ///< of these, the ones too close to touching for a decision
 };
 
 inline Sixteen3 corner_of(const TriangleCluster& cluster, int corner) {
@@ -95,8 +95,7 @@ inline Sixteen3 corner_of(const TriangleCluster& cluster, int corner) {
           sixteen_at(cluster.corners[corner][2])};
 }
 
-/// Takes those apart whose projections on an axis leave the gap between [p_low, p_high] and
-/// [q_low, q_high].
+/// Removes the triangles whose projections on an axis leave a gap between [p_low, p_high] and [q_low, q_high].
 inline void look_along(const Sixteen3& axis, const Sixteen& p_low, const Sixteen& p_high,
                        const Sixteen& q_low, const Sixteen& q_high, float tolerance_m,
                        Verdict& verdict) {
@@ -109,7 +108,7 @@ inline void look_along(const Sixteen3& axis, const Sixteen& p_low, const Sixteen
 inline Verdict compare(const OneTriangle& a, const TriangleCluster& b, unsigned lanes,
                        float tolerance_m) {
   Verdict verdict{.together = lanes, .unsure = 0};
-  // From a corner of A, where the numbers are small.
+  // Relative to a corner of A, where the numbers are small.
   const Sixteen3 p[3] = {a.corners[0] - a.corners[0], a.corners[1] - a.corners[0],
                          a.corners[2] - a.corners[0]};
   const Sixteen3 q[3] = {corner_of(b, 0) - a.corners[0], corner_of(b, 1) - a.corners[0],
@@ -136,7 +135,7 @@ inline Verdict compare(const OneTriangle& a, const TriangleCluster& b, unsigned 
   for (int i = 0; i < 3; ++i) {
     const Sixteen3 edge = p[(i + 1) % 3] - p[i];
     for (int j = 0; j < 3; ++j) {
-      // Both ends of an edge project to the same place.
+      // Both ends of an edge have the same projection.
       const Sixteen3 axis = cross(edge, q[(j + 1) % 3] - q[j]);
       const Sixteen on = dot(axis, p[i]);
       const Sixteen off = dot(axis, p[(i + 2) % 3]);
@@ -170,27 +169,27 @@ inline void move(const TriangleCluster& cluster, const ClusterPose& pose, MovedC
       low = corner == 0 ? place : lesser(low, place);
       high = corner == 0 ? place : greater(high, place);
     }
-    // A little larger: two that touch must not be lost to rounding.
+    // Enlarged by the tolerance: touching triangles must not be lost to rounding.
     put(moved.low[axis], low - all_sixteen(pose.tolerance_m));
     put(moved.high[axis], high + all_sixteen(pose.tolerance_m));
   }
 }
 
-/// Between two planes across a unit vector.
+/// The region between two planes perpendicular to a unit vector.
 struct Slab {
   float normal[3];
   float low_m = 0.0F;
   float high_m = 0.0F;
 };
 
-/// Of a cluster's own frame.
+/// The slab of a cluster, in its own frame.
 inline Slab slab_of(const TriangleCluster& cluster) {
   return {{cluster.slab_normal[0], cluster.slab_normal[1], cluster.slab_normal[2]},
           cluster.slab_low_m,
           cluster.slab_high_m};
 }
 
-/// Of a cluster of A, in B's frame.
+/// The slab of a cluster of A, in B's frame.
 inline Slab moved_slab(const TriangleCluster& cluster, const ClusterPose& pose) {
   Slab moved{};
   float along = 0.0F;
@@ -206,8 +205,8 @@ inline Slab moved_slab(const TriangleCluster& cluster, const ClusterPose& pose) 
   return moved;
 }
 
-/// Which of sixteen triangles reach into a slab. What neither reaches is further apart than the
-/// tolerance, so that the axes would take it apart as well.
+/// The triangles, of sixteen, that reach into a slab. Triangles that do not are separated by more than the tolerance,
+/// so that the axes would separate them too.
 inline unsigned reaching(const float (&corners)[3][3][kClusterSize], const Slab& slab,
                          float tolerance_m) {
   Sixteen low = all_sixteen(0.0F);
@@ -225,7 +224,7 @@ inline unsigned reaching(const float (&corners)[3][3][kClusterSize], const Slab&
   return ~beside & 0xFFFFU;
 }
 
-/// Which of sixteen boxes meet the box of one.
+/// The boxes, of sixteen, that overlap the given box.
 inline unsigned meeting(const float (&low)[3][kClusterSize], const float (&high)[3][kClusterSize],
                         const float* one_low, const float* one_high) {
   unsigned apart = 0;
@@ -236,7 +235,7 @@ inline unsigned meeting(const float (&low)[3][kClusterSize], const float (&high)
   return ~apart & 0xFFFFU;
 }
 
-/// So many of sixteen lanes, or all of them.
+/// A mask of the first `count` of sixteen lanes, or of all.
 inline unsigned first_lanes(std::size_t count) {
   return count < kClusterSize ? (1U << count) - 1U : 0xFFFFU;
 }
@@ -251,7 +250,7 @@ inline OneTriangle triangle_of(const MovedCluster& cluster, int lane) {
   return one;
 }
 
-/// The box of a cluster of A after it has moved: of its box, which is quicker than of its corners.
+/// The box of a moved cluster of A, computed from its box, which is faster than from its corners.
 inline void moved_box(const ClusterBoxes& boxes, int lane, const ClusterPose& pose, float* low,
                       float* high) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -281,7 +280,7 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
     bool has_moved = false;
     Slab slab{};
     for (std::size_t group = 0; group < groups; ++group) {
-      // Comparisons with what is not a number keep every lane, also those that hold nothing.
+      // Comparisons with NaN keep every lane, including empty ones.
       unsigned near = meeting(b.boxes[group].low, b.boxes[group].high, box_low, box_high) &
                       first_lanes(b.count - group * kClusterSize);
       for (; near != 0; near &= near - 1) {
@@ -300,7 +299,7 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
           other_high[axis] = b.boxes[group].high[axis][box];
         }
         unsigned ones = meeting(moved.low, moved.high, other_low, other_high);
-        // Its unused lanes hold its last triangle once more.
+        // Its unused lanes repeat its last triangle.
         ones &= from.used;
         if (ones != 0) ones &= reaching(moved.corners, slab_of(other), pose.tolerance_m);
         if (ones == 0) continue;
