@@ -48,7 +48,8 @@ ComplianceRow compliance_row(const std::string& quantity, std::span<const double
 
 bool is_declared(const Band& band) { return band.minimum || band.maximum; }
 
-/// A quantity that varies during contact: enough of its samples have to lie inside.
+/// A quantity that varies during contact: a minimum fraction of its samples has to lie in the
+/// band.
 ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const double> samples,
                                  const Band& band, double required_fraction) {
   ComplianceRow row = compliance_row(quantity, samples, band);
@@ -56,7 +57,7 @@ ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const do
   return row;
 }
 
-/// A quantity with one value per surface, or whose mean is asked for.
+/// A quantity with one value per surface, or one that is judged by its mean.
 ComplianceRow judged_by_mean(const std::string& quantity, std::span<const double> samples,
                              const Band& band) {
   ComplianceRow row = compliance_row(quantity, samples, band);
@@ -158,8 +159,8 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   const double fraction = exploration.required_fraction_in_band;
   const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
   const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
-  // The minimum is asked of all visits together, the maximum of each: who may go back may feel
-  // longer.
+  // The minimum applies to all visits together, the maximum to each visit: a participant who may
+  // feel a surface again may feel it for longer in total.
   ComplianceRow contact = compliance_row(
       "contact_s", contact_s, {exploration.minimum_contact_s, {}, exploration.maximum_contact_s});
   contact.fraction_in_band.reset();
@@ -184,7 +185,8 @@ HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch)
   habits.direction_rad = exploration.direction_rad;
   habits.stroke_length_m = aim(exploration.stroke_length_m, habits.stroke_length_m);
   if (is_declared(exploration.speed_m_per_s) || exploration.speed_m_per_s.target) {
-    // Asked for is the mean of a stroke; a hand's habit is its steady middle.
+    // The band refers to the mean of a stroke; the habit of a hand is the speed in the middle of a
+    // stroke.
     const double mean_of_steady = 1.0 - habits.gathering;
     habits.speed_m_per_s =
         aim(exploration.speed_m_per_s, mean_of_steady * habits.speed_m_per_s) / mean_of_steady;

@@ -16,9 +16,10 @@ namespace asperity {
 
 namespace {
 
-// A device or machine that fails a trial three times will not do better the fourth time.
+// A device or machine that fails a trial three times is unlikely to succeed the fourth time.
 constexpr int kTechnicalRepeats = 3;
-// Of a person's session in which nothing can sound (a terminal), as Sound::description_json has it.
+// Stored for a participant's session that cannot play sound (at a terminal), in the format of
+// Sound::description_json.
 constexpr const char* kNoNoise = R"({"kind":"none","heard":false})";
 
 }  // namespace
@@ -82,14 +83,14 @@ void Conductor::begin() {
       }
     }
   }
-  // Before the first that may fail: what is in the store can be gone on with.
+  // Before the first step that may fail: a session that is in the store can be resumed.
   course_.set_facts(std::move(facts));
   segment_ = study_.begin_segment(session_.row.id, began_ns);
   auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
   if (conditions.is_object()) conditions["segment"] = segment_;
   course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
   progress_.emplace(course_, session_.plan, *tally_, began_ns);
-  // May wait for the card to open, which the windows are told before.
+  // May wait for the sound card to open; the windows are informed before.
   if (settings_.links.sound != nullptr) {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
   } else if (session_.row.mode != SessionMode::simulate) {
@@ -114,11 +115,11 @@ SessionFacts Conductor::facts_of_session() const {
   return facts;
 }
 
-/// Whether whoever takes part sees and hears what the protocol guides the hand by: a virtual
-/// participant and a person at a terminal have neither.
+/// Stores whether the participant sees and hears the guidance that the protocol requests; a virtual
+/// participant and a participant at a terminal have neither.
 void Conductor::note_guidance() {
   if (!guides_participants(protocol_)) return;
-  const bool sees = respondent_.wears_mask();  // has eyes, and a window before them
+  const bool sees = respondent_.wears_mask();  // has a window to look at
   const bool hears = settings_.links.sound != nullptr && settings_.links.sound->is_heard();
   const bool is_told = std::all_of(
       protocol_.explorations.begin(), protocol_.explorations.end(), [&](const auto& each) {
@@ -156,8 +157,9 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   return end;
 }
 
-/// The store, a file or a renderer failed: every finished trial is on disk. Says so in the session
-/// as far as the store still takes it; if it does not, the session is found as crashed.
+/// Handles a failure of the store, a file or a renderer: every finished trial is on disk. Stores
+/// the reason in the session if the store still accepts it; otherwise the session is later found as
+/// crashed.
 void Conductor::end_after(const std::exception& error) noexcept {
   course_.recorder().abandon();
   rig_.hand().lift();
@@ -171,13 +173,13 @@ void Conductor::end_after(const std::exception& error) noexcept {
                     SessionTrouble::Remedy::try_again);
     course_.show({.kind = ParticipantScene::Kind::ended});
     course_.publish(SessionPhase::ended);
-    course_.take_attempt_events();  // of an attempt that has no row to hang on
+    course_.take_attempt_events();  // of an attempt that has no row
     course_.store_remarks();
     course_.event("session_failed", Phrase("%1").with(phrase_of(error)));
     study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
     study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
   } catch (const std::exception&) {
-    // The first error is the one that the caller is told.
+    // The first error is the one reported to the caller.
   }
 }
 
@@ -189,8 +191,8 @@ void Conductor::stop(const Phrase& reason) {
 
 void Conductor::run_steps() {
   const std::vector<PlanStep>& steps = session_.plan.steps;
-  // A resumed session goes on behind the last trial that was tried; what was read, asked and rested
-  // before is not repeated.
+  // A resumed session continues after the last trial that was attempted; earlier texts,
+  // questionnaires and breaks are not repeated.
   std::size_t first = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
@@ -202,12 +204,12 @@ void Conductor::run_steps() {
   resume_repeats(first);
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
     step_ = i;
-    // A stop that was asked for while something was read or answered: there is no trial to wait for.
+    // A stop requested during a text or a questionnaire: there is no trial to wait for.
     if (requests_.take_stop(StopAfter::trial)) {
       stop(phrase_of(Reason::as_asked));
       break;
     }
-    // Asked for between two blocks, the block that it means is over.
+    // Requested between two blocks: the block it refers to is over.
     if (block_ == 0 && !tally_->attempts().empty() && requests_.take_stop(StopAfter::block)) {
       stop(phrase_of(Reason::as_asked_after_block));
       break;
@@ -225,8 +227,8 @@ void Conductor::run_steps() {
       run_trial(trial);
       continue;
     }
-    // What follows a block waits until the block is finished; what lies inside it (a break) happens
-    // only while there is more of it to come.
+    // What follows a block waits until the block is finished; a break within the block takes place
+    // only while more of its trials remain.
     int next_block = 0;
     bool more_to_come = false;
     for (std::size_t later = i + 1; later < steps.size() && next_block == 0; ++later) {
@@ -249,14 +251,14 @@ void Conductor::run_steps() {
   if (block_ != 0 && !stopped_) finish_block(block_);
   block_ = 0;
   if (!stopped_) between_steps(Next::other);
-  // Nobody is left behind a mask.
+  // The eye mask is off before the session ends.
   if (!stopped_) course_.put_mask(false, [this](double duration_s) { course_.wait(duration_s); });
 }
 
-/// What the participant needs before trial `first`, who was interrupted and comes back to it.
+/// Prepares the participant of an interrupted session for trial `first`.
 void Conductor::lead_back(std::size_t first) {
   const std::vector<PlanStep>& steps = session_.plan.steps;
-  // A virtual participant has forgotten nothing, and answers as if there had been no interruption.
+  // A virtual participant needs no preparation, and answers as if there had been no interruption.
   const bool is_person = session_.row.mode != SessionMode::simulate;
   std::vector<std::string> texts = protocol_.resume.screens.value_or(std::vector<std::string>{});
   if (!protocol_.resume.screens) {
@@ -268,15 +270,15 @@ void Conductor::lead_back(std::size_t first) {
   for (const std::string& text : texts) {
     run_outside_trials([&] { let_read(scene_to_read(text)); });
   }
-  // The device may be another one now, or the same one after a fault.
+  // The device may be a different one now, or the same one after a fault.
   for (std::size_t i = 0; i < first; ++i) {
     if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
   }
   if (is_person) run_outside_trials([&] { let_read(scene_of_resuming()); });
 }
 
-/// Trials of blocks before the one that is gone on with: set aside to be asked again, and then the
-/// session was interrupted.
+/// Repeats trials of earlier blocks that were invalidated to be repeated before the session was
+/// interrupted.
 void Conductor::resume_repeats(std::size_t first) {
   if (!session_.resumed) return;
   const TrialStep* next = std::get_if<TrialStep>(&session_.plan.steps.at(first));
@@ -288,7 +290,7 @@ void Conductor::resume_repeats(std::size_t first) {
   }
 }
 
-/// A step that is no trial; it is begun again after a fault.
+/// Runs a step that is not a trial; it is started again after a fault.
 void Conductor::run_other(const PlanStep& step) {
   run_outside_trials([&] { try_other(step); });
 }
@@ -357,7 +359,7 @@ void Conductor::ask(const Protocol::Ask& questions) {
     const bool is_answered =
         std::any_of(answered.begin(), answered.end(),
                     [&name](const ResponseRow& row) { return row.question == name; });
-    if (is_answered) continue;  // before the session was interrupted
+    if (is_answered) continue;  // before the interruption
     hold(Next::other);
     if (stopped_) return;
     const Question& question = protocol_.questions.at(name);
@@ -379,10 +381,10 @@ void Conductor::ask(const Protocol::Ask& questions) {
 }
 
 void Conductor::finish_block(int block_ordinal) {
-  // Rounds over what is still open: a trial that is asked again comes after all others.
+  // Rounds over the open trials: a trial that is asked again comes after all others.
   for (bool again = true; again && !stopped_;) {
     again = false;
-    // The last trial is repeated before a wish to stop after the block comes true.
+    // The last trial is repeated before a requested stop after the block takes effect.
     repeat_as_asked();
     for (const Trial& trial : session_.plan.trials) {
       if (trial.block_ordinal != block_ordinal || stopped_ || tally_->is_done(trial) ||
@@ -435,7 +437,7 @@ void Conductor::run_trial(const Trial& trial) {
       continue;
     }
     if (interruption && interruption->ask_again) {
-      pause_without_noise();  // also where it has come back meanwhile
+      pause_without_noise();  // also where it has returned meanwhile
       continue;
     }
     if (attempt.outcome == AttemptOutcome::aborted) {
@@ -489,7 +491,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
   return row;
 }
 
-/// Why a trial is asked once more, where nobody sees it in a window.
+/// Reports why a trial is repeated to a user who has no window that shows it.
 void Conductor::tell_of_repetition(const Trial& trial) const {
   if (!settings_.links.tell) return;
   const std::vector<AttemptRow>& made = tally_->attempts();
@@ -504,14 +506,14 @@ void Conductor::tell_of_repetition(const Trial& trial) const {
 }
 
 bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {
-  // What others are judged by comes before them: an anchor is asked again at once.
+  // An anchor precedes the trials that are compared with it, and is therefore repeated at once.
   return trial.repetition > 0 && attempt.outcome == AttemptOutcome::not_compliant &&
          !failed_technically(attempt) &&
          exploration_of(protocol_, trial).on_failure ==
              Exploration::OnFailure::requeue_at_end_of_block;
 }
 
-/// To the end of its block, before the session was interrupted.
+/// Whether the trial was postponed to the end of its block before the session was interrupted.
 bool Conductor::is_put_off(const Trial& trial) const {
   const std::vector<AttemptRow>& made = tally_->attempts();
   const auto last = std::find_if(made.rbegin(), made.rend(), [&trial](const AttemptRow& attempt) {
@@ -524,7 +526,7 @@ void Conductor::show_progress() {
   progress_->show(step_, tally_->coming(step_, block_, 0, TrialTally::Again::at_once));
 }
 
-/// Feedback, where the block gives any.
+/// Gives feedback, where the block has feedback.
 void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
   using Feedback = Protocol::Block::Feedback;
   const Feedback feedback = protocol_.blocks.at(trial.block).feedback;

@@ -1,4 +1,4 @@
-// Runs one session: the walk over its plan, and what holds it up.
+// Runs one session: the steps of its plan, and the pauses, repetitions and faults between them.
 
 #pragma once
 
@@ -21,19 +21,20 @@
 
 namespace asperity {
 
-/// An attempt that is on disk.
+/// An attempt that is stored on disk.
 struct AttemptDone {
   std::string participant{};
   int session = 0;
   int trial = 0;
   int attempt = 0;
-  bool counts = true;  ///< it does its trial; otherwise it is kept, and the trial may be repeated
+  /// It completes its trial; otherwise it is kept, and the trial may be repeated.
+  bool counts = true;
   AttemptOutcome outcome = AttemptOutcome::answered;
 };
 
 struct ConductorSettings {
   bool record = true;  ///< keep the tick records of every attempt
-  /// What runs this stretch of the session (program, scheduling); stored with its beginning.
+  /// The conditions of this stretch of the session (program, scheduling), stored when it begins.
   std::string conditions_json = "null";
   /// Called after each commit, and only then.
   std::function<void(const AttemptDone&)> done{};
@@ -43,24 +44,24 @@ struct ConductorSettings {
 /// How a session ended.
 struct SessionEnd {
   SessionState state = SessionState::completed;
-  Phrase reason{};  ///< where the session was stopped
-  /// Stopped by a rule of the protocol (a criterion), not by a person or a fault.
+  Phrase reason{};  ///< why the session was stopped, if it was
+  /// Stopped by a rule of the protocol (a criterion), not by a user or a fault.
   bool as_the_protocol_says = false;
-  int attempts = 0;         ///< made now
+  int attempts = 0;         ///< made in this run
   double duration_s = 0.0;  ///< on the session's clock
 };
 
-/// Takes a participant through the plan of a session.
+/// Runs the plan of a session with one participant.
 ///
-/// For each trial a TrialAttempt is made and stored in one transaction → `done`. Nothing is reported
-/// that is not on disk. An attempt that does not count stays in the store and the trial is asked
-/// again, now or at the end of its block, as the protocol specifies. An attempt that the experimenter
-/// has repeated is invalidated first, so that the new one can be the valid one.
+/// For each trial a TrialAttempt is made and stored in one transaction → `done`. Only attempts that
+/// are on disk are reported. An attempt that does not count stays in the store and the trial is asked
+/// again, at once or at the end of its block, as the protocol specifies. An attempt that the
+/// experimenter has repeated is invalidated first, so that the new one can be the valid one.
 ///
-/// A fault of the device, an emergency stop included, stores the attempt and stops the session,
-/// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
-/// goes on with what was interrupted, or until it is stopped. After a standstill it resumes by itself;
-/// the third since it was begun or resumed stops it.
+/// A fault of the device, or an emergency stop, stores the attempt and stops the session, which can be
+/// resumed. With an experimenter the session waits instead until the fault is cleared, and then
+/// resumes with what was interrupted, or until it is stopped. After a standstill it resumes without a
+/// request; the third standstill since it was begun or resumed stops it.
 ///
 /// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
 /// from any.
@@ -74,7 +75,7 @@ class Conductor final {
 
   SessionEnd run(OpenSession session);
 
-  /// The verbs towards this session: the settings', or the conductor's own.
+  /// The requests to this session: those of the settings, or the conductor's own.
   SessionRequests& requests() noexcept { return requests_; }
 
  private:
@@ -102,13 +103,13 @@ class Conductor final {
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
   void tell_of_repetition(const Trial& trial) const;
-  /// Is asked again after all others of its block.
+  /// Whether the trial is asked again after all others of its block.
   bool is_put_off(const Trial& trial) const;
   bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;
   void show_progress();
 
-  // What holds it up (conductor_holds.cpp).
-  /// True when a trial was asked again meanwhile: the position in the session has then to be reported anew.
+  // Suspensions of the session (conductor_holds.cpp).
+  /// True when a trial was repeated meanwhile: the position in the session then has to be reported again.
   bool between_steps(Next next);
   void hold(Next next);
   void pause_without_noise();
@@ -118,7 +119,7 @@ class Conductor final {
   bool outlives(const Interruption& interruption);
   void check_device();
   Phrase device_problem(const Wait& waiting);
-  /// False when the session is to end; it then has its reason.
+  /// False when the session is to end; `stopped_` then has the reason.
   bool wait_out_fault(Phrase what);
   std::optional<Phrase> trouble_after_standstill();
   void forget_surface();
@@ -143,12 +144,12 @@ class Conductor final {
 
   int standstills_ = 0;
 
-  Wait outside_{};    ///< waits where there is no trial under way
-  Wait unheeding_{};  ///< waits whatever is asked for meanwhile and whatever fault comes
+  Wait outside_{};    ///< waits while there is no current trial
+  Wait unheeding_{};  ///< waits regardless of requests and faults
 
-  int block_ = 0;  ///< whose trials are asked, by ordinal; 0 between blocks
+  int block_ = 0;  ///< the current block, by ordinal; 0 between blocks
 
-  std::size_t step_ = 0;  ///< of the plan, under way
+  std::size_t step_ = 0;  ///< the current step of the plan
 };
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What keeps a session from going on: pauses, repeats, lost noise, faults.
+// The part of Conductor that suspends a session: pauses, repetitions, lost noise, faults.
 
 #include <string>
 #include <vector>
@@ -14,10 +14,10 @@ namespace asperity {
 namespace {
 
 constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
-// A machine that stops that often does so again.
+// A machine that stops this often will stop again.
 constexpr int kMostStandstills = 3;
 
-/// Where a session is again after a fault: an attempt that it ended is over.
+/// The phase of a session after a fault: the attempt that the fault ended is over.
 SessionPhase after_fault(SessionPhase before) {
   const bool in_attempt = before == SessionPhase::fore || before == SessionPhase::contact ||
                           before == SessionPhase::response;
@@ -64,15 +64,15 @@ void Conductor::repeat_last(const Phrase& reason) {
   ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
 }
 
-/// A trial that was set aside. Where its block is over nothing at the end of the block asks it once
-/// more when that should be needed.
+/// Repeats an invalidated trial. After its block is over, the end of the block does not ask it
+/// again if a further attempt is needed.
 void Conductor::ask_again(const Trial& trial) {
   do {
     run_trial(trial);
   } while (!stopped_ && trial.block_ordinal != block_ && !tally_->is_done(trial));
 }
 
-/// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.
+/// Returns when the next step can begin: no pause, no fault, no lost noise.
 void Conductor::hold(Next next) {
   const SessionPhase before = course_.phase();
   const bool is_attended = settings_.links.experimenter_is_there;
@@ -127,7 +127,8 @@ void Conductor::pause_without_noise() {
 
 // --- faults --------------------------------------------------------------------------------------
 
-/// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
+/// Checks the device while nothing is rendered: it has to respond at the servo's rate and accept
+/// zero force.
 void Conductor::check_device() {
   const Phrase problem = device_problem([this](double duration_s) { course_.wait(duration_s); });
   if (!problem.empty()) {
@@ -135,7 +136,7 @@ void Conductor::check_device() {
   }
 }
 
-/// What is wrong with the device, as part of a sentence; empty when it is fit.
+/// What is wrong with the device, as part of a sentence; empty when there is no problem.
 Phrase Conductor::device_problem(const Wait& waiting) {
   rig_.loop().withdraw();
   Recorder& recorder = course_.recorder();
@@ -148,7 +149,8 @@ Phrase Conductor::device_problem(const Wait& waiting) {
   return {};
 }
 
-/// Whether what was interrupted outside an attempt can be begun again; waits for it.
+/// Whether the step interrupted outside an attempt is started again: waits out a fault with an experimenter,
+/// or a standstill. False at once for other interruptions. The wait may end the session.
 bool Conductor::outlives(const Interruption& interruption) {
   if (!is_fault(interruption.outcome) ||
       !(settings_.links.experimenter_is_there || interruption.fault == Fault::standstill)) {
@@ -158,8 +160,9 @@ bool Conductor::outlives(const Interruption& interruption) {
   return true;
 }
 
-/// A standstill is over when the loop sees it, and nobody has to do anything: the fault is lifted and the device checked.
-/// Nothing when that is done, and otherwise the sentence of what is wrong now.
+/// A standstill is over when the loop detects it, and requires no action by a user: the fault is
+/// cleared and the device checked. Returns nothing when that has succeeded, otherwise the sentence
+/// that states the problem.
 std::optional<Phrase> Conductor::trouble_after_standstill() {
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
@@ -179,7 +182,7 @@ std::optional<Phrase> Conductor::trouble_after_standstill() {
   return {};
 }
 
-/// What was felt when a fault came is not felt again.
+/// A surface that was presented when a fault came is no longer felt.
 void Conductor::forget_surface() {
   while (rig_.loop().collect().renderer != nullptr) {
   }
@@ -201,7 +204,7 @@ bool Conductor::wait_out_fault(Phrase what) {
     return false;
   }
   const SessionPhase before = after_fault(course_.phase());
-  requests_.take_clear_fault();  // one from before this fault
+  requests_.take_clear_fault();  // one requested before this fault
   course_.event("fault", name_of(rig_.loop().status().fault));
   course_.enter(SessionPhase::fault);
   course_.show({.kind = ParticipantScene::Kind::paused});

@@ -1,4 +1,4 @@
-// Where a session lies in the workspace: as the protocol specifies, or mirrored for a left hand.
+// The placement of a session in the workspace: as in the protocol, or mirrored for a left hand.
 
 #pragma once
 
@@ -7,8 +7,9 @@
 
 namespace asperity {
 
-/// The layout of a session: x is negated where it is mirrored, of the surface's place and of the
-/// strokes. What is on a surface is not mirrored: it is felt at the same places of the patch.
+/// The layout of a session. Where it is mirrored, x is negated, for the position of the surface and
+/// for the strokes. The texture itself is not mirrored: its features stay at the same places of the
+/// patch.
 struct Layout {
   bool mirrored = false;
 

@@ -1,5 +1,3 @@
-// How time goes by in a session, and what is seen, heard and written down of it meanwhile.
-
 #include "app/session/session_course.h"
 
 #include <algorithm>
@@ -12,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-// Often enough for numbers that a person reads.
+// The rate at which displayed numbers are refreshed, slow enough to be read.
 constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 
 }  // namespace
@@ -196,7 +194,7 @@ void SessionCourse::show(ParticipantScene scene) {
   scene.language = protocol_.language;
   scene.block = snapshot.block;
   scene.blocks = snapshot.block == 0 ? 0 : snapshot.blocks;
-  // A reminder is known as new by its number: it goes on counting from scene to scene.
+  // A new cue is recognised by its number, which therefore continues from scene to scene.
   scene.cue_number = std::max(scene.cue_number, snapshot.scene->cue_number);
   links_.monitor->show(std::move(scene));
 }
@@ -255,7 +253,7 @@ void SessionCourse::ask_experimenter(const std::string& prompt, const Wait& wait
     respondent_.read(prompt, 0.0, waiting);
     return;
   }
-  // However the waiting ends, the prompt goes.
+  // The prompt is removed however the wait ends.
   struct Shown {
     explicit Shown(SessionCourse& shown_course, const std::string& prompt_text)
         : course(shown_course) {
@@ -272,7 +270,7 @@ void SessionCourse::ask_experimenter(const std::string& prompt, const Wait& wait
     SessionCourse& course;
   };
   show({});
-  requests_.take_confirmation();  // one that came before it was asked for
+  requests_.take_confirmation();  // discards a confirmation from before the prompt
   const Shown shown(*this, prompt);
   while (!requests_.take_confirmation()) waiting(kSlice_s);
   event("experimenter_ready", prompt);
@@ -313,7 +311,7 @@ void SessionCourse::begin_attempt() {
   store_respondent_events();
   attempt_events_.clear();
   in_attempt_ = true;
-  requests_.take_skip();  // one that came between trials has nothing to skip
+  requests_.take_skip();  // discards a skip requested between trials
 }
 
 std::vector<EventRow> SessionCourse::take_attempt_events() {

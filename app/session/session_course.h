@@ -1,4 +1,4 @@
-// How time goes by in a session, and what is seen, heard and written down of it meanwhile.
+// The passing of time in a session, and what is shown, played and stored meanwhile.
 
 #pragma once
 
@@ -22,34 +22,34 @@
 
 namespace asperity {
 
-/// What ends an attempt before its answer, or what was read or asked outside one.
+/// An event that ends an attempt before its answer, or a text or question outside an attempt.
 struct Interruption {
   AttemptOutcome outcome = AttemptOutcome::aborted;
   Phrase reason{};
-  /// The session does not end with it: whatever was interrupted is asked again.
+  /// The session continues: the interrupted step is repeated.
   bool ask_again = false;
-  Fault fault = Fault::none;  ///< that the loop showed, if it was one
+  Fault fault = Fault::none;  ///< the fault that the loop reported, if any
 };
 
-/// By a fault of the loop, or by the emergency stop.
+/// An interruption by a fault of the loop, or by the emergency stop.
 Interruption interruption_by(Fault fault);
 /// "the device failed in trial 3: the device does not respond"; without a trial "the emergency stop was pressed between
 /// trials".
 Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial);
 
-/// What the walk over the plan and an attempt have in common: they wait, they are in a phase, the
-/// participant sees a scene, something happens that is to be stored.
+/// The operations that the plan and an attempt have in common: waiting, entering a phase, showing
+/// the participant a scene, storing an event.
 ///
-/// Waiting is done in slices of a few hundredths of a second. In each the rig ticks, buttons of the
-/// device are handed to the respondent, the monitor is brought up to date, and what the experimenter
-/// asked for is taken up. Without a monitor nothing is published and changes of phase are not
-/// stored, so that simulated studies stay as small as they are.
+/// Waiting is done in slices of a few hundredths of a second. In each slice the rig ticks, button
+/// changes of the device are passed to the respondent, the monitor is updated, and the
+/// experimenter's requests are handled. Without a monitor nothing is published and changes of phase
+/// are not stored, which keeps simulated studies small.
 ///
-/// Events within an attempt are kept until `take_attempt_events` and belong into its row; those
+/// Events within an attempt are kept until `take_attempt_events` and belong to its row; those
 /// outside are stored at once.
 ///
-/// A problem that the device reports is shown unchanged, and reported and stored (`device_trouble`, `device_well`)
-/// as DeviceComplaints specifies.
+/// A problem that the device reports is displayed unchanged, and is reported and stored
+/// (`device_trouble`, `device_well`) as DeviceComplaints specifies.
 ///
 /// Threads: the conductor's.
 class SessionCourse final {
@@ -60,7 +60,7 @@ class SessionCourse final {
   SessionCourse(const SessionCourse&) = delete;
   SessionCourse& operator=(const SessionCourse&) = delete;
 
-  /// What follows belongs to this session.
+  /// Begins the session of this row.
   void begin(const SessionRow& row);
 
   Study& study() noexcept { return study_; }
@@ -74,23 +74,23 @@ class SessionCourse final {
 
   // --- time ---
 
-  /// Throws Interruption on a fault, when the session is aborted, when the trial under way is
-  /// skipped, and when masking noise that is needed stops.
+  /// Throws Interruption on a fault, when the session is aborted, when the current trial is
+  /// skipped, and when required masking noise stops.
   void wait(double duration_s);
-  /// As `wait`, where there is no trial to wait for: a wish to stop after the trial ends it as well.
+  /// As `wait`, outside a trial: a requested stop after the trial ends it as well.
   void wait_outside_trial(double duration_s);
-  /// As `wait`, within an attempt while there is neither a surface to be felt nor a question: the
-  /// respondent refuses answers meanwhile.
+  /// As `wait`, within an attempt while neither a surface can be felt nor the question is shown:
+  /// the respondent refuses answers meanwhile.
   void wait_refusing_answers(double duration_s);
-  /// One slice, whatever is asked for.
+  /// One slice, without regard to requests.
   void pass_slice();
   static constexpr double kSlice_s = 0.02;
 
   // --- what is seen and heard ---
 
-  /// Enters a phase: an event, and the monitor's.
+  /// Enters a phase: stores an event and informs the monitor.
   void enter(SessionPhase phase);
-  /// Only informs the monitor, where the event was stored before.
+  /// Informs only the monitor, where the event was stored before.
   void publish(SessionPhase phase);
   SessionPhase phase() const noexcept { return phase_; }
   void show(ParticipantScene scene);
@@ -98,33 +98,35 @@ class SessionCourse final {
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);
-  /// Does nothing where the protocol requests no noise or nothing can sound.
+  /// Does nothing where the protocol requests no noise or there is no sound.
   void set_masking(bool on);
   /// Tones warn the participant who feels a surface when force or speed leave the instructed range.
   void set_guiding_tones(bool on);
   bool is_masking() const noexcept { return masking_; }
-  /// The protocol requests noise, there is a card to play it, and it does not. Without a card nothing
-  /// was heard before either: the checklist and the window state this, and there is nothing to repair.
+  /// The protocol requests noise, a card is available to play it, and it is not playing. Without a
+  /// card nothing was heard before either: the checklist and the window state this, and nothing can
+  /// be repaired.
   bool has_lost_noise() const;
-  /// The noise has sounded since the session was begun or resumed.
+  /// The noise has played since the session was begun or resumed.
   bool has_masked() const noexcept { return has_masked_; }
-  /// Has the experimenter do something before a trial (place a sample) and waits until that was
-  /// confirmed; the participant sees nothing of it. Where no experimenter is there, the respondent reads.
+  /// Asks the experimenter to do something before a trial (place a sample) and waits for the
+  /// confirmation; the participant is not shown the request. Without an experimenter the respondent
+  /// reads it.
   void ask_experimenter(const std::string& prompt, const Wait& waiting);
-  /// Has the eye mask put on or taken off by a person who wears one, if it is not so already.
+  /// Has a participant who wears an eye mask put it on or take it off, if that is not already done.
   void put_mask(bool on, const Wait& waiting);
 
   // --- what is written down ---
 
   void event(const std::string& kind, const Phrase& text, const std::string& data_json = "null");
-  /// What the experimenter remarked since the last call.
+  /// Stores the experimenter's remarks since the last call.
   void store_remarks();
-  /// What happened at the participant's side outside an attempt.
+  /// Stores the events at the participant's side outside an attempt.
   void store_respondent_events();
   void begin_attempt();
-  /// From now on force and speed are counted against these.
+  /// Counts force and speed against these bands from now on.
   void watch_hand(const HandBands& bands) { watch_.begin_attempt(bands); }
-  /// Ends the attempt: what happened in it, in the order of time.
+  /// Ends the attempt: its events, in the order of time.
   std::vector<EventRow> take_attempt_events();
 
  private:

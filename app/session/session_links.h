@@ -1,4 +1,4 @@
-// What a session run from windows has beside its participant.
+// The connections of a session with the windows, apart from its participant.
 
 #pragma once
 
@@ -11,17 +11,17 @@ class SessionMonitor;
 class SessionRequests;
 class Sound;
 
-/// All may be null: no window follows the session, none requests anything, nothing sounds. All outlive the
-/// session.
+/// All may be null: then no window follows the session, none sends requests, and no sound is
+/// played. All outlive the session.
 struct SessionLinks {
   SessionRequests* requests = nullptr;
   SessionMonitor* monitor = nullptr;
   Sound* sound = nullptr;
-  /// An experimenter is there: after a fault, or when the masking noise stops, the session waits for
-  /// what they decide; otherwise it ends and can be resumed.
+  /// An experimenter is present: after a fault, or when the masking noise stops, the session waits
+  /// for their decision; otherwise it ends and can be resumed.
   bool experimenter_is_there = false;
-  /// Receives, as lines, what is wrong with the device, that it is well again, and why a trial is repeated; for who has
-  /// no monitor.
+  /// Receives, as lines, the problems of the device, that a problem is over, and why a trial is
+  /// repeated; for callers without a monitor.
   std::function<void(const std::string& line)> tell{};
 };
 

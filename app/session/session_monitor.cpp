@@ -13,7 +13,7 @@ namespace {
 constexpr auto kBinsKept =
     static_cast<std::size_t>(SessionMonitor::kKept_s / SessionMonitor::kBin_s + 0.5);
 
-/// What makes two surfaces of a plan the same to the hand.
+/// A key that is equal for two surfaces of a plan that feel the same.
 std::string stimulus_key(const PlannedPresentation& surface) {
   std::string key = surface.item + '\n' + surface.stimulus.name + '\n' + surface.stimulus.model +
                     '\n' + surface.stimulus.texture;
@@ -99,7 +99,7 @@ void SessionMonitor::show(ParticipantScene scene) {
 
 void SessionMonitor::add_attempt(AttemptSummary attempt) {
   const std::lock_guard lock(mutex_);
-  // Readers keep the list that they were given.
+  // Readers keep the list that they received.
   auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot_.attempts);
   attempts->push_back(std::move(attempt));
   snapshot_.attempts = std::move(attempts);

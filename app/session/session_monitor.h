@@ -1,4 +1,5 @@
-// What a running session looks like from outside: one writer, any readers.
+// The state of a running session as it is shown to other threads: one writer, any number of
+// readers.
 
 #pragma once
 
@@ -22,10 +23,10 @@
 
 namespace asperity {
 
-/// Where a session is. Every change is an event in the store.
+/// The phase of a session. Every change is an event in the store.
 enum class SessionPhase {
   idle,      ///< not begun
-  ready,     ///< something is read or checked before a block
+  ready,     ///< before a block: a text is read or a check is made
   iti,       ///< between trials
   fore,      ///< the trial has begun, no contact yet
   contact,   ///< a surface is felt
@@ -39,7 +40,7 @@ enum class SessionPhase {
 };
 const char* text_of(SessionPhase phase) noexcept;
 
-/// One attempt that is on disk, in few words.
+/// A summary of one attempt that is stored on disk.
 struct AttemptSummary {
   int trial = 0;
   int attempt = 0;
@@ -48,8 +49,9 @@ struct AttemptSummary {
   bool flagged = false;
   Phrase reason{};                     ///< why it does not count, or is flagged; may be empty
   std::vector<std::string> answers{};  ///< labels as shown ("4", "B"), one per item
-  std::optional<bool> correct{};       ///< all of them; absent where nothing is right or wrong
-  std::optional<double> from_cue_s{};  ///< reaction times
+  /// Of all items together; absent where there are no correct responses.
+  std::optional<bool> correct{};
+  std::optional<double> from_cue_s{};  ///< response times
   std::optional<double> from_contact_s{};
   double duration_s = 0.0;
 };
@@ -58,40 +60,43 @@ struct AttemptSummary {
 struct SessionTrouble {
   enum class Remedy {
     none,
-    clear_fault,  ///< when the reason is mended, go on
+    clear_fault,  ///< once the cause is corrected, resume
     resume,       ///< paused by the program
-    confirm,      ///< nothing is wrong: `what` is to be done before the trial, and confirmed
-    try_again,    ///< the session ended; everything stored, go on with it from the start page
+    confirm,      ///< no problem: `what` is to be done before the trial, and confirmed
+    /// The session ended; everything is stored, and it can be resumed from the start page.
+    try_again,
   };
-  Phrase what{};  ///< a sentence: what happened and what was done about it
+  Phrase what{};  ///< a sentence: what happened and how the program responded
   std::int64_t time_ns = 0;
   Remedy remedy = Remedy::none;
 };
 
-/// What does not change while a session runs.
+/// Properties that are constant while a session runs.
 struct SessionFacts {
   std::shared_ptr<const Protocol> protocol{};
   std::shared_ptr<const Plan> plan{};
   SessionRow row{};
   std::string study_folder{};
   bool mirrored = false;            ///< left-handed layout
-  std::int64_t clock_ahead_ns = 0;  ///< of the session's clock against the machine's steady clock
-  /// Of a resumed session: how long its trials have taken so far, and what was noted.
+  /// Of the session's clock, relative to the machine's steady clock.
+  std::int64_t clock_ahead_ns = 0;
+  /// Of a resumed session: the time taken by its trials so far, and its notes.
   double earlier_s = 0.0;
   std::vector<Phrase> earlier_notes{};
 };
 
-/// What is to be heard of the masking noise.
+/// The state of the masking noise.
 enum class MaskingState {
-  none,      ///< the protocol requests none, nothing plays in this session, or it has ended
-  off,       ///< it can sound, and there is nothing to mask now
-  on,        ///< sounding
+  /// The protocol requests none, there is no sound in this session, or the session has ended.
+  none,
+  off,       ///< available, and not needed now
+  on,        ///< playing
   silent,    ///< the sound card does not play
-  no_card,   ///< there is no sound card, and it cannot be heard
-  elsewhere  ///< likewise, but a person has measured the noise that something else plays
+  no_card,   ///< there is no sound card, and the noise cannot be heard
+  elsewhere  ///< there is no sound card, but the noise from another source was measured by a person
 };
 
-/// How the servo loop has kept time in the last seconds.
+/// The timing of the servo loop in the last seconds.
 struct LoopHealth {
   double rate_Hz = 0.0;  ///< measured
   double lateness_p50_s = 0.0;
@@ -102,7 +107,8 @@ struct LoopHealth {
   std::uint64_t saturated_ticks = 0;
 };
 
-/// One quantity of a contact so far, against its band: the force in every tick, the speed of every stroke.
+/// One quantity of a contact so far, compared with its band: the force in every tick, the speed of
+/// every stroke.
 struct QuantitySoFar {
   std::int64_t samples = 0;
   double mean = 0.0;
@@ -110,8 +116,8 @@ struct QuantitySoFar {
   std::optional<double> fraction_in_band{};  ///< absent without samples or band
 };
 
-/// How the hand has explored the surface that was presented last: what the attempt would be judged by
-/// if feeling ended now. Agrees with the stored compliance to 1e-9.
+/// The exploration of the surface that was presented last: the measures by which the attempt would
+/// be judged if feeling ended now. Agrees with the stored compliance to 1e-9.
 struct HandSoFar {
   int surface = 0;  ///< position; 0 before the first of an attempt
   QuantitySoFar force_N{};
@@ -121,30 +127,32 @@ struct HandSoFar {
 /// The session at one moment.
 struct SessionSnapshot {
   std::uint64_t version = 0;  ///< grows with every change
-  /// Before the session begins: how far the comparison of its plan with the device is, 0 to 1.
+  /// Before the session begins: the progress of the comparison of its plan with the device, 0 to 1.
   std::optional<double> compared{};
   SessionPhase phase = SessionPhase::idle;
   std::int64_t phase_began_ns = 0;
-  std::int64_t now_ns = 0;    ///< the session's clock when this was written
+  std::int64_t now_ns = 0;    ///< the session's clock at this update
   std::int64_t began_ns = 0;  ///< of this stretch
-  int trial = 0;              ///< under way, or else the one that comes; 0 where none does
-  int attempt = 0;            ///< at it
-  int last_done = 0;          ///< trial that would be repeated as the last one; 0: none yet
+  int trial = 0;              ///< current, or otherwise the next one; 0 where there is none
+  int attempt = 0;            ///< of the trial
+  int last_done = 0;          ///< the trial that `repeat_last` would repeat; 0: none yet
   int surface = 0;            ///< position, from 1; 0 while none is felt
-  double contact_s = 0.0;     ///< with the present surface
+  double contact_s = 0.0;     ///< with the current surface
   double wanted_contact_s = 0.0;
-  HandSoFar hand{};  ///< stays until the next attempt begins
+  HandSoFar hand{};  ///< kept until the next attempt begins
   int block = 0;     ///< 1-based; 0 outside blocks
   int blocks = 0;
   int trials_done = 0;
   int trials = 0;
-  std::optional<double> expected_left_s{};  ///< absent while too few trials have been done to know
+  /// Absent until enough trials have been completed for an estimate.
+  std::optional<double> expected_left_s{};
   std::int64_t rows_stored = 0;             ///< attempts in the store, of this session
   LoopHealth health{};
   Fault fault = Fault::none;
   MaskingState masking = MaskingState::none;
   std::optional<SessionTrouble> trouble{};
-  /// The problem that the device reports (HapticDevice::complaint), and since when; empty while all is well.
+  /// The problem that the device reports (HapticDevice::complaint), and since when; empty while
+  /// there is none.
   std::string device_complaint{};
   std::int64_t device_complains_since_ns = 0;
   std::shared_ptr<const ParticipantScene> scene = std::make_shared<const ParticipantScene>();
@@ -152,30 +160,30 @@ struct SessionSnapshot {
       std::make_shared<const std::vector<AttemptSummary>>();
 };
 
-/// What the probe did in 1/60 s: extremes, so that a plot shows every peak.
+/// The motion and force of the probe in 1/60 s, as extremes, so that a plot shows every peak.
 struct LiveBin {
   std::int64_t time_ns = 0;      ///< of its end
   float force_minimum_N = 0.0F;  ///< magnitude of the force that was sent
   float force_maximum_N = 0.0F;
   float speed_minimum_m_per_s = 0.0F;
   float speed_maximum_m_per_s = 0.0F;
-  /// At its end, as the attempt is judged by (HandWatch): a surface that is wholly there is felt; how
-  /// hard the hand presses, 0 where none is felt; and what is shown of the speed of its strokes.
+  /// At its end, by the measures that judge the attempt (HandWatch): whether a completely faded-in
+  /// surface is felt; how hard the hand presses, 0 where none is felt; and the displayed speed of
+  /// its strokes.
   bool is_felt = false;
   double pressing_N = 0.0;
   std::optional<double> stroking_m_per_s{};
   float x_m = 0.0F;  ///< at its end
   float y_m = 0.0F;
   float z_m = 0.0F;
-  glm::quat orientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< likewise
+  glm::quat orientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< at its end
   bool touching = false;
   int surface = 0;
 };
 
-/// Written by the conductor's thread, read by any other.
+/// Publishes the state of a session: written by the conductor's thread, read by any other.
 ///
-/// A reader's call copies and never waits for more than another copy; bins are kept for
-/// `kKept_s`.
+/// A reader's call copies, and waits only for other copies; bins are kept for `kKept_s`.
 class SessionMonitor final {
  public:
   static constexpr double kBin_s = 1.0 / 60.0;
@@ -194,7 +202,7 @@ class SessionMonitor final {
   // --- the conductor's side ---
 
   void set_facts(SessionFacts facts);
-  /// `change` alters the snapshot under the lock: keep it short. `version` is counted up.
+  /// `change` alters the snapshot under the lock and has to be short. `version` is incremented.
   void update(const std::function<void(SessionSnapshot&)>& change);
   void show(ParticipantScene scene);
   void add_attempt(AttemptSummary attempt);
@@ -208,21 +216,21 @@ class SessionMonitor final {
   std::uint64_t bins_added_ = 0;
 };
 
-/// The codes that stand for stimuli while these are concealed: one per distinct presentation of
-/// the plan, "S1" … in an order drawn from the session's seed.
+/// The codes for stimuli while these are concealed: one per distinct presentation of the plan, "S1"
+/// … in an order drawn from the session's seed.
 class BlindCodes final {
  public:
   BlindCodes(const Plan& plan, const std::string& seed);
-  /// Of one surface.
+  /// The code of one surface.
   const std::string& of(const PlannedPresentation& surface) const;
-  /// Of a trial: the codes of its surfaces in order, "S3 S1 S2".
+  /// The codes of a trial's surfaces in order, "S3 S1 S2".
   std::string of(const Trial& trial) const;
 
  private:
   std::vector<std::pair<std::string, std::string>> codes_{};
 };
 
-/// The same with names: "height_map brick, sinusoid brick", for who may know.
+/// The same with names: "height_map brick, sinusoid brick", for users who may see them.
 std::string unblinded_text(const Trial& trial);
 
 }  // namespace asperity

@@ -61,11 +61,11 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
   });
 }
 
-/// All of it at once: no frame shows an attempt as done whose trial is still under way.
+/// Updates everything at once: no snapshot shows an attempt as done whose trial is still current.
 void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
   int done = 0;
   double trials_left_s = 0.0;
-  double others_left_s = 0.0;  // breaks and screens, which take as long however long trials take
+  double others_left_s = 0.0;  // breaks and screens, whose duration does not depend on the pace
   for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
     if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
       const Trial& trial = plan_.trials[of_trial->trial];
@@ -89,7 +89,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
       auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
       attempts->push_back(std::move(*added));
       snapshot.attempts = std::move(attempts);
-      // What follows it is not known here yet; the phase is stored when it is.
+      // The next phase is unknown here; it is stored when it begins.
       snapshot.phase = SessionPhase::iti;
       snapshot.phase_began_ns = snapshot.now_ns;
     }
@@ -102,9 +102,9 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
   });
 }
 
-/// Of trials that were skipped nothing is known.
+/// Skipped trials provide no information.
 std::optional<double> SessionProgress::pace() const {
-  constexpr int kFewest = 3;  // one slow trial is no pace
+  constexpr int kFewest = 3;  // too few trials give no reliable pace
   int done = 0;
   double planned_s = 0.0;
   double spent_s = 0.0;

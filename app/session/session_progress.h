@@ -1,4 +1,4 @@
-// How far a session is and how long it will take, for the experimenter.
+// Estimates the progress and the remaining time of a session, for the experimenter.
 
 #pragma once
 
@@ -13,21 +13,22 @@
 
 namespace asperity {
 
-/// Reports to the monitor what was done and what is left; does nothing without one.
+/// Reports completed and remaining trials to the monitor; does nothing without one.
 ///
-/// Expected time: the planned time of the trials that are left × the pace of this participant, and the
-/// planned time of the other steps. The pace is how long the session's attempts took, earlier stretches
-/// included, over what was planned for the trials that they did. There is none before the third trial.
+/// Expected time: the planned time of the remaining trials × the pace of this participant, plus the
+/// planned time of the other steps. The pace is the time taken by the session's attempts, earlier
+/// stretches included, divided by the planned time of the trials that they completed. It is
+/// undefined before the third trial.
 class SessionProgress final {
  public:
-  /// All must outlive it. Shows the attempts that the tally has already.
+  /// All must outlive it. Shows the attempts that are already in the tally.
   SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
                   std::int64_t began_ns);
 
-  /// An attempt that is on disk and in the tally. Its trial is over, and `coming` the one that comes
-  /// (0: none); `step` of the plan is under way.
+  /// Adds an attempt that is on disk and in the tally. Its trial is over, and `coming` is the next
+  /// one (0: none); `step` is the current step of the plan.
   void add(const AttemptRow& attempt, std::size_t step, int coming);
-  /// An attempt in the tally was set aside.
+  /// Invalidates an attempt in the tally.
   void set_aside(const AttemptRow& attempt);
   void show(std::size_t step, int coming);
 
@@ -40,7 +41,8 @@ class SessionProgress final {
   const Plan& plan_;
   const TrialTally& tally_;
   std::vector<double> planned_s_{};  ///< each step's cost; empty without a monitor
-  std::vector<double> trial_s_{};    ///< likewise of each trial of the plan, by its index
+  /// Of each trial of the plan, by its index; empty without a monitor.
+  std::vector<double> trial_s_{};
 };
 
 }  // namespace asperity

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-/// A reason is stored with what it explains, and is not empty there.
+/// The reason to be stored; never empty.
 Phrase given(const Phrase& reason) {
   return reason.empty() ? phrase_of(Reason::none_given) : reason;
 }
@@ -62,7 +62,7 @@ void SessionRequests::remark(const std::string& kind, const Phrase& text) {
 void SessionRequests::emergency_stop() noexcept {
   const std::lock_guard lock(mutex_);
   stop_wanted_ = true;
-  clear_fault_ = false;  // asked for before this stop: not meant for it
+  clear_fault_ = false;  // requested before this stop, and not meant for it
   if (rig_ != nullptr) rig_->emergency_stop();
 }
 

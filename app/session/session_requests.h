@@ -1,4 +1,4 @@
-// What an experimenter asks of a session that is running on another thread.
+// Requests of an experimenter to a session that is running on another thread.
 
 #pragma once
 
@@ -17,15 +17,15 @@ class Rig;
 
 enum class StopAfter { trial, block };
 
-/// The verbs towards a running session, from any thread.
+/// The requests to a running session, from any thread.
 ///
-/// The conductor takes them up: `pause`, `stop_after` and `repeat_last` between trials, `abort` and
+/// The conductor handles them: `pause`, `stop_after` and `repeat_last` between trials, `abort` and
 /// `skip` within a few hundredths of a second (a skip between trials skips nothing), `clear_fault`
-/// while a fault is latched. `emergency_stop` is immediate: it goes to the servo loop and does not
-/// wait for the conductor.
+/// while a fault is latched. `emergency_stop` is immediate: it is sent to the servo loop and does
+/// not wait for the conductor.
 ///
-/// Everything stays asked for until it was done, or until it is withdrawn (`resume` withdraws a
-/// pause, `go_on` a stop).
+/// A request remains pending until it is fulfilled or withdrawn (`resume` withdraws a pause,
+/// `go_on` a stop).
 class SessionRequests final {
  public:
   SessionRequests() = default;
@@ -37,30 +37,29 @@ class SessionRequests final {
   void go_on();
   void pause();
   void resume();
-  /// The last trial that was answered or skipped is asked once more, as a new attempt; the earlier
-  /// attempt stays, no longer valid.
+  /// Repeats the last trial that was answered or skipped, as a new attempt; the earlier attempt is
+  /// kept, and no longer valid.
   void repeat_last(const Phrase& reason);
-  /// The trial under way is kept as skipped and not asked again.
+  /// Keeps the current trial as skipped; it is not asked again.
   void skip(const Phrase& reason);
-  /// Ends the session at once; the attempt under way is kept as aborted.
+  /// Ends the session at once; the current attempt is kept as aborted.
   void abort(const Phrase& reason);
   /// Stamped now, stored between trials.
   void note(const Phrase& text);
-  /// What is to stand in the session's record beside notes, stamped now: "unblinded",
-  /// "focus_changed".
+  /// An entry in the session's record other than a note, stamped now: "unblinded", "focus_changed".
   void remark(const std::string& kind, const Phrase& text);
   /// Zero force in the next servo tick, latched.
   void emergency_stop() noexcept;
-  /// Of a simulated device, whose handle cannot be held: its button goes down or up within a few
+  /// Presses or releases a button of a simulated device, which has no handle, within a few
   /// hundredths of a second. Buttons count from 1. Errors: std::invalid_argument where there is no
   /// such button.
   void press_button(int button);
   void release_button(int button);
-  /// The reason of the fault is mended: go on with the trial that it interrupted. An emergency stop
-  /// that comes later takes it back.
+  /// States that the cause of the fault is corrected: resume with the trial that it interrupted. A
+  /// later emergency stop withdraws this.
   void clear_fault();
 
-  /// The experimenter has done what the protocol requests before a trial.
+  /// States that the experimenter has done what the protocol requests before a trial.
   void confirm();
 
   struct Remark {
@@ -83,22 +82,23 @@ class SessionRequests final {
 
   // --- the conductor's side ---
 
-  /// `rig` is the one that is to be stopped in an emergency, and whose clock stamps remarks.
+  /// `rig` is the one that an emergency stop stops, and whose clock stamps remarks.
   void attach(Rig& rig);
   void detach();
   bool is_paused() const;
-  /// Each gives what was asked for and forgets it.
+  /// Each returns the request and removes it.
   bool take_stop(StopAfter what);
   std::optional<Phrase> take_repeat();
   std::optional<Phrase> take_skip();
   std::optional<Phrase> take_abort();
   bool take_clear_fault();
   bool take_confirmation();
-  /// Takes `clear_fault` and lifts the rig's fault (Rig::clear_fault), in one: an emergency stop comes before or after
-  /// and is never lifted by what was asked for before it. False when it was not requested.
+  /// Takes `clear_fault` and clears the rig's fault (Rig::clear_fault) in one operation: an
+  /// emergency stop comes before or after it, and is never cleared by an earlier request. False
+  /// when there was no request.
   bool lift_fault(Fault seen);
   std::vector<Remark> take_remarks();
-  /// In the order of asking.
+  /// In the order of the requests.
   std::vector<ButtonMove> take_button_moves();
 
  private:
@@ -106,7 +106,7 @@ class SessionRequests final {
 
   mutable std::mutex mutex_{};
   Rig* rig_ = nullptr;
-  bool stop_wanted_ = false;  ///< an emergency stop from before there was a rig
+  bool stop_wanted_ = false;  ///< an emergency stop from before a rig was attached
   std::optional<StopAfter> stop_{};
   bool paused_ = false;
   std::optional<Phrase> repeat_{};

@@ -1,4 +1,4 @@
-// Opens a session in the store, or finds the one to go on with.
+// Creates a session in the store, or finds the one to resume.
 
 #pragma once
 
@@ -16,22 +16,23 @@
 
 namespace asperity {
 
-/// How a new session is to be run; stored with it.
+/// The conditions of a new session, stored with it.
 struct SessionConditions {
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
-  std::optional<int> counterbalance_row{};  ///< otherwise the least used one
+  std::optional<int> counterbalance_row{};  ///< if absent, the least used one
   std::string pacing{};
   std::string scheduling{};
   DeviceCapability device{};
   std::string started_utc{};
   std::int64_t clock_zero_ns = 0;
-  std::optional<std::string> consent_utc{};  ///< when the person agreed to the protocol's statement
+  /// When the participant agreed to the protocol's statement.
+  std::optional<std::string> consent_utc{};
   std::string observer_json = "null";
   bool mirrored = false;
 };
 
-/// A session that is about to run: its row, its plan, and what has been done of it.
+/// A session that is about to run: its row, its plan, and its attempts so far.
 struct OpenSession {
   SessionRow row{};
   Plan plan{};
@@ -39,11 +40,11 @@ struct OpenSession {
   bool resumed = false;
 };
 
-/// As SessionRow::device and `device_json` have it.
+/// The text of a device as SessionRow::device and `device_json` contain it.
 std::string device_text(const DeviceCapability& device);
 std::string capability_json(const DeviceCapability& device);
 
-/// The participant is to see or to hear how force and speed meet their bands.
+/// Whether the participant sees or hears how force and speed meet their bands.
 bool guides_participants(const Protocol& protocol);
 
 /// The files that a protocol names, with their hashes.
@@ -52,16 +53,17 @@ bool guides_participants(const Protocol& protocol);
 std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                         const std::filesystem::path& study_folder);
 
-/// Stores a new session of `participant` with its whole plan. Errors: ResultsError.
+/// Stores a new session of `participant` with its complete plan. Errors: ResultsError.
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program);
 
-/// What happened in a session in the order of time: what hangs on its attempts among the rest.
+/// The events of a session in the order of time, including those of its attempts.
 std::vector<EventRow> events_in_order(std::vector<EventRow> events,
                                       const std::vector<AttemptRow>& attempts);
 
-/// The session has ended as the protocol specifies although not every trial of it was asked: the
-/// criterion of a practice was not met, and the protocol ends the session then. It is not resumed.
+/// Whether the session ended as the protocol specifies although not every trial of it was asked:
+/// the criterion of a practice was not met, and the protocol ends the session in that case. It is
+/// not resumed.
 bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row);
 /// Completed, or ended by a rule of the protocol: nothing is left to resume.
 bool has_ended(const Study& study, const Protocol& protocol, const SessionRow& row);
@@ -72,16 +74,16 @@ std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& pro
                                          const std::string& participant,
                                          std::optional<std::int64_t> id);
 
-/// The same where there has to be one. Errors: std::runtime_error where there is none.
+/// The same session, where one is required. Errors: std::runtime_error where there is none.
 SessionRow find_unfinished(const Study& study, const Protocol& protocol,
                            const std::string& participant, std::optional<std::int64_t> id);
 
-/// A session of the store, ready to go on.
+/// A session of the store, ready to be resumed.
 ///
-/// The plan is made again from the stored seed and row and has to be the stored one; the files have
-/// to be those it began with.
+/// The plan is made again from the stored seed and row, and has to equal the stored one; the files
+/// have to be unchanged since the session began.
 ///
-/// Errors: std::runtime_error saying what has changed.
+/// Errors: std::runtime_error that states what has changed.
 OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRow& row);
 
 }  // namespace asperity

@@ -24,7 +24,7 @@ TextureForcePath path_of(const EqualForce& request) {
   return path;
 }
 
-/// Everything that the solution of a matching problem depends on, as a name.
+/// The key of a matching problem: everything on which its solution depends.
 std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
                    const ForceModel* reference, const ParameterValues& reference_parameters) {
   const RendererInputs& inputs = stimulus.inputs;
@@ -48,7 +48,7 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
   return sha256_of(problem.dump());
 }
 
-/// What a shape's mesh is made from, in words that stay the same.
+/// The recipe of a shape's mesh, as a text that does not change between versions.
 std::string recipe_of(const BodyDescription& body, BodyRole role, const std::string& field_sha256) {
   nlohmann::ordered_json recipe{{"format", "asperity.shaped_body/1"}, {"role", text_of(role)}};
   struct Sizes {
@@ -143,7 +143,7 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
   const RendererInputs& inputs = stimulus.inputs;
   ParameterValues values{};
   if (inputs.height_field && model.suggested_by) {
-    // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
+    // A suggestion computes the spectrum of the whole sample, and every attempt needs the same few.
     const std::string key = model.declaration.id + ' ' + stimulus.height_field_sha256.value_or("") +
                             ' ' + text_of_number(inputs.material.stiffness_N_per_m) + ' ' +
                             text_of_number(inputs.material.friction);
@@ -224,7 +224,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& reques
                       : texture_force_rms_N(*reference, reference_inputs, path_of(request));
     nlohmann::ordered_json solution{{"model", prepared.model->declaration.id},
                                     {"target_rms_N", target_N}};
-    // The reference itself is as strong as it is; everything else is solved for.
+    // The reference itself keeps its strength; everything else is solved for.
     const bool is_reference =
         prepared.model == reference && inputs.parameters == reference_inputs.parameters;
     if (!is_reference) {

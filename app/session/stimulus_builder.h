@@ -1,4 +1,4 @@
-// A planned presentation → everything a renderer is built from.
+// Converts a planned presentation into the inputs of a renderer.
 
 #pragma once
 
@@ -20,7 +20,7 @@ namespace asperity {
 
 class Study;
 
-/// A stimulus made ready: files read, parameters complete, forces matched.
+/// A prepared stimulus: files read, parameters complete, forces matched.
 struct PreparedStimulus {
   const ForceModel* model = nullptr;
   RendererInputs inputs{};  ///< parameters complete; seed still 0
@@ -30,23 +30,24 @@ struct PreparedStimulus {
   std::optional<double> matched_texture_force_N{};
 };
 
-/// The mesh of a body, and the name of its content.
+/// The mesh of a body, and the hash of its content.
 struct LoadedBody {
   std::shared_ptr<const TexturedMesh> mesh{};
-  /// Of the file of a mesh; of a shape, of what it is made from (docs/formats/study.md).
+  /// Of the file of a mesh; of a shape, of the inputs from which it is made
+  /// (docs/formats/study.md).
   std::string sha256{};
 };
 
-/// Reads the study's height fields and textured meshes (once each), makes bodies of shapes (once for
-/// everything that they are made from), takes parameters from samples where a model does
-/// so, and solves requests for equal texture force.
+/// Reads the study's height fields and textured meshes (once each), makes the bodies of shapes
+/// (once for each set of inputs), takes parameters from samples where a model requires it, and
+/// solves requests for equal texture force.
 ///
-/// Equal force is that of the reference model as it would be rendered with this texture where nothing
-/// else is declared: parameters from the sample, defaults for the rest. A solution depends on both models
-/// and their versions, the parameters, the material, the patch, the content of the height field,
-/// the target and the prescribed path; it is kept under all of these in the study, so that every
-/// session renders the same stimulus. A model that draws random numbers is solved with one seed and
-/// felt with another: its texture force scatters about the solution by some 2 %.
+/// Equal force refers to the reference model as it would be rendered with this texture where
+/// nothing else is declared: parameters from the sample, defaults for the rest. A solution depends
+/// on both models and their versions, the parameters, the material, the patch, the content of the
+/// height field, the target and the prescribed path; it is stored in the study under all of these,
+/// so that every session renders the same stimulus. A model that draws random numbers is solved
+/// with one seed and felt with another: its texture force scatters about the solution by some 2 %.
 ///
 /// Errors: std::runtime_error naming the stimulus and the file or parameter.
 ///
@@ -55,22 +56,22 @@ class StimulusBuilder final {
  public:
   StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
 
-  /// `study` is where solutions are kept; it belongs to the calling thread.
+  /// `study` stores the solutions; it belongs to the calling thread.
   PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
-  /// The same with its force as it is.
+  /// The same stimulus with its force unchanged.
   PreparedStimulus unmatched(const StimulusDescription& description);
 
   LoadedHeightField height_field(const std::string& study_path);
-  /// The same as a photograph's heights would have it (without_long_wavelengths), filtered once.
+  /// The height field as a photograph would give it (without_long_wavelengths), filtered once.
   std::shared_ptr<const HeightField> height_field_without_long_wavelengths(
       const std::string& study_path, double gaussian_wavelength_m);
   LoadedBody body(const BodyDescription& description, BodyRole role);
-  /// Whether `body` can give it, without making the texels of a shape. Errors: as `body`.
+  /// Checks that `body` can provide it, without making the texels of a shape. Errors: as `body`.
   void require_body(const BodyDescription& description);
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
-  /// What the sample suggests, what was given, and the model's defaults for the rest.
+  /// The parameters suggested by the sample, those given, and the model's defaults for the rest.
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
   LoadedTexturedMesh mesh(const std::string& study_path);
@@ -87,7 +88,7 @@ class StimulusBuilder final {
   std::mutex bodies_mutex_{};
   std::map<std::string, LoadedTexturedMesh> meshes_{};                   ///< by path in the study
   std::map<std::string, std::shared_ptr<const TexturedMesh>> bodies_{};  ///< of shapes, by SHA-256
-  std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
+  std::map<std::string, std::string> solutions_{};  ///< as stored in the study, by key
 };
 
 }  // namespace asperity

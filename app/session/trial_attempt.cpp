@@ -23,14 +23,15 @@ namespace asperity {
 
 namespace {
 
-// A virtual hand explores a little longer than the protocol asks for at least, as people do.
+// A virtual hand explores slightly longer than the protocol's minimum, as participants do.
 constexpr double kBeyondMinimum = 1.25;
 constexpr double kSlice_s = SessionCourse::kSlice_s;
 // From the wish to lift to the end of the contact.
 constexpr double kLifting_s = 0.3;
-// A surface that is not touched at all is given up after this much more than the longest contact.
+// A surface that is not touched is given up this long after the longest contact.
 constexpr double kPatience_s = 5.0;
-// Between two numbers for one stimulus: more is a slip of the key, or has to be meant.
+// The ratio of two numbers for one stimulus above which a confirmation is required: a typing error
+// is likely.
 constexpr double kDoubtfulRatio = 10.0;
 
 }  // namespace
@@ -65,7 +66,7 @@ AttemptRow TrialAttempt::make() {
     interruption_ = Interruption{AttemptOutcome::aborted, gone.said()};
   }
   row_.offset_ns = course_.now_ns();
-  course_.set_guiding_tones(false);  // a surface that is taken away asks nothing of the hand
+  course_.set_guiding_tones(false);  // no guidance once the surface is removed
   if (interruption_) take_surface_away();
   course_.set_masking(false);
   course_.update([](SessionSnapshot& snapshot) {
@@ -148,7 +149,7 @@ void TrialAttempt::carry_out() {
   course_.put_mask(true, waiting_);
   course_.show({});
   course_.set_masking(true);
-  // Noise is whole before anything of the device can be heard.
+  // The noise is fully faded in before the device can be heard.
   const double fade_s = course_.is_masking() ? MaskingSound::kFade_s : 0.0;
   course_.wait(std::max(block_.pause_before_trial_s, fade_s));
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -204,7 +205,7 @@ Reply TrialAttempt::ask() {
                                                 static_cast<std::uint64_t>(planned.position),
                                                 course_.protocol().rate_Hz}));
   }
-  course_.respondent().refuse_answers();  // what was pressed meanwhile
+  course_.respondent().refuse_answers();  // inputs from the time in between
   if (has_to_be_seen()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
   Trial asked = trial_;
@@ -276,7 +277,7 @@ void TrialAttempt::feel(std::size_t index) {
   }
 }
 
-/// Until it was felt long enough, or the person has had enough of it.
+/// Waits until the surface was felt for long enough, or the participant wants to continue.
 void TrialAttempt::explore(Surface& surface) {
   const double wanted_s = wanted_contact_s();
   double passed_s = 0.0;
@@ -284,7 +285,7 @@ void TrialAttempt::explore(Surface& surface) {
     const double contact_s = course_.recorder().live().contact_s;
     if (contact_s > 0.0) course_.enter(SessionPhase::contact);
     if (contact_s >= wanted_s || passed_s >= exploration_.maximum_contact_s + kPatience_s) return;
-    // All visits to a surface together have to be long enough.
+    // The minimum applies to all visits to a surface together.
     const bool may_go =
         contact_s > 0.0 && surface.felt_s + contact_s >= exploration_.minimum_contact_s;
     if (course_.respondent().wants_next(may_go) && may_go) return;
@@ -348,7 +349,7 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
 void TrialAttempt::answer() {
   const Answer* const answer = reply_.answer();
   if (answer == nullptr) {
-    // No answer before the deadline is an outcome of the trial, and stays without a response.
+    // A missed deadline is an outcome of the trial, which has no response.
     row_.outcome = AttemptOutcome::timed_out;
     return;
   }
@@ -372,7 +373,7 @@ void TrialAttempt::answer() {
 void TrialAttempt::judge() {
   const Protocol& protocol = course_.protocol();
   const ServoQualityRow& servo = *row_.servo;
-  // Also of a slow answer, during which nothing is felt, many a tick may be late.
+  // Many ticks may also be late during a slow answer, while nothing is felt.
   if (servo.missed_in_contact > protocol.maximum_missed_deadlines) {
     row_.valid = false;
     row_.invalid_reason = stored(phrase_of(Reason::missed_in_contact)
@@ -421,11 +422,11 @@ void TrialAttempt::take_surface_away() {
   const std::vector<TickRecord>& records = course_.recorder().records();
   for (double passed_s = 0.0; passed_s < 1.0; passed_s += kSlice_s) {
     const bool is_fault = rig.loop().status().fault != Fault::none;
-    // A stop is known before its tick: the record is to show that the force was gone.
+    // A stop is known before its tick: the record has to show that the force was zero.
     if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) return;
     course_.pass_slice();
     if (is_fault) continue;
-    // It says what it was asked beyond its limits.
+    // Contains the demands on the presentation that exceeded its limits.
     Presentation collected = rig.loop().collect();
     if (collected.renderer == nullptr) continue;
     surfaces_.at(static_cast<std::size_t>(collected.id - 1)).presentation = std::move(collected);

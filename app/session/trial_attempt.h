@@ -1,4 +1,4 @@
-// One go at a trial: surfaces are felt, the question is asked, the record is looked at.
+// Runs one attempt at a trial: surfaces are felt, the question is asked, the record is checked.
 
 #pragma once
 
@@ -12,39 +12,40 @@
 
 namespace asperity {
 
-/// Which attempt is to be made.
+/// The attempt to be made.
 struct AttemptOrder {
   const Trial& trial;
   int attempt = 1;
   int segment = 1;
-  int explored_wrongly = 0;  ///< earlier attempts at this trial that were not explored as asked
-  /// Of the same stimulus by the same person, where a number is asked for.
+  /// Earlier attempts at this trial that did not comply with the instructed exploration.
+  int explored_wrongly = 0;
+  /// Of the same stimulus by the same participant, where a number is requested.
   std::optional<double> earlier_estimate{};
   bool record = true;  ///< keep the tick records
 };
 
-/// Builds the renderers off the servo thread → lets every surface be felt → asks → looks at the
-/// record (servo quality, compliance, features) → syncs and renames the recording. The row is ready
-/// to be stored; nothing is in the store before.
+/// Builds the renderers off the servo thread → lets every surface be felt → asks → checks the
+/// record (servo quality, compliance, features) → syncs and renames the recording. The row is then
+/// ready to be stored; nothing is in the store before.
 ///
 /// An attempt that was interrupted has a row as well, invalid, with the reason.
 ///
-/// Where surfaces are felt again the question is put more than once. The reaction time from the cue
-/// counts from the first time, feeling again included: it is how long a person took to decide. The
-/// deadline counts the time in which they could answer: it stands still from the wish to feel again
-/// until the question is there again.
+/// Where surfaces are felt again the question is asked more than once. The response time from the
+/// cue counts from the first time, feeling again included: it is the time until the decision. The
+/// deadline limits the time in which an answer was possible: it stands still from the wish to feel
+/// again until the question is asked again.
 ///
-/// A number that is ten times an earlier one of the same stimulus, or a tenth of it, is asked for once
-/// more: the second one is the answer, and the first stays as the event "estimate_doubted". Where the
-/// deadline comes before a second one, the first is the answer.
+/// A number that is ten times an earlier one of the same stimulus, or a tenth of it, is asked for
+/// once more: the second number is the answer, and the first is stored as the event
+/// "estimate_doubted". Where the deadline comes before a second one, the first is the answer.
 ///
-/// Feeling ends when the surface was felt as long as asked, or the participant has had enough of it:
-/// either way the cue `next` sounds and the scene shows it until the hand has lifted.
+/// Feeling ends when the surface was felt for the specified time, or at the participant's request:
+/// in both cases the cue `next` sounds and the scene shows it until the hand has lifted.
 ///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.
 ///
-/// Errors: what a renderer, a file or the recording throws; the recorder is then to be abandoned.
+/// Errors: errors of a renderer, a file or the recording; the recorder then has to be abandoned.
 class TrialAttempt final {
  public:
   /// All must outlive the attempt.
@@ -54,11 +55,11 @@ class TrialAttempt final {
   TrialAttempt& operator=(const TrialAttempt&) = delete;
 
   AttemptRow make();
-  /// What interrupted it, if anything did.
+  /// The interruption, if there was one.
   const std::optional<Interruption>& interruption() const noexcept { return interruption_; }
 
  private:
-  /// What was built for one surface.
+  /// The stimulus and the presentation of one surface.
   struct Surface {
     PreparedStimulus stimulus{};
     Presentation presentation{};  ///< renderer null while the loop has it
@@ -78,7 +79,7 @@ class TrialAttempt final {
   void answer();
   void judge();
   void take_surface_away();
-  /// The question needs eyes: it has pictures to choose from or to compare with.
+  /// The question requires sight: it has pictures to choose from or to compare with.
   bool has_to_be_seen() const;
   double wanted_contact_s() const;
   std::string recording_path() const;
@@ -88,16 +89,17 @@ class TrialAttempt final {
   AttemptOrder order_;
   const Trial& trial_;
   const Protocol::Block& block_;
-  Exploration exploration_{};  ///< as the session's layout has it
+  Exploration exploration_{};  ///< in the session's layout
   SurfacePatch patch_{};
   Wait waiting_{};
   std::vector<Surface> surfaces_{};
-  std::vector<int> felt_{};  ///< positions, as they were felt
+  std::vector<int> felt_{};  ///< positions, in the order of feeling
   Reply reply_{};
-  std::optional<Reply> doubted_{};        ///< what was answered before it was asked for once more
-  std::optional<std::int64_t> cue_ns_{};  ///< when the question was put first
+  std::optional<Reply> doubted_{};        ///< the answer before it was asked for once more
+  std::optional<std::int64_t> cue_ns_{};  ///< when the question was asked first
   std::int64_t answer_ns_ = 0;
-  double answerable_s_ = 0.0;  ///< how long the question was there, felt again since or not
+  /// How long an answer was possible, over all times the question was asked.
+  double answerable_s_ = 0.0;
   std::optional<Interruption> interruption_{};
   AttemptRow row_{};
 };

@@ -84,7 +84,7 @@ int TrialTally::coming(std::size_t step, int block, int tried, Again again) cons
   };
   if (block != 0) {
     if (const int next = ahead(true)) return next;
-    // What is still open in the block is asked in rounds, in order.
+    // Open trials of the block are asked in rounds, in order.
     int first = 0;
     for (const Trial& trial : plan_.trials) {
       if (trial.block_ordinal != block || !is_open(trial)) continue;

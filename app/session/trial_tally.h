@@ -1,4 +1,4 @@
-// What has been done of a plan so far, trial by trial.
+// Records which trials of a plan are done.
 
 #pragma once
 
@@ -15,16 +15,18 @@
 
 namespace asperity {
 
-/// Something was to be right, and all of it was.
+/// Whether the trial had correct responses, and all responses were correct.
 bool is_right(const AttemptRow& attempt);
-/// The attempt failed for a reason that the participant's way of exploring has no part in: the
-/// machine was too slow, or a surface could not be touched at all.
+/// Whether the attempt failed for a reason other than the participant's exploration: the machine
+/// was too slow, or a surface could not be touched.
 bool failed_technically(const AttemptRow& attempt);
 
-/// The attempts of a session, those of earlier stretches included, and what follows from them.
+/// The attempts of a session, those of earlier stretches included, and their consequences for the
+/// plan.
 ///
-/// A trial is done when an attempt at it is valid, or was skipped and not set aside since. A block
-/// that is practised to a criterion is over once the criterion is met or can no longer be.
+/// A trial is done when an attempt at it is valid, or was skipped and not invalidated since. A
+/// block that is practised to a criterion is over once the criterion is met or can no longer be
+/// met.
 class TrialTally final {
  public:
   /// Both must outlive the tally.
@@ -33,28 +35,28 @@ class TrialTally final {
   void add(AttemptRow attempt) { attempts_.push_back(std::move(attempt)); }
   const std::vector<AttemptRow>& attempts() const noexcept { return attempts_; }
 
-  /// The latest attempt that did its trial; null when there is none.
+  /// The latest attempt that completed its trial; null when there is none.
   const AttemptRow* last_done() const;
-  /// The attempt does not do its trial any more, as its reason to be invalid states.
+  /// The attempt no longer completes its trial; `reason` states why it is invalid.
   void set_aside(int trial, int attempt, const StoredWords& reason);
-  /// Known from an earlier stretch of the session, and stored so.
+  /// An attempt that was invalidated, and stored so, in an earlier stretch of the session.
   void remember_set_aside(int trial, int attempt) { set_aside_.insert({trial, attempt}); }
   /// Trial and attempt.
   const std::set<std::pair<int, int>>& those_set_aside() const noexcept { return set_aside_; }
 
   bool is_done(const Trial& trial) const;
-  /// Of the trial's block; `go_on` where it has no criterion.
+  /// The state of the criterion of the trial's block; `go_on` where it has no criterion.
   BlockState criterion_of(const Trial& trial) const;
-  /// The trial's block needs no more trials.
+  /// Whether the trial's block needs no more trials.
   bool is_over(const Trial& trial) const { return criterion_of(trial) != BlockState::go_on; }
   int attempts_at(int trial) const;
-  /// The trial that comes when nothing else is requested; 0 when none is left. The walk over the
-  /// plan is at `step`, in `block` (0: between blocks). `tried` was tried just now (0: none): it is
+  /// The next trial when nothing else is requested; 0 when none is left. The walk over the plan is
+  /// at `step`, in `block` (0: between blocks). `tried` was attempted just now (0: none): it is
   /// asked again at once (`again`), or not before the others of its block.
   enum class Again { at_once, after_others };
   int coming(std::size_t step, int block, int tried, Again again) const;
   int explored_wrongly(int trial) const;
-  /// The number that was last given to the stimulus of this trial, in whichever trial of the session.
+  /// The last number given to the stimulus of this trial, in any trial of the session.
   std::optional<double> earlier_estimate(const Trial& trial) const;
 
  private:

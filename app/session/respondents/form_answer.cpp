@@ -29,7 +29,7 @@ bool is_unclear_estimate(const std::string& text) {
 std::optional<double> estimate_in(const std::string& text) {
   if (is_unclear_estimate(text)) return {};
   std::string with_point = trimmed(text);
-  // More than one of these is a separator of thousands, which might be read either way.
+  // Several of these would be thousands separators, whose meaning is ambiguous.
   if (std::count_if(with_point.begin(), with_point.end(),
                     [](char sign) { return sign == '.' || sign == ','; }) > 1) {
     return {};
@@ -73,7 +73,7 @@ std::optional<Saying> refusal_of(const Question& question, std::string& answer) 
                     .maximum = question.maximum};
     }
     case Question::Form::choice: {
-      // An option may itself be a number: what stands there literally comes first.
+      // An option may itself be a number: a literal match takes precedence.
       if (std::find(question.options.begin(), question.options.end(), answer) !=
           question.options.end()) {
         return {};

@@ -23,16 +23,16 @@ namespace {
 using Kind = ParticipantInput::Kind;
 
 constexpr double kLongestPoll_s = 0.01;
-constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
-constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
-// From a key to here: nothing keeps a window's thread for longer.
+constexpr double kShortestPoll_s = 0.001;  // the resolution of a session's clock is no finer
+constexpr double kFeedback_s = 1.5;        // long enough to be read
+// Longest delay between a key press and its arrival here while a window is busy.
 constexpr double kHandedOn_s = 0.05;
-// Nobody means more than this between two looks; a key is stuck.
+// No participant enters more than this between two polls; a key is stuck.
 constexpr std::size_t kMostWaiting = 1000;
 
 }  // namespace
 
-/// Everything between the inputs and the answers.
+/// The state between inputs and answers.
 struct PersonAtWindow::Desk {
   Desk(SessionMonitor& monitor_, Sound* sound_) : monitor(monitor_), sound(sound_) {}
 
@@ -40,20 +40,22 @@ struct PersonAtWindow::Desk {
   Sound* sound = nullptr;
 
   std::mutex mutex{};
-  std::deque<ParticipantInput> inputs{};  // under the mutex; all else is the conductor's
+  // under the mutex; all other members belong to the conductor
+  std::deque<ParticipantInput> inputs{};
 
   std::vector<EventRow> events{};
   std::string source = "keyboard";
   std::optional<std::int64_t> answered_ns{};                     ///< the last question of a form
-  ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
+  ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the current scene
   std::uint64_t cues = 0;         ///< a new scene may begin without the number of the last cue
-  std::int64_t shown_ns = 0;      ///< what is stamped before was meant for another scene
-  std::int64_t perceived_ns = 0;  ///< nobody means the scene, as it is now, any sooner
-  std::optional<std::int64_t> deadline_ns{};  ///< what is stamped after came too late
+  std::int64_t shown_ns = 0;      ///< inputs stamped earlier were meant for another scene
+  /// Inputs stamped earlier cannot refer to the current state of the scene.
+  std::int64_t perceived_ns = 0;
+  std::optional<std::int64_t> deadline_ns{};  ///< inputs stamped later came too late
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
   std::set<int> felt{};              ///< positions, of this attempt
-  int now = 0;                       ///< position under the hand; 0 between surfaces
+  int now = 0;                       ///< position of the current surface; 0 between surfaces
   int last_felt = 0;
   std::unique_ptr<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
 
@@ -61,45 +63,46 @@ struct PersonAtWindow::Desk {
   std::map<int, std::int64_t> buttons_let_go{};
   std::atomic<bool> more_to_read{false};
 
-  /// The conductor has shown the scene, with what only it knows (progress, workspace); where there
-  /// is none of these kinds yet it is `plain`.
+  /// Ensures that a scene of one of `kinds` is shown: the conductor's, which contains what only it
+  /// has (progress, workspace), or `plain` where there is none of these kinds yet.
   void face(std::initializer_list<ParticipantScene::Kind> kinds, ParticipantScene plain);
-  /// Between two surfaces, where cues are shown too. What was pressed before it is refused as well.
+  /// Shows the screen between two surfaces, where cues are shown too. Earlier inputs are refused as
+  /// well.
   void see_ground_between();
-  /// Nothing while the conductor shows something else (a pause).
+  /// Does nothing while the conductor shows something else (a pause).
   void change(const std::function<void(ParticipantScene&)>& alter);
   void put(ParticipantInput input);
-  /// What is pressed from `time_ns` on was not perceived before a little later.
+  /// Marks a change of meaning at `time_ns`: inputs that follow it too closely do not count.
   void change_meaning(std::int64_t time_ns) {
     perceived_ns = time_ns + std::llround(1e9 * kTooSoon_s);
   }
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
-  /// Words under the scene.
+  /// Shows a cue in the scene.
   void remind(Saying saying);
   void refuse(const ParticipantInput& input, Saying saying);
-  /// There is no question yet: surface `to_feel` has to be felt before it.
+  /// Refuses an answer before the question is asked: surface `to_feel` has to be felt first.
   void refuse_answer(const ParticipantInput& input, std::optional<int> to_feel);
   void play(Cue cue, int number = 0) const {
     if (sound != nullptr) sound->play(cue, number);
   }
-  /// Hears until `heard` is done (true) or the time is over; false when it was. By the session's
-  /// clock: waiting takes a little longer than it was asked to, every time.
+  /// Processes inputs until `heard` is done (true) or the time is over (false). The time is taken
+  /// from the session's clock, because every wait takes slightly longer than requested.
   bool listen(const Wait& wait, std::optional<std::int64_t> until_ns,
               const std::function<bool(const ParticipantInput&)>& heard);
   std::int64_t after_shown_ns(double duration_s) const {
     return shown_ns + std::llround(1e9 * duration_s);
   }
 
-  /// A button that turned the page has done what it was pressed for.
+  /// A button press that turned a page has no further effect.
   bool turned_page(const ParticipantInput& input);
   void wait_for_confirmation(const Wait& wait);
 
   void leave_surface();
   std::vector<int> felt_positions() const { return {felt.begin(), felt.end()}; }
-  /// Position of a surface other than the present one that nobody has felt yet.
+  /// The position of a surface other than the current one that has not been felt yet.
   std::optional<int> other_unfelt() const;
-  /// Position of the surface whose turn it is to be felt again.
+  /// The position of the next surface to be felt again.
   int next_again(const Trial& trial) const {
     return last_felt % static_cast<int>(trial.presentations.size()) + 1;
   }
@@ -107,7 +110,7 @@ struct PersonAtWindow::Desk {
     return codes.at(static_cast<std::size_t>(position - 1));
   }
 
-  /// What an input makes of the answer to the trial; a reply once there is one.
+  /// Applies an input to the answer of the trial; returns a reply once there is one.
   std::optional<Reply> hear_answer(const Trial& trial, const ParticipantInput& input);
   std::optional<Reply> hear_wish(const Trial& trial, const ParticipantInput& input);
   void show_sheet();
@@ -271,7 +274,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
   return {};
 }
 
-/// To feel a surface again: the one that was named, or the one after the last that was felt.
+/// A wish to feel a surface again: the one that was named, or the one after the last that was felt.
 std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
                                                      const ParticipantInput& input) {
   if (!trial.question.allow_revisit) {
@@ -283,7 +286,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
   return Reply{FeelAgain{position}, input.time_ns};
 }
 
-// --- the person ----------------------------------------------------------------------------------
+// --- the participant -----------------------------------------------------------------------------
 
 PersonAtWindow::PersonAtWindow(SessionMonitor& monitor, Sound* sound)
     : desk_(std::make_unique<Desk>(monitor, sound)) {}
@@ -299,7 +302,7 @@ void PersonAtWindow::set_more_to_read(bool more) { desk_->more_to_read = more; }
 void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::text, ParticipantScene::Kind::rest}, scene_to_read(text));
   if (minimum_s > 0.0) {
-    // Where the scene counts down, to the same moment.
+    // In a scene with a countdown, until the countdown ends.
     const std::int64_t until_ns =
         desk_->monitor.snapshot().scene->rest_until_ns.value_or(desk_->after_shown_ns(minimum_s));
     const bool is_over = desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
@@ -311,7 +314,7 @@ void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait&
       return false;
     });
     if (is_over) return;
-    // A button that is still held was pressed while the break had to last.
+    // A button that is still held was pressed before the break had reached its minimum.
     desk_->shown_ns = until_ns;
   }
   desk_->wait_for_confirmation(wait);
@@ -380,7 +383,7 @@ void PersonAtWindow::refuse_answers() {
   while (const std::optional<ParticipantInput> input = desk_->hear()) {
     switch (input->kind) {
       case Kind::surface:
-        if (input->number == next) continue;  // it comes
+        if (input->number == next) continue;  // it comes next
         break;
       case Kind::device_button:
         if (input->number == 1) continue;
@@ -390,7 +393,7 @@ void PersonAtWindow::refuse_answers() {
       case Kind::confirm:
       case Kind::click:
         break;
-      case Kind::next:  // they go on already
+      case Kind::next:  // the participant already continues
       case Kind::text:
       case Kind::released:
         continue;
@@ -474,7 +477,7 @@ void PersonAtWindow::button_changed(const ButtonChange& change) {
       return;
     }
     desk_->buttons_down[change.button] = change.time_ns;
-    // How long the first one is held decides what it means.
+    // The first button's effect depends on how long it is held.
     if (change.button == 1) return;
   }
   if (!change.down) desk_->buttons_let_go[change.button] = change.time_ns;

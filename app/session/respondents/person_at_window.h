@@ -1,4 +1,4 @@
-// The person at the participant's window, as the conductor meets them.
+// Handles the inputs of a participant at the participant's window.
 
 #pragma once
 
@@ -13,59 +13,62 @@
 
 namespace asperity {
 
-/// Takes what the participant does from whichever window or device it comes. The conductor shows
-/// each scene in the monitor; this class keeps its marks: what is chosen, assigned, refused.
+/// Takes the participant's inputs from any window or device. The conductor shows each scene in the
+/// monitor; this class keeps its marks: what is chosen, assigned, refused.
 ///
-/// The rules of answering live here, without any window: digits and letters choose, `next` switches
-/// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
-/// the question is there (while a surface is felt, while the hand lifts) is refused with a cue; each
-/// picture is given once, and an assignment may be changed until it is confirmed (AnswerSheet).
+/// The rules of answering are implemented here, without any window: digits and letters choose,
+/// `next` switches surfaces where that is allowed, `confirm` answers when the answer is complete;
+/// an answer before the question is asked (while a surface is felt, while the hand lifts) is
+/// refused with a cue; each picture is assigned once, and an assignment may be changed until it is
+/// confirmed (AnswerSheet).
 ///
-/// No response is accepted to what cannot have been perceived. What was pressed before a scene was shown, or less
-/// than `kTooSoon_s` after, is stored and does nothing else: a key pressed twice and a button that
-/// bounces never answer the scene that the first press brought. Even an expected light that calls
-/// for one key takes 0.21 s on average [Woods 2015]; what has to be read or chosen takes longer. The
-/// same holds after a confirmation by device button that changed what the next one would mean. A
-/// button down again within `kBounce_s` has not been released. What was pressed after the deadline
-/// does nothing either, however soon it is heard; what was pressed before it counts when it is heard
-/// up to 0.05 s after it, by which time a busy window has handed it on.
+/// No response is accepted to what cannot have been perceived. An input from before a scene was
+/// shown, or less than `kTooSoon_s` after, is stored and has no other effect: a key pressed twice
+/// and a button that bounces never answer the scene that the first press brought. Even a response
+/// to an expected light with a single key takes 0.21 s on average [Woods 2015]; reading or choosing
+/// takes longer. The same applies after a confirmation by device button that changed what the next
+/// one would mean. A button that is down again within `kBounce_s` has not been released. An input
+/// after the deadline has no effect either, however soon it is read; an input before the deadline
+/// counts when it is read up to 0.05 s after it, which allows for a busy window.
 ///
-/// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
-/// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose
-/// turn it is, with the next surface's tone, and once more confirms the whole. Where surfaces may be
-/// felt again, the step after the last option is that wish: the tone of the surface that would be
-/// felt sounds, nothing is chosen, and the same confirmation asks for it. So whatever a confirmation
-/// does was heard before it, and needs one button only. While a surface is felt button 1 goes on to
-/// the next; where something is read any button turns the page, and goes on from the last one.
+/// With device buttons alone: button 1 steps through the options, with a tone for each; button 2,
+/// or button 1 held for 0.8 s, confirms. In an assignment a confirmation gives the option to the
+/// current surface, with the next surface's tone, and a further confirmation confirms the whole
+/// assignment. Where surfaces may be felt again, the step after the last option is that wish: the
+/// tone of the surface that would be felt sounds, nothing is chosen, and a confirmation requests
+/// it. The effect of every confirmation is thus heard before it, and one button is sufficient.
+/// While a surface is felt, button 1 continues to the next; while a text is read, any button turns
+/// the page, and continues after the last page.
 ///
-/// Tones that answer what a person did (option, refused, mask) come from here; those of the trial
-/// (surface, question, accepted, …) from the conductor.
+/// Tones that respond to the participant's inputs (option, refused, mask) come from here; those of
+/// the trial (surface, question, accepted, …) from the conductor.
 ///
-/// Events: "input" (what, its source, whether it came too late or early to count), "input_released",
-/// "refused" (the cue's words). What is typed into a form is its answer and no event.
+/// Events: "input" (what, its source, whether it came too late or early to count),
+/// "input_released", "refused" (the text of the cue). Text typed into a form is its answer and not
+/// an event.
 ///
 /// Threads: `post` and `set_more_to_read` from any thread; everything else from the conductor's.
 ///
 /// [Woods 2015] Woods et al.: Factors influencing the latency of simple reaction time.
 class PersonAtWindow final : public Respondent {
  public:
-  /// By the time stamp of what was pressed, from when the scene was shown.
+  /// Measured from the time at which the scene was shown to the time stamp of the input.
   static constexpr double kTooSoon_s = 0.2;
-  /// Contacts of a switch bounce for a few milliseconds; no finger is back so soon.
+  /// Contacts of a switch bounce for a few milliseconds; a finger cannot press again this soon.
   static constexpr double kBounce_s = 0.02;
 
   /// `monitor` and `sound` (may be null) must outlive this.
   PersonAtWindow(SessionMonitor& monitor, Sound* sound);
   ~PersonAtWindow() override;
 
-  /// The sound that is played from now on; must outlive this.
+  /// Replaces the sound; it must outlive this object.
   void set_sound(Sound* sound);
 
-  /// From any thread. Inputs are heard in the order of posting; what the present scene has no use
-  /// for does nothing.
+  /// From any thread. Inputs are processed in the order of posting; inputs without meaning in the
+  /// current scene have no effect.
   void post(ParticipantInput input);
-  /// What is read has pages after the one that the window shows: a button of the device turns to the
-  /// next (ParticipantScene::pages_turned). Keys and mouse turn it in the window.
+  /// Whether the text has pages after the one that the window shows: a button of the device turns
+  /// to the next (ParticipantScene::pages_turned). Keys and mouse turn it in the window.
   void set_more_to_read(bool more);
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;

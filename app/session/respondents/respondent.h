@@ -1,4 +1,5 @@
-// Who answers: a person at a terminal, or a virtual participant.
+// Interface to the participant of a session: a person at a window or terminal, or a virtual
+// participant.
 
 #pragma once
 
@@ -19,10 +20,10 @@
 
 namespace asperity {
 
-/// Lets time go by while the participant thinks: seconds to wait. The servo ticks on meanwhile.
+/// Lets time pass while the participant thinks, in seconds. The servo keeps ticking meanwhile.
 using Wait = std::function<void(double)>;
 
-/// The time was over before an answer was given.
+/// The deadline passed before an answer was given.
 struct NoAnswer {};
 /// The participant wishes to feel a surface again.
 struct FeelAgain {
@@ -33,14 +34,13 @@ struct FeelAgain {
 struct Reply {
   std::variant<NoAnswer, FeelAgain, Answer> what{};
   /// When the answer was given or the wish to feel again was made, on the session's clock: the time
-  /// stamp of the key or button itself. Absent where nothing better is known than the time at which `ask`
-  /// returns.
+  /// stamp of the key or button. Absent where only the time at which `ask` returned is known.
   std::optional<std::int64_t> answered_ns{};
 
-  /// Null where there is none.
+  /// Null for any other reply.
   const Answer* answer() const noexcept { return std::get_if<Answer>(&what); }
   const FeelAgain* feel_again() const noexcept { return std::get_if<FeelAgain>(&what); }
-  /// The number that was given; nothing of any other reply.
+  /// The number that was given; nothing for any other reply.
   std::optional<double> number() const noexcept {
     const Answer* const given = answer();
     const auto* const of_number = given == nullptr ? nullptr : std::get_if<GivenNumber>(given);
@@ -48,73 +48,76 @@ struct Reply {
   }
 };
 
-/// A button of the device went down or up, seen in the servo's records.
+/// A press or release of a device button, found in the servo's records.
 struct ButtonChange {
   int button = 0;  ///< from 1
   bool down = false;
   std::int64_t time_ns = 0;  ///< of the tick, on the session's clock
 };
 
-/// The person left: closed the terminal, asked to stop.
+/// The participant left: closed the terminal, or asked to stop.
 class RespondentGone final : public PhrasedError {
   using PhrasedError::PhrasedError;
 };
 
-/// The side of the participant. Every call may take its time through `wait`.
+/// The participant's side of a session. Every call may take its time through `wait`.
 class Respondent {
  public:
   virtual ~Respondent() = default;
   Respondent(const Respondent&) = delete;
   Respondent& operator=(const Respondent&) = delete;
 
-  /// Instructions, breaks, thanks, and what the experimenter is to do before a trial: returns when
-  /// they have been read.
+  /// Shows instructions, breaks, thanks, and what the experimenter is to do before a trial; returns
+  /// when they have been read.
   virtual void read(const std::string& text, double minimum_s, const Wait& wait) = 0;
-  /// The surface of this code can be felt now.
+  /// Announces that the surface can be felt now.
   virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;
-  /// `felt` are the features of what each surface felt like, by position. `deadline_s` is what is left
-  /// to answer, from now on.
+  /// Asks the question of the trial. `felt` are the features of the force of each surface, by
+  /// position. `deadline_s` is the remaining time to answer, from now on.
   virtual Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
                     std::optional<double> deadline_s, const Wait& wait) = 0;
-  /// Feedback after a practice trial.
+  /// Gives feedback after a practice trial.
   virtual void tell(const std::string& text, const Wait& wait) = 0;
-  /// Answers to a question about the person or the session, as text; empty where optional and left
-  /// out.
+  /// Asks a question about the participant or the session; returns the answer as text, empty where
+  /// optional and omitted.
   virtual std::string answer(const Question& question, const Wait& wait) = 0;
-  /// When the last `answer` was given, as in Reply. Absent where nothing better is known than the time at
-  /// which it returned.
+  /// When the last `answer` was given, as in Reply. Absent where only the time at which it returned
+  /// is known.
   virtual std::optional<std::int64_t> answered_ns() const { return {}; }
-  /// Where the last answer came from: "keyboard", "virtual", "virtual_guess".
+  /// The source of the last answer: "keyboard", "virtual", "virtual_guess".
   virtual std::string source() const = 0;
-  /// Before each attempt; a virtual participant takes its random stream for it from here.
+  /// Called before each attempt; a virtual participant takes its random stream for the attempt from
+  /// here.
   virtual void begin_attempt(int trial, int attempt) = 0;
 
-  /// Asked again and again while a surface is felt: whether the person has had enough of it. Until
-  /// the shortest contact that the protocol asks for (`may_go`), a wish to go on is refused.
+  /// Polled while a surface is felt: whether the participant wants to continue. Before the minimum
+  /// contact time of the protocol (`may_go`), such a request is refused.
   virtual bool wants_next(bool may_go) {
     static_cast<void>(may_go);
     return false;
   }
-  /// Asked again and again in an attempt while neither a surface is felt nor the question is there:
-  /// the hand lifts, or waits for the next surface. What is pressed for an answer is refused.
+  /// Polled in an attempt while neither a surface is felt nor the question is shown: the hand
+  /// lifts, or waits for the next surface. Answers are refused.
   virtual void refuse_answers() {}
-  /// There are eyes to be covered: a person at a window. Others are never asked to put on a mask.
+  /// Whether the participant can wear an eye mask: a participant at a window. Others are never
+  /// asked to put one on.
   virtual bool wears_mask() const { return false; }
-  /// What the protocol requests of the experimenter is not shown to the participant: it is asked at
-  /// the experimenter's own window.
+  /// Whether what the protocol requests of the experimenter is shown in the experimenter's own
+  /// window and not to the participant.
   virtual bool leaves_prompts_to_experimenter() const { return false; }
-  /// The eye mask is to be put on or taken off; returns when that was confirmed.
+  /// Asks for the eye mask to be put on or taken off; returns when that was confirmed.
   virtual void put_mask(bool on, const Wait& wait);
-  /// The force is held at zero after a fault, for this reason. Does nothing where the experimenter has a window.
+  /// Reports that the force is held at zero after a fault, and why. Does nothing where the
+  /// experimenter has a window.
   virtual void hear_of_fault(const std::string& what) { static_cast<void>(what); }
-  /// What is asked for then: nothing yet, that the fault is lifted and the session goes on, or its end.
+  /// The request after a fault: none yet, clear the fault and resume the session, or end it.
   enum class AfterFault { nothing, go_on, end };
-  /// Asked again and again while the session waits in a fault; does not wait.
+  /// Polled while the session waits in a fault; does not wait.
   virtual AfterFault after_fault() { return AfterFault::nothing; }
-  /// Called while time goes by in `wait`.
+  /// Called while time passes in `wait`.
   virtual void button_changed(const ButtonChange& change) { static_cast<void>(change); }
-  /// What happened at the participant's side since the last call, for the store: keys with press
-  /// and release, refusals, changes of an assignment.
+  /// The events at the participant's side since the last call, for the store: keys with press and
+  /// release, refusals, changes of an assignment.
   virtual std::vector<EventRow> take_events() { return {}; }
 
  protected:

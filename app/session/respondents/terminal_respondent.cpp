@@ -1,5 +1,3 @@
-// A person at a terminal: numbered options, typed answers.
-
 #include "app/session/respondents/terminal_respondent.h"
 
 #include <algorithm>
@@ -29,7 +27,7 @@ constexpr const char* kAfterFault =
     "When the fault is fixed and it is safe, press Return to continue; to end the session here, "
     "type: end\n";
 
-/// Of a terminal, as far as lines are read with ease.
+/// The width of the terminal, limited to a length of line that is easy to read.
 std::size_t columns_of_terminal(int terminal) {
   constexpr std::size_t kUsual = 80;
   constexpr std::size_t kMost = 100;
@@ -53,7 +51,7 @@ void TerminalRespondent::show(const std::vector<std::string>& pictures) {
     }
     return save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
   }
-  // Each of red, green and blue is laid out as a picture.
+  // Each colour channel is laid out as a separate picture.
   std::array<std::vector<GreyImage>, 3> planes{};
   for (const std::string& picture : pictures) {
     ColorPlanes colours = load_color_picture(study_ / picture);
@@ -95,7 +93,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
 
 void TerminalRespondent::hear_of_fault(const std::string& what) {
   unechoed_.reset();
-  forget_typed();  // what was typed before is no answer to this
+  forget_typed();  // text typed earlier does not answer this
   output_ << "\n\n" << what << '\n' << kAfterFault << std::flush;
 }
 
@@ -118,7 +116,7 @@ void TerminalRespondent::read(const std::string& text, double minimum_s, const W
   if (minimum_s > 0.0) {
     output_ << "(at least " << static_cast<int>(minimum_s) << " s)\n" << std::flush;
     wait(minimum_s);
-    // A Return during the break ends neither it nor what follows.
+    // A Return during the break ends neither the break nor what follows.
     while (typed_line()) {
     }
     forget_typed();
@@ -138,8 +136,8 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
 
 Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
                               std::optional<double> deadline_s, const Wait& wait) {
-  // What was typed while the surfaces were felt does not answer the question; what is typed once it is shown does, also
-  // while its pictures are read.
+  // Text typed while the surfaces were felt does not answer the question; text typed after the
+  // question is shown does, also while its pictures are read.
   unechoed_.reset();
   forget_typed();
   const TrialQuestion& question = trial.question;
@@ -159,7 +157,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
   if (question.allow_revisit) {
     output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
-  // One deadline for the whole question, however many lines it takes.
+  // One deadline for the whole question, regardless of the number of lines.
   std::optional<double> left_s = deadline_s;
   const Wait timed = [&](double duration_s) {
     wait(duration_s);

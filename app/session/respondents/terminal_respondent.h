@@ -1,4 +1,4 @@
-// A person at a terminal: numbered options, typed answers.
+// Handles a participant at a terminal: numbered options, typed answers.
 
 #pragma once
 
@@ -13,25 +13,25 @@
 
 namespace asperity {
 
-/// Asks on a terminal. While it waits for a line the session goes on ticking.
+/// Asks on a terminal. While it waits for a line the session keeps ticking.
 ///
-/// What it shows are prompts, codes and option numbers, never names of textures or models.
-/// Pictures, which a terminal cannot show, are put side by side into one file in the order of the
-/// options, made anew for each question; any viewer can keep it open beside the terminal. It has
-/// their colours, unless the protocol shows them in shades of grey.
+/// It shows prompts, codes and option numbers, never names of textures or models. Pictures, which a
+/// terminal cannot show, are placed side by side in one file in the order of the options, written
+/// anew for each question, which any viewer can show next to the terminal. They are in colour,
+/// unless the protocol shows them in shades of grey.
 ///
-/// From the announcement of a surface until the next question or text is shown, the terminal does not show what is typed,
-/// and it is discarded.
+/// From the announcement of a surface until the next question or text is shown, the terminal does
+/// not echo typed text, and discards it.
 ///
-/// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
+/// Errors: RespondentGone when the input ends; errors of reading a picture or writing the sheet.
 class TerminalRespondent final : public Respondent {
  public:
-  /// `input` is a file descriptor that can be polled (standard input); both outlive the respondent.
-  /// Pictures are read from `study` and put into `sheet`, a PNG.
+  /// `input` is a file descriptor that can be polled (standard input); `input` and `output` outlive
+  /// the respondent. Pictures are read from `study` and written to `sheet`, a PNG.
   TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
                      std::filesystem::path sheet);
 
-  /// From now on pictures are shown in shades of grey.
+  /// Shows all later pictures in shades of grey.
   void show_in_grey() noexcept { in_grey_ = true; }
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
@@ -47,15 +47,14 @@ class TerminalRespondent final : public Respondent {
   void begin_attempt(int, int) override {}
 
  private:
-  /// The answer that is a number, or the wish to feel again.
-  /// The wish to feel a surface again, where the line is one of a surface that is there; where it is
-  /// of another, `said` is true.
+  /// The position of the surface that the line requests to feel again; nothing for other lines. `said` is true for
+  /// every such request; an unknown surface is reported on the terminal.
   std::optional<int> wish_in(const std::string& typed, const Trial& trial, bool& said);
 
   /// The next line typed; nothing when no time is left. `wait` may count `left_s` down.
   std::optional<std::string> line(const Wait& wait, const std::optional<double>& left_s = {});
 
-  /// A line that has been typed already.
+  /// A line that has already been typed.
   std::optional<std::string> typed_line();
 
   /// Writes the sheet with these pictures (paths in the study), from left to right.

@@ -13,13 +13,14 @@ namespace asperity {
 namespace {
 
 constexpr int kNoTerminal = -1;
-// Every standard signal whose default action ends a program (signal(7)), but for SIGKILL, which cannot be handled.
+// Every standard signal whose default action ends a program (signal(7)), except SIGKILL, which cannot be handled.
 constexpr std::array kEndingSignals{SIGABRT, SIGALRM,   SIGBUS,  SIGFPE,  SIGHUP,  SIGILL,
                                     SIGINT,  SIGIO,     SIGPIPE, SIGPROF, SIGPWR,  SIGQUIT,
                                     SIGSEGV, SIGSTKFLT, SIGSYS,  SIGTERM, SIGTRAP, SIGUSR1,
                                     SIGUSR2, SIGVTALRM, SIGXCPU, SIGXFSZ};
 
-// What a signal handler may touch; `echoing` is written before the terminal is named and not after.
+// Data that a signal handler may use; `echoing` is written before `silent_terminal` is set, and not
+// after.
 static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<int> silent_terminal{kNoTerminal};
 termios echoing{};
@@ -30,7 +31,8 @@ extern "C" void restore_echo_and_end(int number) {
   std::raise(number);
 }
 
-/// For the signals that would end the program. Signals that are handled elsewhere, or ignored, are left unchanged.
+/// Replaces the handlers of the signals that would end the program. Signals that are handled
+/// elsewhere, or ignored, are left unchanged.
 void handle_ending_signals(void (*from)(int), void (*to)(int)) {
   for (const int number : kEndingSignals) {
     struct sigaction now {};
@@ -44,17 +46,19 @@ void restore_echo() noexcept {
   const int terminal = silent_terminal.load();
   if (terminal == kNoTerminal) return;
   const int error = errno;
-  // In the background either call would stop the program instead of restoring anything.
+  // In the background either call would stop the program instead of restoring the terminal.
   sigset_t stopping{};
   sigset_t before{};
   sigemptyset(&stopping);
   sigaddset(&stopping, SIGTTOU);
   ::pthread_sigmask(SIG_BLOCK, &stopping, &before);
-  // Not TCSAFLUSH, which waits until the terminal has taken all output: a stopped one never takes it.
+  // Not TCSAFLUSH, which waits until the terminal has taken all output: a stopped terminal never
+  // does.
   ::tcsetattr(terminal, TCSANOW, &echoing);
   ::tcflush(terminal, TCIFLUSH);
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  // Only now: a handler in another thread that finds none ends the program at once. Twice does no harm.
+  // Last: a handler in another thread that finds no silent terminal ends the program at once.
+  // Restoring twice is harmless.
   silent_terminal.store(kNoTerminal);
   errno = error;
 }

@@ -1,14 +1,15 @@
-// A terminal that shows nothing of what is typed.
+// Disables the echo of a terminal.
 
 #pragma once
 
 namespace asperity {
 
-/// While it lives, a terminal does not show what is typed on it. The destructor restores the terminal and discards what
-/// was typed meanwhile. Does nothing for an input that is not a terminal.
+/// Disables the echo of a terminal during its lifetime. The destructor restores the terminal and
+/// discards text typed meanwhile. Does nothing for an input that is not a terminal.
 ///
-/// The terminal is also restored where a signal ends the program without destructors. Only SIGKILL and real-time signals
-/// leave it silent, and SIGSTOP while the program is stopped (`stty echo` restores it).
+/// The terminal is also restored where a signal ends the program without destructors, with these
+/// exceptions: SIGKILL and real-time signals leave it silent, and SIGSTOP while the program is
+/// stopped (`stty echo` restores it).
 ///
 /// Threads: one object at a time.
 class UnechoedInput final {
@@ -19,8 +20,8 @@ class UnechoedInput final {
   UnechoedInput& operator=(const UnechoedInput&) = delete;
 };
 
-/// Restores the terminal of a program that is about to end without destructors, and discards what was typed. Does not
-/// wait for the terminal. Async-signal-safe.
+/// Restores the terminal of a program that is about to end without destructors, and discards typed
+/// text. Does not wait for the terminal. Async-signal-safe.
 void restore_echo() noexcept;
 
 }  // namespace asperity

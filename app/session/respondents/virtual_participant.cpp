@@ -44,7 +44,7 @@ ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
   return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
 }
 
-/// What is felt of a texture where its heights are known: a plate that has them.
+/// A sample of a texture whose heights are known: a plate that has these heights.
 struct Sample {
   const ForceModel* model = nullptr;
   RendererInputs inputs{};

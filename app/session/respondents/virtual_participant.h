@@ -1,4 +1,4 @@
-// A participant made of arithmetic, with a body and a biography.
+// A simulated participant that answers according to a virtual observer.
 
 #pragma once
 
@@ -13,34 +13,35 @@
 
 namespace asperity {
 
-/// Expectations of one virtual participant under a protocol's declaration.
+/// The expectations of one virtual participant under a protocol's declaration.
 ///
 /// For `true_surface` the true height field of each texture is felt once, by the same kind of hand
-/// on another stroke with another seed, through the plain law of `height_map` at its defaults:
+/// on another stroke with another seed, through the unmodified law of `height_map` at its defaults:
 /// never through a renderer of the session. Where the declaration gives a `gaussian_wavelength_m`,
-/// the long waves are taken from the true heights first, as a photograph's heights lack them; the
-/// expectation contains that band, and nothing else of how a texture was made.
+/// the long waves are first removed from the true heights, as a photograph's heights lack them; the
+/// expectation contains that band, and no other information on how a texture was made.
 ///
-/// A texture that is felt on bodies only has no heights that would determine what it feels like
-/// without them: there the first stimulus that shows it is felt once, likewise by another hand with another
-/// seed, its bodies whole, through its own model at that model's defaults.
+/// A texture that is felt only on bodies has no heights that would determine its force without
+/// them. For such a texture the first stimulus that shows it is felt once, also by another hand
+/// with another seed, with its complete bodies, through its own model at that model's defaults.
 ///
-/// For `prior` they are those stated in the protocol.
+/// For `prior` the expectations are those stated in the protocol.
 Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
                              const Random& random);
 
-/// Answers as a VirtualObserver judges. Every attempt draws from its own stream, so that a session
-/// which was interrupted and resumed gets the answers of one that was not.
+/// Answers as a VirtualObserver judges. Every attempt has a separate random stream, so that a
+/// session that was interrupted and resumed gives the same answers as an uninterrupted one.
 ///
-/// Where nothing is expected (no truth and no prior) or the observer is deaf, the answer is a guess
-/// among the surfaces or pictures that are open; "I cannot tell" is never answered. `source` is
-/// "virtual_guess" after a guess and "virtual" after any other answer; lapses belong to judging.
+/// Where there is no expectation (no truth and no prior) or the observer is deaf, the answer is a
+/// guess among the open surfaces or pictures; "I cannot tell" is never answered. `source` is
+/// "virtual_guess" after a guess and "virtual" after any other answer; lapses are part of the
+/// judgement.
 ///
-/// A number for a surface is VirtualObserver::estimate of the features of what was felt, with a habit
-/// of choosing numbers that belongs to the participant; asked once more, it chooses the same. It needs no
-/// expectation, and is a guess only of who is deaf.
+/// A number for a surface is VirtualObserver::estimate of the features of its force, scaled by the
+/// participant's habit of choosing numbers; when asked again, it gives the same number. It requires
+/// no expectation, and is a guess only for a deaf observer.
 ///
-/// Virtual results exercise the machinery and are no evidence of which model participants prefer.
+/// Virtual results test the software and are no evidence of which model participants prefer.
 class VirtualParticipant final : public Respondent {
  public:
   VirtualParticipant(const Protocol& protocol, Expectations expectations, ParticipantRow person,
@@ -64,8 +65,8 @@ class VirtualParticipant final : public Respondent {
   std::string source_{};  ///< of the last answer
 };
 
-/// The n-th virtual participant of a study: label "virtual0001", sex alternating F, M, an age and a
-/// hand from its stream.
+/// The n-th virtual participant of a study: label "virtual0001", sex alternating F, M, age and hand
+/// drawn from its stream.
 ParticipantRow virtual_person(int number, const Random& random, const std::string& created_utc);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What time it is, for a session.
+// The clock of a session.
 
 #pragma once
 
@@ -8,10 +8,12 @@
 
 namespace asperity {
 
-/// The clock of a session: a monotonic count that every stored time is on, and the date it began.
+/// Provides the time of a session: a monotonic count on which all stored times lie, and the date at
+/// which it began.
 ///
-/// A session in real time runs on the system's clocks. A simulated one has its own, which only the
-/// conductor moves, from a fixed date; so the same simulation has the same time stamps for ever.
+/// A session in real time uses the system's clocks. A simulated one has a separate clock, which
+/// starts at a fixed date and is moved only by the conductor; the same simulation therefore always
+/// has the same time stamps.
 ///
 /// Threads: any may read.
 class Clock {
@@ -23,8 +25,8 @@ class Clock {
   virtual std::int64_t now_ns() const noexcept = 0;
   /// Now, as UTC ISO 8601 with milliseconds: "2026-01-01T00:00:00.000Z".
   virtual std::string utc() const = 0;
-  /// How far this clock is ahead of the machine's monotonic one, which stamps keys and buttons; 0
-  /// where it has nothing to do with that one.
+  /// The offset of this clock from the machine's monotonic clock, which stamps keys and buttons; 0
+  /// where the two are unrelated.
   virtual std::int64_t ahead_ns() const noexcept { return 0; }
 
  protected:
@@ -34,11 +36,11 @@ class Clock {
 /// The machine's monotonic clock and its date.
 class SystemClock final : public Clock {
  public:
-  /// The machine's clock starts anew with the machine; a session that goes on after that needs one
-  /// that does not: it then runs ahead of the machine's, from `not_before_ns`.
+  /// The machine's clock restarts with the machine; a session resumed after that needs a clock that
+  /// does not: it then runs ahead of the machine's, from `not_before_ns`.
   explicit SystemClock(std::int64_t not_before_ns);
   std::int64_t now_ns() const noexcept override;
-  /// 0 but after a restart of the machine.
+  /// 0 except after a restart of the machine.
   std::int64_t ahead_ns() const noexcept override { return ahead_ns_; }
   std::string utc() const override;
 
@@ -46,7 +48,8 @@ class SystemClock final : public Clock {
   std::int64_t ahead_ns_ = 0;
 };
 
-/// Stands still until it is moved. The n-th session of a simulation begins n hours after the epoch.
+/// A clock that stands still until it is moved. The n-th session of a simulation begins n hours
+/// after the epoch.
 class SimulatedClock final : public Clock {
  public:
   /// 2026-01-01T00:00:00Z, in seconds since 1970.
@@ -57,7 +60,7 @@ class SimulatedClock final : public Clock {
 
   std::int64_t now_ns() const noexcept override { return now_ns_.load(); }
   std::string utc() const override;
-  /// Errors: std::logic_error when time would go back.
+  /// Errors: std::logic_error when `now_ns` is earlier than the current time.
   void move_to(std::int64_t now_ns);
 
  private:

@@ -1,4 +1,5 @@
-// The measures of the hand in each tick of a contact, by which attempts are judged and which windows show.
+// Measures of the hand in each tick of a contact, by which attempts are judged and which windows
+// show.
 
 #pragma once
 
@@ -14,30 +15,30 @@
 
 namespace asperity {
 
-/// Which force of a tick measures how hard the hand presses: the one sent, which the hand balances; of a device
-/// without motors, which is sent none, the one that the renderer computed.
+/// The force of a tick that measures how hard the hand presses: the one sent, which the hand
+/// balances; for a device without motors, which is sent none, the one that the renderer computed.
 enum class JudgedForce { sent, rendered };
 JudgedForce judged_force_of(const DeviceCapability& device) noexcept;
 /// "sent", "rendered": as stored with the session.
 const char* text_of(JudgedForce force) noexcept;
 
-/// The hand in one tick in which it touches a surface that is wholly there.
+/// The hand in one tick in which it touches a surface that is completely faded in.
 struct HandSample {
   std::uint64_t presentation = 0;
   bool begins_contact = false;  ///< the hand had lifted before
-  /// The mean of the judged normal force in this contact so far, of which the last 0.2 s count most
-  /// (PressingForce): how hard the hand presses, with little left of a texture's ripple.
+  /// The mean of the judged normal force in this contact so far, weighted towards the last 0.2 s
+  /// (PressingForce): how hard the hand presses, with little of a texture's ripple.
   double pressing_N = 0.0;
-  double along_m = 0.0;  ///< the probe's place along the direction of the strokes
+  double along_m = 0.0;  ///< the probe's position along the direction of the strokes
 };
 
-/// Reads records one after another. The same records give the same samples to the bit,
-/// so that what is shown of a hand and what is computed of its recording later agree: give it records
-/// as they are recorded (`as_recorded`).
+/// Reads records one after another. The same records give the same samples to the bit, so that
+/// displays of a hand agree with later computations from its recording, provided that the records
+/// are given as they are recorded (`as_recorded`).
 ///
-/// A surface that fades in or out is not completely there: what is sent of its force does not measure
-/// the hand. A tool that skips over a texture touches again within `kSkip_s` and has not lifted: the
-/// contact goes on, with no force meanwhile.
+/// While a surface fades in or out, the force that is sent does not measure the hand. A tool that
+/// skips over a texture touches again within `kSkip_s` and has not lifted: the contact continues,
+/// with zero force meanwhile.
 class ContactReader final {
  public:
   static constexpr double kSkip_s = 0.1;
@@ -62,7 +63,7 @@ class ContactReader final {
   std::int64_t touched_ns_ = 0;
 };
 
-/// What is asked of the hand.
+/// The instructed exploration.
 struct HandBands {
   AskedBand normal_force_N{};
   AskedBand speed_m_per_s{};
@@ -71,34 +72,34 @@ struct HandBands {
   JudgedForce force = JudgedForce::sent;
 };
 
-/// Follows the hand through an attempt: counts how it meets its bands, with the samples that the attempt
-/// will be judged by, and determines the tone that guides the hand.
+/// Follows the hand through an attempt: counts how it meets its bands, with the samples by which
+/// the attempt will be judged, and determines the tone that guides the hand.
 ///
 /// Threads: the conductor's.
 class HandWatch final {
  public:
   HandWatch() = default;
-  /// An attempt begins.
+  /// Begins an attempt.
   explicit HandWatch(const HandBands& bands);
 
   void take(const TickRecord& record);
-  /// Of the surface that was presented last in the attempt, all its visits together.
+  /// The measures of the surface that was presented last in the attempt, over all its visits.
   HandSoFar so_far() const;
 
-  /// Now: nothing while no surface is felt.
+  /// The current measures: nothing while no surface is felt.
   struct Now {
     double pressing_N = 0.0;
     std::optional<double> stroking_m_per_s{};  ///< HandStrokes::speed_to_tell_m_per_s
   };
   const std::optional<Now>& now() const noexcept { return now_; }
-  /// Of the force before the speed. A tone begins where a band is left, and ends `kBackInside` of the
-  /// band's width (of the bound, where the other end is open) within it, so that a hand at the edge is
-  /// guided by one tone at a time.
+  /// The force has precedence over the speed. A tone begins where a band is left, and ends
+  /// `kBackInside` of the band's width (of the bound, where the other end is open) within it, so
+  /// that a hand at the edge is guided by one tone at a time.
   GuideTone tone() const noexcept;
   static constexpr double kBackInside = 0.1;
 
  private:
-  /// Mean and spread as they grow, and how many samples lay in the band.
+  /// Running mean and spread, and the number of samples in the band.
   struct Tally {
     std::int64_t samples = 0;
     std::int64_t inside = 0;

@@ -1,5 +1,3 @@
-// What a device complains of, as it is shown and as it is told.
-
 #include "app/session/rig/device_complaints.h"
 
 namespace asperity {

@@ -1,4 +1,4 @@
-// The reported problems of a device, as they are shown and as they are reported and stored.
+// Tracks the problems that a device reports, for display, reports and storage.
 
 #pragma once
 
@@ -8,24 +8,27 @@
 
 namespace asperity {
 
-/// Takes the problems that a device reports (HapticDevice::complaint), and determines which of them are new.
+/// Takes the problems that a device reports (HapticDevice::complaint), and determines which of them
+/// are new.
 ///
-/// Every change is shown. Reported to the user and stored is when it begins, when it is over, and every ten
-/// seconds at most when its words change: a count in them would fill the store.
+/// Every change is displayed. A problem is reported to the user and stored when it begins, when it
+/// is over, and at most every ten seconds when its text changes: a count in the text would
+/// otherwise fill the store.
 ///
-/// Times are those of one clock, and do not go back.
+/// Times come from one clock and do not decrease.
 class DeviceComplaints final {
  public:
   static constexpr std::int64_t kHeardEvery_ns = 250'000'000;
   static constexpr std::int64_t kToldEvery_ns = 10'000'000'000;
 
   struct News {
-    bool is_new = false;      ///< other words than were heard before: to be shown
-    bool turns = false;       ///< from well to a complaint, or back
-    bool is_to_tell = false;  ///< what was heard now, empty where all is well again
+    bool is_new = false;  ///< a different text from the last one: to be displayed
+    bool turns = false;   ///< a problem begins or ends
+    /// The current problem is to be reported and stored; its text is empty where there is none.
+    bool is_to_tell = false;
   };
 
-  /// It is time to ask the device again.
+  /// Whether the device should be queried again.
   bool is_due(std::int64_t now_ns) const noexcept;
   News hear(const std::string& complaint, std::int64_t now_ns);
 

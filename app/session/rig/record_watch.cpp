@@ -54,7 +54,7 @@ void RecordWatch::take_into_bin(const TickRecord& record) {
   if (bin_is_open_ && time_ns - bin_began_ns_ >= kBin_ns) {
     monitor_->add_bin(bin_);
     bin_is_open_ = false;
-    // Bins follow each other without a gap while the ticks do.
+    // Bins are contiguous while the ticks are.
     bin_began_ns_ = time_ns - bin_began_ns_ < 2 * kBin_ns ? bin_began_ns_ + kBin_ns : time_ns;
   } else if (!bin_is_open_) {
     bin_began_ns_ = time_ns;

@@ -1,4 +1,4 @@
-// Sees every tick of a session go by: what a monitor shows of them, and the device's buttons.
+// Observes every tick of a session: for the monitor, and for the device's buttons.
 
 #pragma once
 
@@ -12,27 +12,27 @@
 
 namespace asperity {
 
-/// Makes the monitor's bins of 1/60 s, knows how the loop has kept time in the last two seconds, and
-/// notices when a button of the device goes down or up. Within attempts and between them. Within one it
-/// follows the hand, too (HandWatch).
+/// Makes the monitor's bins of 1/60 s, measures the timing of the loop over the last two seconds,
+/// and detects presses and releases of the device's buttons, within attempts and between them.
+/// Within an attempt it also follows the hand (HandWatch).
 ///
 /// Threads: the conductor's.
 class RecordWatch final {
  public:
   static constexpr double kHealth_s = 2.0;
 
-  /// `monitor` may be null: then only buttons and the hand are noticed.
+  /// `monitor` may be null: then only buttons and the hand are observed.
   explicit RecordWatch(SessionMonitor* monitor) : monitor_(monitor) {}
 
-  /// Times on the session's clock, in order. As it is recorded (`as_recorded`), so that what is shown
-  /// is what the recording gives.
+  /// Times are on the session's clock, in order. The record is given as it is recorded
+  /// (`as_recorded`), so that displays agree with the recording.
   void take(const TickRecord& record);
-  /// An attempt begins: what was counted before is of another.
+  /// Begins an attempt and resets its counts.
   void begin_attempt(const HandBands& bands) { hand_ = HandWatch(bands); }
   const HandWatch& hand() const noexcept { return hand_; }
 
   std::vector<ButtonChange> take_button_changes();
-  /// All but the lost records, which never pass here.
+  /// All measures except the lost records, which are not passed to this class.
   LoopHealth health() const;
 
  private:

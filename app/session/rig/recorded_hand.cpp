@@ -1,5 +1,3 @@
-// A recording of a session as a hand for the device "replay".
-
 #include "app/session/rig/recorded_hand.h"
 
 #include <stdexcept>
@@ -12,7 +10,7 @@ namespace asperity {
 std::vector<ProbeState> recorded_hand(const std::filesystem::path& recording) {
   std::vector<ProbeState> states{};
   for (const TickRecord& tick : records_of(read_recording(recording))) {
-    // Of two ticks at one time the first is what was felt first; a device gives one state at a time.
+    // Of two ticks with the same time the first counts; a device gives one state at a time.
     if (states.empty() || tick.probe.time_ns > states.back().time_ns) states.push_back(tick.probe);
   }
   if (states.empty()) {

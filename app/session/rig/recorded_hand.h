@@ -1,4 +1,4 @@
-// A recording of a session as a hand for the device "replay".
+// Reads a recording of a session as a hand for the device "replay".
 
 #pragma once
 
@@ -9,10 +9,11 @@
 
 namespace asperity {
 
-/// The probe's states in every tick of a recording, as they were recorded: those before a surface, between
-/// two and after the last as well. Times are the recording's.
+/// The probe's states in every tick of a recording, as recorded, including those before, between
+/// and after the surfaces. Times are the recording's.
 ///
-/// Errors: ResultsError for what is no recording of this program; std::runtime_error for one without ticks.
+/// Errors: ResultsError for a file that is not a recording of this program; std::runtime_error for
+/// a recording without ticks.
 std::vector<ProbeState> recorded_hand(const std::filesystem::path& recording);
 
 }  // namespace asperity

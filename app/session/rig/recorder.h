@@ -1,4 +1,4 @@
-// The other end of the ring: keeps what happened in an attempt and writes it down.
+// Collects the tick records of an attempt from the ring and writes them to its recording.
 
 #pragma once
 
@@ -16,17 +16,17 @@ namespace asperity {
 
 class RecordWatch;
 
-/// What the conductor watches while a surface is felt.
+/// The state of contact that the conductor polls while a surface is felt.
 struct LiveContact {
-  double contact_s = 0.0;  ///< with the present surface, since it was presented
+  double contact_s = 0.0;  ///< with the current surface, since it was presented
   bool touching = false;
   bool presented = false;  ///< the servo has taken the surface
 };
 
-/// Takes the records out of the ring between `begin` and `finish`; throws them away otherwise. A
-/// watch sees them all.
+/// Takes the records out of the ring between `begin` and `finish`, and discards them at other
+/// times. A watch receives all of them.
 ///
-/// Every record is first made what its recording will give again (`as_recorded`).
+/// Every record is first converted to the values that its recording will give (`as_recorded`).
 ///
 /// Errors: a recording that cannot be written (a full disk) does not disturb the loop: the attempt
 /// continues in memory, and `finish` throws the error of the disk.
@@ -35,19 +35,20 @@ struct LiveContact {
 class Recorder final {
  public:
   Recorder() = default;
-  /// `watch` may be null; it outlives the recorder.
+  /// `watch` may be null; otherwise it outlives the recorder.
   explicit Recorder(RecordWatch* watch) : watch_(watch) {}
 
-  /// `writer` may be null: the attempt is then not recorded, only measured.
-  /// What is still in the ring belongs to the time before, and is thrown away.
+  /// `writer` may be null: the attempt is then measured without being recorded. Earlier records
+  /// that are still in the ring are discarded.
   void begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, RecordRing& records);
-  /// `ahead_ns` is added to the times of the records: the session's clock against the servo's.
+  /// `ahead_ns` is added to the times of the records: the offset of the session's clock from the
+  /// servo's.
   void drain(RecordRing& records, std::int64_t ahead_ns = 0);
-  /// Counts contact anew for the surface presented next.
+  /// Restarts the count of contact, for the surface presented next.
   void watch(std::uint64_t presentation) noexcept;
   LiveContact live() const noexcept { return live_; }
   bool is_open() const noexcept { return open_; }
-  /// Of the attempt under way, as they will be recorded.
+  /// The records of the current attempt, as they will be recorded.
   const std::vector<TickRecord>& records() const noexcept { return records_; }
 
   struct Attempt {
@@ -57,7 +58,7 @@ class Recorder final {
   };
   /// Ends the attempt. Throws the writer's ResultsError, if there was one.
   Attempt finish(const RecordRing& records);
-  /// Ends the attempt, keeping nothing (an unfinished recording stays as `.part`).
+  /// Ends the attempt without keeping it (an unfinished recording stays as `.part`).
   void abandon() noexcept;
 
  private:

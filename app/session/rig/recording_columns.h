@@ -1,4 +1,4 @@
-// A tick record as the floats of a recording, and back.
+// Converts tick records to the floats of a recording, and back.
 
 #pragma once
 
@@ -21,8 +21,8 @@ std::array<float, kRecordingColumns> columns_of(const TickRecord& record) noexce
 TickRecord record_of(std::int64_t time_ns,
                      std::span<const float, kRecordingColumns> values) noexcept;
 
-/// The record as its recording will give it again. Everything that is computed of an attempt is
-/// computed from these values, so that live and later results are the same numbers.
+/// The record as its recording will give it. All measures of an attempt are computed from these
+/// values, so that live and later results are identical.
 TickRecord as_recorded(const TickRecord& record) noexcept;
 
 /// All records of a recording. Errors: ResultsError when its columns are not those of this program.

@@ -1,5 +1,3 @@
-// A device, the servo loop that drives it, and what paces the loop: the physical side of a session.
-
 #include "app/session/rig/rig.h"
 
 #include <chrono>
@@ -15,13 +13,14 @@ namespace asperity {
 
 namespace {
 
-// Short enough that the ring is never near full and a stop is felt at once.
+// Short enough that the ring never comes near its capacity and a stop takes effect at once.
 constexpr double kRealTimeSlice_s = 0.005;
-// What the ring holds: longer than any disk keeps the conductor waiting.
+// The capacity of the ring: longer than a disk delays the conductor.
 constexpr double kRing_s = 8.0;
 constexpr std::int64_t kTicksBetweenDrains = 256;
 
-/// The noise of the device's sensors is another one in every attempt, and the same in its repetition.
+/// The noise of the device's sensors differs between attempts, and is the same when an attempt is
+/// replayed.
 SimulatedDeviceSettings with_noise(SimulatedDeviceSettings settings, const Random& random) {
   settings.sensor.noise_seed = random.split("sensor").bits();
   return settings;
@@ -87,8 +86,8 @@ void SteppedRig::move_clock_to(std::int64_t now_ns) {
 }
 
 void SteppedRig::pass(double duration_s, Recorder& recorder) {
-  // Ticks lie on the grid origin + n/rate; what is left of a duration is owed to the next call, so
-  // that many short waits are as long as one long one.
+  // Ticks lie at the grid origin + n/rate; the remainder of a duration is carried over to the next
+  // call, so that many short waits take as long as one long wait.
   owed_s_ += duration_s;
   const double rate_Hz = settings_.servo.rate_Hz;
   const auto ticks = static_cast<std::int64_t>(std::floor(owed_s_ * rate_Hz + 1e-9));
@@ -107,7 +106,7 @@ void SteppedRig::pass(double duration_s, Recorder& recorder) {
 
 namespace {
 
-/// A scripted stall takes real time only where there is some.
+/// Sets a scripted stall to take real time.
 SimulatedDeviceSettings in_real_time(SimulatedDeviceSettings settings) {
   settings.sleep = [](double duration_s) {
     std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));

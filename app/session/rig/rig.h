@@ -1,4 +1,5 @@
-// A device, the servo loop that drives it, and what paces the loop: the physical side of a session.
+// The physical side of a session: a device, the servo loop that drives it, and the pacing of the
+// loop.
 
 #pragma once
 
@@ -29,19 +30,18 @@ struct RigSettings {
   SimulatedDeviceSettings device{};
 };
 
-/// The settings that a protocol requires. `device` as --device names it: what the simulated device
-/// stands for; without meaning for other devices.
+/// The settings that a protocol requires. `device` is named as in --device: the device that the
+/// simulated device models; without meaning for other devices.
 /// Errors: std::runtime_error for a "simulated:MODEL" that does not exist.
 RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
                              const std::string& device = "simulated");
 
-/// What the conductor needs of the physical side.
+/// The interface of the physical side to the conductor.
 ///
-/// `pass` is how time goes by in a session: ticks happen, the recorder takes their records, the
-/// loop receives the conductor's heartbeat. Everything the conductor waits for, it waits for in
-/// `pass`.
+/// `pass` lets time pass in a session: ticks happen, the recorder takes their records, the loop
+/// receives the conductor's heartbeat. All waiting of the conductor is done in `pass`.
 ///
-/// Threads: all of it belongs to the conductor's thread, but for `emergency_stop`.
+/// Threads: everything belongs to the conductor's thread, except `emergency_stop`.
 class Rig {
  public:
   virtual ~Rig() = default;
@@ -56,25 +56,26 @@ class Rig {
   /// "stepped" or "real_time", and how the thread is scheduled.
   virtual std::string pacing() const = 0;
   virtual std::string scheduling() const = 0;
-  /// What is wrong with the device now (HapticDevice::complaint); empty while all is well.
+  /// The current problem of the device (HapticDevice::complaint); empty while there is none.
   virtual std::string complaint() const { return {}; }
 
-  /// The hand as it is for the next attempt, lifted. A stepped rig starts anew, so that an attempt
-  /// does not depend on the ones before it.
+  /// Sets the hand for the next attempt, lifted. A stepped rig restarts, so that an attempt does
+  /// not depend on earlier ones.
   virtual void prepare_attempt(const HandHabits& habits, const Random& random) = 0;
 
   virtual void pass(double duration_s, Recorder& recorder) = 0;
 
   /// Zero force at once, latched; from any thread.
   virtual void emergency_stop() noexcept = 0;
-  /// Lifts the fault that the loop showed to the caller; another one that has come since stays.
+  /// Clears the fault that the loop reported to the caller; another fault that has come since
+  /// remains.
   virtual void clear_fault(Fault seen) noexcept { loop().clear_fault(seen); }
 
  protected:
   Rig() = default;
 };
 
-/// A simulated device on a simulated clock: as fast as the machine can.
+/// A simulated device on a simulated clock, which runs as fast as the machine can.
 class SteppedRig final : public Rig {
  public:
   SteppedRig(const RigSettings& settings, std::int64_t session_index);
@@ -89,11 +90,11 @@ class SteppedRig final : public Rig {
   std::string scheduling() const override { return "none"; }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
   void pass(double duration_s, Recorder& recorder) override;
-  /// Reaches the loop with its next tick, whichever attempt that belongs to.
+  /// Takes effect in the loop's next tick, within an attempt or between attempts.
   void emergency_stop() noexcept override { stop_wanted_.store(true); }
   void clear_fault(Fault seen) noexcept override;
 
-  /// A resumed session goes on after what was stored.
+  /// A resumed session continues after the last stored time.
   void move_clock_to(std::int64_t now_ns);
 
  private:
@@ -107,7 +108,7 @@ class SteppedRig final : public Rig {
   std::unique_ptr<Assembly> assembly_;
 };
 
-/// Opens the device of a rig. The simulated one is held by the hand; to others it means nothing.
+/// Opens the device of a rig. The hand holds the simulated device; other devices ignore it.
 using DeviceOpening = std::function<std::unique_ptr<HapticDevice>(VirtualHand& hand)>;
 
 /// The device of a rig in real time: its name as RunInputs::device, and the settings of its driver.
@@ -119,11 +120,11 @@ struct NamedDevice {
 /// A device in real time, on a servo thread.
 class RealTimeRig final : public Rig {
  public:
-  /// `not_before_ns`: the session's clock goes on from there when the machine's is behind it (it
-  /// starts anew with the machine).
+  /// `not_before_ns`: the session's clock starts from there when the machine's clock is behind it
+  /// (which restarts with the machine).
   RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
               Scheduling scheduling, std::int64_t not_before_ns);
-  /// On the device that is opened, instead of the simulated one of the settings.
+  /// Uses the device that `open` opens instead of the simulated one of the settings.
   RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
               Scheduling scheduling, std::int64_t not_before_ns, const DeviceOpening& open);
   ~RealTimeRig() override;
@@ -149,8 +150,9 @@ class RealTimeRig final : public Rig {
   ServoThread thread_;
 };
 
-/// A rig in real time, as fast as the system lets its thread be: on the simulated device of the settings where
-/// the name is that of one, otherwise on what one of the drivers opens. It can play recordings ("replay:FILE").
+/// A rig in real time, whose thread is scheduled as favourably as the system permits: on the
+/// simulated device of the settings where the name is that of one, otherwise on a device that one
+/// of the drivers opens. It can play recordings ("replay:FILE").
 /// Errors: as DriverRegistry::open.
 std::unique_ptr<RealTimeRig> open_rig(const NamedDevice& device, const DriverRegistry& drivers,
                                       const RigSettings& settings, const Random& hand,

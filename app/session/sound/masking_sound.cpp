@@ -16,7 +16,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kCueOverNoise = 1.5;      // RMS of a cue over that of the noise
 constexpr double kEdge_s = 0.010;          // tones begin and end without a click
 constexpr double kPauseAfterCue_s = 0.15;  // two cues in a row are heard as two
-constexpr double kRelease_s = 0.010;       // of a cue that is cut off
+constexpr double kRelease_s = 0.010;       // of a cue that is interrupted
 constexpr double kGainGlide_s = 0.02;
 constexpr double kHighestSpeechPeak = 0.7;
 
@@ -194,8 +194,8 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
   }
   wanted_gain_ = gain_ = settings.noise.gain;
 
-  // The mean square of filtered white noise is the sum of the squares of the filter's answer to one
-  // impulse; the slowest pole has fallen to 10⁻¹⁰ after 20 000 samples.
+  // The mean square of filtered white noise is the sum of the squares of the filter's impulse
+  // response; the slowest pole has fallen to 10⁻¹⁰ after 20 000 samples.
   Pink impulse{};
   double mean_square = 0.0;
   for (int i = 0; i < 20000; ++i) {
@@ -275,7 +275,7 @@ bool MaskingSound::take(Playing& cue) noexcept {
   if (taken == put_.load(std::memory_order_acquire)) return false;
   cue = waiting_[taken % kWaiting];
   taken_.store(taken + 1, std::memory_order_release);
-  // Of several options in a row only the last is where the person is.
+  // Of several options in a row only the last is the current one.
   if (cue.gives_way && waits_to_cut_off()) return take(cue);
   return true;
 }
@@ -316,7 +316,7 @@ double MaskingSound::guide_sample() noexcept {
   const bool has_cue = playing_.clip != nullptr || pause_ > 0;
   const GuideTone wanted =
       has_cue ? GuideTone::none : wanted_guide_.load(std::memory_order_relaxed);
-  // A tone that gives way fades out first, so that nothing clicks; the next begins softly by itself.
+  // A tone that is replaced fades out first, to avoid clicks; the next one has its own fade-in.
   const double step = 1.0 / (kRelease_s * rate_Hz_);
   guide_fade_ = std::min(1.0, guide_fade_ + (guide_ == wanted ? step : -step));
   if (guide_ != wanted && (guide_ == GuideTone::none || guide_fade_ <= 0.0)) {
@@ -342,7 +342,7 @@ void MaskingSound::fill(std::span<float> stereo) noexcept {
   const double wanted_gain = wanted_gain_.load(std::memory_order_relaxed);
   const double fade_step = (noise_wanted ? 1.0 : -1.0) / (kFade_s * rate_Hz_);
   const double glide = 1.0 / (kGainGlide_s * rate_Hz_);
-  // Somebody steps through the options: what sounds of an earlier one gives way.
+  // The participant steps through the options: the cue of an earlier one is interrupted.
   if (playing_.clip != nullptr && playing_.gives_way && release_ == 1.0 && waits_to_cut_off()) {
     release_ -= 1.0 / (kRelease_s * rate_Hz_);
   }

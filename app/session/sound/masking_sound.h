@@ -1,4 +1,4 @@
-// Masking noise and signals to the participant, as samples for a sound card.
+// Generates masking noise and the cues for the participant as samples for a sound card.
 
 #pragma once
 
@@ -20,7 +20,7 @@ namespace asperity {
 /// The name of a cue with its number, in a protocol: "surface_3", "option_1", "question", "mask_on".
 std::string cue_name(Cue cue, int number);
 
-/// A spoken word that stands for a cue, mono.
+/// A spoken word that replaces a cue, mono.
 struct CueRecording {
   double rate_Hz = 0.0;
   std::vector<float> samples{};
@@ -34,18 +34,17 @@ struct MaskingSoundSettings {
   std::map<std::string, CueRecording, std::less<>> speech{};
 };
 
-/// Fills stereo buffers with noise and, mixed into it, cues.
+/// Fills stereo buffers with noise and with the cues mixed into it.
 ///
-/// Noise: Gaussian, drawn by `Random`, independent in both ears: whatever the phase at which a sound
-/// reaches them, it is masked nearly alike, which it would not be by the same noise in both
+/// Noise: Gaussian, drawn by `Random`, independent in both ears: a sound is then masked nearly
+/// equally at every interaural phase, which is not the case with identical noise in both ears
 /// [Hirsh 1948]. Its RMS is g·f(t): g the gain (full scale 1), f the fade, which rises or falls as
-/// sin² in 0.2 s. White is flat; pink is white through a sum of seven first-order filters
-/// [Kellett 2000], −3 dB per octave within 0.5 dB from 50 Hz to 8 kHz at 44.1 or 48 kHz. For the
-/// same seed and the same calls between the same samples the samples are the same.
+/// sin² in 0.2 s. White is flat; pink is white through a sum of seven first-order filters [Kellett
+/// 2000], −3 dB per octave within 0.5 dB from 50 Hz to 8 kHz at 44.1 or 48 kHz. The samples are
+/// identical for the same seed and the same calls between the same samples.
 ///
-/// Cues sound in both ears alike at an RMS of 1.5·g, 3.5 dB above all of the noise and far more
-/// above its part in the ear's band around a tone. They differ in number, pitch and
-/// movement:
+/// Cues are identical in both ears, at an RMS of 1.5·g, 3.5 dB above the total noise and far more
+/// above its part in the auditory filter around a tone. They differ in number, pitch and movement:
 ///
 ///   surface n   n tones, 440 Hz        option n   n tones, 1047 Hz       question   a fourth up
 ///   next        a short rise           accepted   one bright tone        refused    a low buzz
@@ -53,22 +52,22 @@ struct MaskingSoundSettings {
 ///   paused      three equal low tones  mask_on    a long fall            mask_off   a long rise
 ///   finished    four tones, up and on
 ///
-/// Guiding tones go on until they are changed, at the same RMS, and stand back while a cue sounds and in the
-/// pause after it. Below a
-/// band they are at 220 Hz, above it at 1760 Hz, three octaves apart and away from the cues; of force a
-/// beep of 0.15 s every 0.3 s, of speed two ticks of 0.05 s. In the ear's band around it (48 and 215 Hz
-/// wide [Glasberg 1990]) a tone is 18 dB or more above the noise, white or pink.
+/// Guiding tones continue until they are changed, at the same RMS, and are silent during a cue and
+/// in the pause after it. Below a band they are at 220 Hz, above it at 1760 Hz, three octaves apart
+/// and distinct from the cues; for force a beep of 0.15 s every 0.3 s, for speed two ticks of 0.05
+/// s. In the auditory filter around it (48 and 215 Hz wide [Glasberg 1990]) a tone is 18 dB or more
+/// above the noise, white or pink.
 ///
-/// A recorded word is brought to the same RMS, or less, so that its peak stays below 0.7 of full
-/// scale. Cues wait for each other; only a new option cuts the one that sounds off, because a
-/// participant who steps through the options has to hear which one is current.
+/// A recorded word is scaled to the same RMS, or less, so that its peak stays below 0.7 of full
+/// scale. Cues are queued; only a new option interrupts the current cue, because a participant who
+/// steps through the options has to hear which one is current.
 ///
-/// Headroom: a sum x above 0.8 is bent to 0.8 + 0.2·tanh((x − 0.8)/0.2), so nothing clips. Up to a
-/// gain of 0.13 a cue in four-sigma noise stays below it; at 0.25, the highest, noise alone meets it
-/// in one sample of a thousand.
+/// Headroom: a sum x above 0.8 is compressed to 0.8 + 0.2·tanh((x − 0.8)/0.2), so that nothing
+/// clips. Up to a gain of 0.13 a cue in four-sigma noise stays below 0.8; at 0.25, the maximum,
+/// noise alone reaches it in one sample of a thousand.
 ///
 /// Errors: the constructor throws std::invalid_argument for a gain that is not in (0, 0.25], a rate
-/// that is not in [8000, 192000] Hz, a recording that is empty or silent or for no cue there is.
+/// that is not in [8000, 192000] Hz, or a recording that is empty, silent or for an unknown cue.
 ///
 /// Threads: `fill` belongs to one thread; everything else may be called from any. Callers of `play`
 /// wait for each other, never for `fill`.
@@ -92,17 +91,17 @@ class MaskingSound final {
   /// constructor.
   void set_gain(double gain);
   double gain() const noexcept { return wanted_gain_.load(std::memory_order_relaxed); }
-  /// `number` counts from 1 where the cue has one. A cue behind sixteen that wait is lost, and
-  /// counted.
+  /// `number` counts from 1 where the cue has one. When sixteen cues are queued, a further one is
+  /// dropped, and counted.
   void play(Cue cue, int number);
   void set_guide(GuideTone tone) noexcept { wanted_guide_.store(tone, std::memory_order_relaxed); }
   std::uint64_t cues_lost() const noexcept { return cues_lost_.load(std::memory_order_relaxed); }
 
-  /// The next samples, left and right in turn.
+  /// Writes the next samples, left and right interleaved.
   void fill(std::span<float> stereo) noexcept;
 
  private:
-  /// Mono samples at RMS 1 (over what sounds), to be played `repeats` times.
+  /// Mono samples at RMS 1 (over the parts that are not silent), to be played `repeats` times.
   struct Clip {
     std::vector<float> samples{};
     float peak = 0.0F;  ///< of a recorded word
@@ -110,7 +109,7 @@ class MaskingSound final {
   struct Playing {
     const Clip* clip = nullptr;
     int repeats = 0;
-    bool gives_way = false;  ///< to a new one of its kind
+    bool gives_way = false;  ///< is interrupted by a new cue of its kind
   };
   struct Pink {
     std::array<double, 7> state{};
@@ -126,9 +125,10 @@ class MaskingSound final {
   MaskingNoise::Kind kind_ = MaskingNoise::Kind::none;
   double rate_Hz_ = 48000.0;
   std::map<std::string, Clip, std::less<>> clips_{};  // fixed once constructed
-  std::array<std::vector<float>, 5> guides_{};        // by GuideTone, likewise; the first is empty
+  // by GuideTone, fixed once constructed; the first is empty
+  std::array<std::vector<float>, 5> guides_{};
 
-  // What is asked for.
+  // The requested state.
   std::atomic<bool> wanted_{false};
   std::atomic<double> wanted_gain_{0.1};
   std::atomic<GuideTone> wanted_guide_{GuideTone::none};
@@ -139,7 +139,7 @@ class MaskingSound final {
   std::atomic<std::size_t> taken_{0};
   std::atomic<std::uint64_t> cues_lost_{0};
 
-  // The audio thread's.
+  // Used only by the audio thread.
   std::array<Random, 2> white_;
   std::array<Pink, 2> pink_{};
   double pink_scale_ = 1.0;  ///< brings pink to RMS 1
@@ -147,11 +147,11 @@ class MaskingSound final {
   double fade_ = 0.0;  ///< 0 silent, 1 full
   Playing playing_{};
   std::size_t position_ = 0;
-  GuideTone guide_ = GuideTone::none;  ///< sounding, or fading out
+  GuideTone guide_ = GuideTone::none;  ///< playing, or fading out
   std::size_t guide_position_ = 0;
   double guide_fade_ = 0.0;
   std::size_t pause_ = 0;  ///< samples of silence before the next cue
-  double release_ = 1.0;   ///< falls to 0 while a cue is cut off
+  double release_ = 1.0;   ///< falls to 0 while a cue is interrupted
 };
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What a session needs of loudspeakers or headphones.
+// The interface of a session to loudspeakers or headphones.
 
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace asperity {
 
-/// A signal to the participant. Number: of the surface or option.
+/// A signal to the participant. Its number is that of the surface or option.
 enum class Cue {
-  surface,   ///< surface `number` can be felt: as many short tones
-  next,      ///< enough of this surface: lift
+  surface,   ///< surface `number` can be felt: `number` short tones
+  next,      ///< the surface was felt for long enough: lift
   question,  ///< the answer is open
   option,    ///< option `number` is the one that a confirmation would choose
   accepted,
@@ -23,13 +23,13 @@ enum class Cue {
   mask_off,
   finished,
 };
-/// What a continuing tone asks of the hand that feels a surface.
+/// The instruction of a continuous tone to the hand that feels a surface.
 enum class GuideTone {
   none,
-  press_more,  ///< a low beep, again and again
-  press_less,  ///< a high one
-  faster,      ///< two low ticks, again and again
-  slower,      ///< two high ones
+  press_more,  ///< a low beep, repeated
+  press_less,  ///< a high beep, repeated
+  faster,      ///< two low ticks, repeated
+  slower,      ///< two high ticks, repeated
 };
 
 /// "surface", "mask_on".
@@ -39,7 +39,7 @@ struct MaskingNoise {
   enum class Kind { none, white, pink } kind = Kind::none;
   double gain = 0.1;                     ///< RMS of the noise, full scale 1
   std::optional<double> declared_dBA{};  ///< by the protocol
-  std::optional<double> measured_dBA{};  ///< at the ear, by a person
+  std::optional<double> measured_dBA{};  ///< at the ear, by the experimenter
   std::string verified_by{};
 
   bool is_attested() const noexcept { return measured_dBA && !verified_by.empty(); }
@@ -47,8 +47,8 @@ struct MaskingNoise {
 
 /// Plays masking noise and mixes cues into it.
 ///
-/// Threads: any; calls return at once, but for `description_json`, which may wait some seconds for a
-/// sound card. A session without sound has none of it (a null pointer).
+/// Threads: any; calls return at once, except `description_json`, which may wait some seconds for a
+/// sound card. A session without sound has a null pointer instead.
 class Sound {
  public:
   virtual ~Sound() = default;
@@ -58,17 +58,18 @@ class Sound {
   /// Fades in or out in 0.2 s.
   virtual void set_masking(bool on) = 0;
   virtual void play(Cue cue, int number) = 0;
-  /// Sounds until another one is set.
+  /// Plays until another one is set.
   virtual void set_guide(GuideTone tone) = 0;
-  /// Samples have been consumed within the last half second. A session that needs its noise pauses
-  /// when this becomes false.
+  /// Whether samples have been consumed within the last half second. A session that requires its
+  /// noise pauses when this becomes false.
   virtual bool is_running() const = 0;
-  /// There is a sound card. Without one, samples are consumed all the same, and cannot be heard.
+  /// Whether there is a sound card. Without one, samples are consumed as well, and cannot be heard.
   virtual bool is_heard() const = 0;
-  /// A person has measured at the ear, and answers for, what is to be heard: without a sound card that comes
-  /// from elsewhere.
+  /// Whether a person has measured the sound at the ear and confirms it: without a sound card, a
+  /// sound that comes from another source.
   virtual bool is_attested() const = 0;
-  /// What is stored with the session: kind, gain, levels, who verified them, output device.
+  /// The description that is stored with the session: kind, gain, levels, who verified them, output
+  /// device.
   virtual std::string description_json() const = 0;
 
  protected:

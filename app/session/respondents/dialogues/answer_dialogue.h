@@ -1,4 +1,4 @@
-// The answer to a trial's question as it is typed at a terminal: one dialogue per form of answer.
+// Reads the answer to a trial's question at a terminal: one dialogue per form of answer.
 
 #pragma once
 
@@ -11,29 +11,30 @@
 
 namespace asperity {
 
-/// Another line is needed: `complaint` states why the typed one does not count, or is empty.
+/// Another line is needed: `complaint` states why the typed one is not accepted, or is empty.
 struct NextLine {
   std::string complaint{};
 };
 
-/// Asks line by line until the answer is complete.
+/// Asks for one line after another until the answer is complete.
 class AnswerDialogue {
  public:
   virtual ~AnswerDialogue() = default;
   AnswerDialogue(const AnswerDialogue&) = delete;
   AnswerDialogue& operator=(const AnswerDialogue&) = delete;
 
-  /// What stands before the next line that is typed: "Your answer: ".
+  /// The prompt of the next line: "Your answer: ".
   virtual std::string prompt() const = 0;
   virtual std::variant<NextLine, Answer> take(const std::string& typed) = 0;
-  /// Stated when the participant feels a surface again instead, which discards what was typed; or empty.
+  /// Shown when the participant feels a surface again instead, which discards the typed answer; or
+  /// empty.
   virtual std::string note_on_discarding() const { return {}; }
 
  protected:
   AnswerDialogue() = default;
 };
 
-/// For the question of a trial, which must outlive the dialogue.
+/// The dialogue for the question of a trial, which must outlive it.
 std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The dialogue of a number above 0.
+// Reads a number above 0.
 
 #pragma once
 

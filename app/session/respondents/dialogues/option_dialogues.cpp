@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-/// The option that was typed as a number from 1, by index.
+/// The index of the option that was typed as a number from 1.
 std::optional<std::size_t> option_typed(const std::string& typed, std::size_t options) {
   const std::optional<std::size_t> number = whole_number(typed);
   if (!number || *number < 1 || *number > options) return {};

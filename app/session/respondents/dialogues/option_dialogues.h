@@ -1,4 +1,4 @@
-// The dialogues that are answered by the numbers of options: a choice, and an assignment.
+// Reads an answer given as the numbers of options: a choice, or an assignment.
 
 #pragma once
 
@@ -22,7 +22,7 @@ class ChoiceDialogue final : public AnswerDialogue {
   std::size_t options_ = 0;
 };
 
-/// One surface after the other.
+/// Asks for the option of one surface after another.
 class AssignmentDialogue final : public AnswerDialogue {
  public:
   explicit AssignmentDialogue(const Trial& trial) : trial_(trial) {}

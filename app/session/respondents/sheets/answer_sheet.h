@@ -1,4 +1,4 @@
-// The answer to a trial's question while a participant composes it: one sheet per form of answer.
+// Stores the answer to a trial's question while it is composed: one sheet per form of answer.
 
 #pragma once
 
@@ -15,28 +15,28 @@
 
 namespace asperity {
 
-/// What an input did to a sheet.
-struct SheetUnchanged {};  ///< it has no meaning there
+/// The effect of an input on a sheet.
+struct SheetUnchanged {};  ///< it has no meaning for this sheet
 struct SheetChanged {
-  std::optional<Cue> cue{};  ///< sounds
-  int number = 0;            ///< of that cue: option or surface, from 1
-  /// A held button changed what the next confirmation does: until a moment after its release, what is
-  /// pressed does not count.
+  std::optional<Cue> cue{};  ///< played
+  int number = 0;            ///< of the cue: option or surface, from 1
+  /// A held button changed the effect of the next confirmation: inputs do not count until a moment
+  /// after its release.
   bool needs_new_reading = false;
 };
 struct SheetRefused {
-  Saying saying{};  ///< why
+  Saying saying{};  ///< the reason
 };
-/// The participant wishes to feel a surface again: the one that the input names, or the next.
+/// The participant requests to feel a surface again: the one that the input names, or the next.
 struct WishToFeelAgain {};
-/// The device's button points at that wish, and the next confirmation makes it.
+/// The device's button selected that request, and the next confirmation makes it.
 struct PointedAtFeelingAgain {};
 using SheetResult = std::variant<SheetUnchanged, SheetChanged, SheetRefused, WishToFeelAgain,
                                  PointedAtFeelingAgain, Answer>;
 
-/// Keeps what has been chosen, assigned or typed until it is confirmed. It decides what an input means
-/// for its form of answer; whether surfaces can be felt again is decided by its user, who may call
-/// `forget_feeling_again`.
+/// Stores what has been chosen, assigned or typed until it is confirmed, and determines the effect
+/// of an input for its form of answer. Its user decides whether surfaces can be felt again, and may
+/// call `forget_feeling_again`.
 class AnswerSheet {
  public:
   virtual ~AnswerSheet() = default;
@@ -44,7 +44,7 @@ class AnswerSheet {
   AnswerSheet& operator=(const AnswerSheet&) = delete;
 
   virtual SheetResult take(const ParticipantInput& input) = 0;
-  /// Puts the marks on a scene of this question: what is chosen, and whether it can be confirmed.
+  /// Marks what is chosen, and whether it can be confirmed, in a scene of this question.
   virtual void mark(ParticipantScene& scene) const = 0;
   virtual void forget_feeling_again() {}
 

@@ -95,7 +95,8 @@ SheetResult AssignmentSheet::confirm() {
   if (points_at_feeling_again_) return WishToFeelAgain{};
   if (pointed_) {
     assign(*pointed_, current_);
-    // The cue names what the next confirmation is about: the current surface, or the whole assignment.
+    // The cue names what the next confirmation applies to: the current surface, or the whole
+    // assignment.
     if (!first_without_option())
       return SheetChanged{.cue = Cue::question, .needs_new_reading = true};
     return SheetChanged{

@@ -1,4 +1,4 @@
-// The sheet of an assignment: one option for each surface.
+// Stores an assignment while it is composed: one option for each surface.
 
 #pragma once
 
@@ -11,13 +11,14 @@
 
 namespace asperity {
 
-/// Each option belongs to one surface at most: given to another, it moves. One surface is always current;
-/// after an option was given to it the next one without an option is, and when all have one, the next in
-/// order, so that an assignment can be changed until it is confirmed.
+/// Each option belongs to at most one surface: when given to another, it moves. One surface is
+/// always current: after it receives an option, the next one without an option becomes current, and
+/// when all have one, the next in order, so that an assignment can be changed until it is
+/// confirmed.
 ///
-/// The device's first button points at one option after the other, and a confirmation by button gives the
-/// option to the current surface. Where surfaces may be felt again, that wish comes after the last option.
-/// Whatever changes the answer forgets the wish.
+/// The device's first button selects one option after another, and a confirmation by button gives
+/// the selected option to the current surface. Where surfaces may be felt again, that request
+/// follows the last option. Every change of the answer cancels the request.
 class AssignmentSheet final : public AnswerSheet {
  public:
   explicit AssignmentSheet(const Trial& trial);

@@ -1,4 +1,4 @@
-// The sheet of a choice: one option, the last one chosen.
+// Stores a choice while it is composed: the option chosen last.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// The device's first button steps through the options and chooses the one it points at. Where surfaces
-/// may be felt again, that wish comes after the last option, and nothing is chosen then.
+/// The device's first button steps through the options and chooses the selected one. Where surfaces
+/// may be felt again, that request follows the last option, and no option is chosen then.
 class ChoiceSheet final : public AnswerSheet {
  public:
   explicit ChoiceSheet(const Trial& trial);

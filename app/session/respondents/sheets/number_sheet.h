@@ -1,4 +1,4 @@
-// The sheet of a number: what was typed is an answer when it is a number above 0.
+// Checks a typed number: an answer is a number above 0.
 
 #pragma once
 
@@ -13,7 +13,7 @@ class NumberSheet final : public AnswerSheet {
   explicit NumberSheet(const Trial& trial) : surfaces_(trial.presentations.size()) {}
 
   SheetResult take(const ParticipantInput& input) override;
-  /// What is typed stands in the window alone until it is confirmed.
+  /// The typed text is shown only by the window until it is confirmed.
   void mark(ParticipantScene& scene) const override { scene.can_confirm = false; }
 
  private:
