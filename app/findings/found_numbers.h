@@ -1,4 +1,4 @@
-// Findings by name.
+// Looks up findings by name.
 
 #pragma once
 
@@ -16,10 +16,10 @@
 
 namespace asperity {
 
-/// Missing where there is no number.
+/// A missing cell where there is no number.
 Cell cell_of(const std::optional<double>& number);
 
-/// Findings by quantity and key. They must outlive it.
+/// Findings by quantity and key. They must outlive this object.
 class FoundNumbers final {
  public:
   FoundNumbers() = default;
@@ -29,11 +29,11 @@ class FoundNumbers final {
   const Finding* find(std::string_view quantity, std::string_view key = {}) const;
   /// Nothing where there is no number.
   std::optional<double> value(std::string_view quantity, std::string_view key = {}) const;
-  /// All of a quantity, in their order.
+  /// All findings of a quantity, in their order.
   std::vector<const Finding*> all(std::string_view quantity) const;
-  /// The same as a cell of a table.
+  /// The number as a cell of a table.
   Cell cell(std::string_view quantity, std::string_view key = {}) const;
-  /// The ends of the interval around a number, as two cells.
+  /// The ends of the interval of a number, as two cells.
   std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
 
  private:

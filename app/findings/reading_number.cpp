@@ -27,8 +27,8 @@ struct Prefix {
   double factor = 1.0;
 };
 
-/// The prefix that leaves one to three digits before the point; none for what is not measured in
-/// metres, seconds or what is made of them.
+/// The prefix that leaves one to three digits before the point; none for units other than metres,
+/// seconds and those derived from them.
 Prefix prefix_of(double value, std::string_view unit) {
   constexpr std::array<Prefix, 4> kPrefixes{Prefix{"", 1.0}, Prefix{"m", 1e-3}, Prefix{"µ", 1e-6},
                                             Prefix{"n", 1e-9}};
@@ -62,7 +62,7 @@ std::string reading_p(double p) {
 }
 
 std::string reading_percent(double share) {
-  // From two decimals of the share, so that tables, which have these, say the same.
+  // From two decimals of the proportion, so that tables, which print these, agree.
   std::string digits = fixed(share, 2);
   digits.erase(digits.find('.'), 1);
   int percent = 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kLow = "_low";
 constexpr std::string_view kHigh = "_high";
 
-/// Of which no number exceeds 1.
+/// Whether no number in this column can exceed 1.
 bool is_bounded(const std::string& column) {
   constexpr std::array<std::string_view, 5> kBounded{"chance_", "clopper_pearson", "r_squared",
                                                      "share", "wilson"};
@@ -24,7 +24,8 @@ bool is_bounded(const std::string& column) {
                      [&column](std::string_view each) { return column.starts_with(each); });
 }
 
-/// A proportion to two decimals, a force to a millinewton, a length to ten micrometres, a p as everywhere.
+/// A proportion to two decimals, a force to a millinewton, a length to ten micrometres, a p as in
+/// running text.
 std::string reading_cell_number(const std::string& column, double value) {
   if (column == "p" || column == "p_holm" || column == "p_smallest" || column == "p_interior")
     return reading_p_cell(value);

@@ -1,5 +1,3 @@
-// Each group of answers goes to the family of its protocol.
-
 #include "app/findings/study/analyze_study.h"
 
 #include <algorithm>
@@ -17,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-/// With a place for how many. `what` as AnswerCount has it.
+/// A text with a placeholder for the count. `what` as in AnswerCount.
 Phrase attempts_that_were(const std::string& what) {
   static const std::map<std::string, Phrase> kKnown{
       {"aborted", phrase("Analysis", "%1 interrupted")},
@@ -127,7 +125,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
       outcome.remarks.push_back(phrase("Analysis", "There are no responses yet."));
     } else if (const StudyAnalysis* const analysis = find_analysis(gathered.kind)) {
       analysis->analyze(gathered, outcome);
-      // Next to results; without any there is nothing that they could stand next to.
+      // Only next to results.
       if (!outcome.tables.empty()) {
         add_response_times(gathered, outcome);
         add_learning(gathered, outcome);

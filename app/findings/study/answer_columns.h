@@ -1,4 +1,4 @@
-// The answers of a study as columns of a tidy table, a row per answer.
+// Converts the responses of a study to columns of a tidy table, with one row per response.
 
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace asperity {
 
-/// Who answered, by label.
+/// The participants, by label.
 LabelColumn column_of_people(const GatheredAnswers& gathered);
 /// Response times in seconds; missing where there is none.
 NumberColumn column_of_times(const GatheredAnswers& gathered);
 
-/// A column of names that is filled row by row.
+/// A column of names, filled row by row.
 class LabelRows final {
  public:
   /// An empty name is a missing cell.

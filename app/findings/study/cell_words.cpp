@@ -134,7 +134,7 @@ Phrase words_of_method(const std::string& text) {
   return phrase("CellWords", "%1, %2 permutations drawn at random").with(name, permutations);
 }
 
-/// "height_map / sinusoid" of "height_map|sinusoid".
+/// Replaces strokes by slashes: "height_map / sinusoid" from "height_map|sinusoid".
 std::string with_strokes(const std::string& text) {
   std::string shown{};
   for (const char letter : text)
@@ -159,7 +159,7 @@ Phrase words_of_count(const std::string& text) {
   return phrase("CellWords", "%1 %2").with(count, cell_word_in(units, text.substr(bar + 1)));
 }
 
-/// What R and programs call such values.
+/// Values as R and other programs write them.
 const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
                                 {"Inf", phrase("CellWords", "∞")},
@@ -201,7 +201,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
   if (column == "about") return with_strokes(text);
   if (column != "family") return text;
-  // Names of tests with commas between.
+  // Names of tests, separated by commas.
   Phrase all{};
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(", ", begin), text.size());

@@ -1,4 +1,4 @@
-// The fixed words that stand in the cells of an analysis's tables, as people read them.
+// Displays the fixed words in the cells of an analysis's tables as text.
 
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace asperity {
 
-/// "d′" of `d_prime` in the column `measure`, "pairs: a / b" of `pairs|a|b` in the column `test`, "20
-/// participants" of `20|participants` in the column `n`. What has no other words, and every name that a
-/// study has given, stays.
+/// "d′" for `d_prime` in the column `measure`, "pairs: a / b" for `pairs|a|b` in the column `test`,
+/// "20 participants" for `20|participants` in the column `n`. Words without a display text, and all
+/// names from a study, are unchanged.
 Phrase words_of_cell(const std::string& column, const std::string& text);
 
-/// "amplitude" of the parameter or factor `amplitude_m`: its name in words, without the unit.
+/// "amplitude" for the parameter or factor `amplitude_m`: its name as text, without the unit.
 std::string words_of_parameter(const std::string& key);
 
 }  // namespace asperity

@@ -20,11 +20,11 @@ namespace {
 constexpr const char* kCrossed = "glmm";
 constexpr const char* kSubject = "subject";
 constexpr const char* kItem = "item";
-// Below these a standard deviation rests on next to nothing.
+// With fewer, a standard deviation is not reliably estimated.
 constexpr std::size_t kFewestParticipants = 5;
 constexpr std::size_t kFewestTextures = 3;
 
-/// A row per participant and texture. Numbers stand for names, which no finding has.
+/// A row per participant and texture. Numbers replace names, which no finding contains.
 std::vector<TidyTable::Column> rows_of(std::span<const TextureResponse> responses) {
   struct Count {
     std::size_t hits = 0;
@@ -60,7 +60,7 @@ std::vector<Finding> fitted(const CrossedResponses& crossed, const char* random)
   return analysis_of(kCrossed, "glmm", std::move(input));
 }
 
-/// The one of the two factors that varies, where the other's standard deviation is estimated as 0.
+/// The factor that varies, where the standard deviation of the other is estimated as 0.
 const char* lone_random(const FoundNumbers& found) {
   const Finding* status = found.find("glmm.status");
   if (status == nullptr) return nullptr;

@@ -1,4 +1,4 @@
-// Whether a proportion holds beyond the participants and textures of a study.
+// Tests whether a proportion generalises to other participants and textures.
 
 #pragma once
 
@@ -13,8 +13,8 @@ namespace asperity {
 
 /// One response to a texture: correct, or a choice of the target.
 struct TextureResponse {
-  std::uint32_t person = 0;   ///< which of the people
-  std::uint32_t texture = 0;  ///< its word
+  std::uint32_t person = 0;   ///< index of the participant
+  std::uint32_t texture = 0;  ///< index of its word
   bool is_hit = false;
 };
 
@@ -26,12 +26,12 @@ struct CrossedResponses {
 };
 
 /// Mixed logistic regression (family `glmm`) with participants and textures as crossed random intercepts.
-/// Where one of their standard deviations is estimated as 0, which is a border without standard errors, the model
-/// without these intercepts has the same maximum: its numbers are given. Fewer than five participants or three
-/// textures, and data without a maximum, have a status and no number.
+/// Where one of their standard deviations is estimated as 0, a boundary estimate without standard errors, the model
+/// without these intercepts has the same maximum, and its numbers are reported. With fewer than five participants or
+/// three textures, and for data without a maximum, a status is reported instead of a number.
 void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcome);
 
-/// The finding that there is no such model, and why.
+/// Adds the finding that there is no such model, and why.
 void add_no_crossed_model(const char* code, const std::string& reason, AnalysisOutcome& outcome);
 
 }  // namespace asperity

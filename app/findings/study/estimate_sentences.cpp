@@ -26,7 +26,7 @@ std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
                                             std::string_view analysis, std::string_view quantity) {
   std::vector<const Finding*> found{};
   for (const Finding& finding : outcome.findings) {
-    // Of a pair both names are the key.
+    // The key of a pair consists of both names.
     if (finding.analysis == analysis && finding.quantity == quantity && finding.value &&
         finding.key.find('|') == std::string::npos) {
       found.push_back(&finding);

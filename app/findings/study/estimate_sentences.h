@@ -1,4 +1,4 @@
-// What a study estimated, in words that a paper prints before its tests.
+// Reports the estimates of a study in sentences, which a paper prints before its tests.
 
 #pragma once
 
@@ -8,19 +8,20 @@
 
 namespace asperity {
 
-/// In English; empty of kinds whose tests state their estimates (matching, recognition).
+/// In English; empty for kinds whose tests state their estimates (matching, recognition).
 struct EstimateSentence {
   std::string text{};
-  bool has_mean_interval = false;  ///< the CI of a mean proportion
+  bool has_mean_interval = false;  ///< the 95 % CI is that of a mean proportion
 };
 
-/// Of a selection: "Mean proportions of choices were 83 % (95 % CI [49 %, 96 %]) for height_map and 17 % (…) for sinusoid, N =
-/// 6; the chance level was 50 %.", where every trial presented every item.
+/// For a selection: "Mean proportions of choices were 83 % (95 % CI [49 %, 96 %]) for height_map
+/// and 17 % (…) for sinusoid, N = 6; the chance level was 50 %.", where every trial presented every
+/// item.
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
-/// Of a magnitude: the mean exponents.
+/// For a magnitude: the mean exponents.
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
 
-/// That of the kind of the outcome.
+/// The sentence of the outcome's kind.
 EstimateSentence estimate_sentence(const AnalysisOutcome& outcome);
 
 }  // namespace asperity

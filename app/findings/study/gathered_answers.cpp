@@ -1,5 +1,3 @@
-// Sessions, plans and attempts, read and sorted into groups.
-
 #include "app/findings/study/gathered_answers.h"
 
 #include <future>
@@ -28,7 +26,7 @@ std::string factor_level(const std::string& factors_json, std::string_view facto
   return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
 }
 
-/// Whether the observer's answers are guesses by declaration. Numbers need no expectation.
+/// Whether the observer's responses are declared to be guesses. Numbers require no expectation.
 bool is_guessing(const SessionRow& session, const std::string& kind) {
   const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
   if (!observer.is_object()) return false;
@@ -38,13 +36,13 @@ bool is_guessing(const SessionRow& session, const std::string& kind) {
          (needs_expectation && observer.value("expectation", "") == "none");
 }
 
-/// Whether the record of the device shows that no participant could feel the surfaces.
+/// Whether the stored device shows that participants could not feel the surfaces.
 bool is_unfelt(const SessionRow& session) {
   const RecordedDevice device = recorded_device(session.device, session.device_json);
   return device.has_motors == false || !device.hand_of_program().empty();
 }
 
-/// The answers of a group while its sessions come in.
+/// Collects the responses of a group from its sessions.
 class Gathering {
  public:
   GatheredAnswers gathered{};
@@ -124,12 +122,14 @@ class Gathering {
   }
 
  private:
-  /// A session's own places of words, as far as they are known to the group.
+  /// A session's indices of words, as far as the group has them.
   struct Session {
     const SessionAnswers& answers;
     std::vector<std::optional<std::uint32_t>> words{};
-    std::vector<std::optional<std::uint32_t>> options{};  ///< lists, by the word of their JSON
-    std::vector<std::optional<std::uint32_t>> factors{};  ///< Levels, by the word of their JSON
+    /// Indices of option lists, by the word of their JSON.
+    std::vector<std::optional<std::uint32_t>> options{};
+    /// Indices of levels, by the word of their JSON.
+    std::vector<std::optional<std::uint32_t>> factors{};
   };
 
   struct Levels {
@@ -219,14 +219,15 @@ class Gathering {
   std::map<std::string, std::uint32_t> option_lists_{};
 };
 
-/// The answers of one session after the other. Of large studies most of an analysis is SQLite's
-/// reading: every other session is read on a thread of its own, at the same time as the one before.
+/// Reads the responses of one session after another. In large studies most of the time of an
+/// analysis is spent reading from SQLite: every other session is therefore read on a separate
+/// thread, at the same time as the preceding one.
 class AnswersInOrder final {
  public:
   AnswersInOrder(const Study& study, const std::vector<SessionRow>& sessions)
       : study_(study), sessions_(sessions) {
-    // Readers beside a writer of the same process are a matter for whoever has the writer; one of an
-    // older schema would hold another copy of the study in memory.
+    // A second reader next to a writer in the same process is the caller's decision; one of an
+    // older schema would hold a second copy of the study in memory.
     if (study.access() == Access::read_only && study.schema_version() == Study::kSchemaVersion &&
         sessions.size() > 1) {
       second_.emplace(Study::open(study.folder(), Access::read_only));
@@ -241,7 +242,7 @@ class AnswersInOrder final {
         ahead_ = std::async(std::launch::async,
                             [this, id = sessions_[next_].id] { return second_->answers(id); });
       } catch (const std::system_error&) {
-        second_.reset();  // the system has no more threads: in one it takes longer
+        second_.reset();  // no thread is available: reading on one thread takes longer
       }
     }
     return study_.answers(sessions_[own].id);
@@ -250,9 +251,10 @@ class AnswersInOrder final {
  private:
   const Study& study_;
   const std::vector<SessionRow>& sessions_;
-  std::optional<Study> second_{};  ///< for one thread at a time
+  std::optional<Study> second_{};  ///< used by one thread at a time
   std::size_t next_ = 0;
-  std::future<SessionAnswers> ahead_{};  ///< last: waited for before what it reads with goes
+  /// Last member: its destructor waits before the members it uses are destroyed.
+  std::future<SessionAnswers> ahead_{};
 };
 
 }  // namespace
@@ -276,7 +278,7 @@ AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& sessio
 
 std::string fate_of(AnalysisUse use, AttemptOutcome outcome) {
   if (use == AnalysisUse::excluded) return "excluded";
-  // An answer that does not count was given, but the machine failed.
+  // The participant responded, but the attempt does not count for a technical reason.
   return outcome == AttemptOutcome::answered ? "answered but invalid" : text_of(outcome);
 }
 

@@ -1,4 +1,4 @@
-// The answers of a study that an analysis may count, sorted by protocol and by who gave them.
+// Stores the responses of a study that an analysis may count, by protocol and group.
 
 #pragma once
 
@@ -18,25 +18,26 @@
 
 namespace asperity {
 
-/// Whose answers stand together in a table. They never mix.
+/// Groups whose responses are tabulated separately. They are never combined.
 enum class AnswerGroup {
   people,                ///< persons, in sessions that count (mode run)
   pilot,                 ///< persons, in pilot sessions
-  virtual_participants,  ///< in whatever mode
+  virtual_participants,  ///< in any mode
 };
 
 /// "people", "pilot", "virtual".
 const char* text_of(AnswerGroup group) noexcept;
-/// Of the answers that a participant gives in a session.
+/// The group of the responses of a participant in a session.
 AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session);
 
-/// Words, each told by its place: there are few words and a million answers.
+/// Stores words once and refers to them by index: there are few words and up to a million
+/// responses.
 class Words final {
  public:
   std::uint32_t place(const std::string& word);
   const std::string& at(std::uint32_t place) const { return words_.at(place); }
   std::size_t size() const noexcept { return words_.size(); }
-  /// Nothing where nobody has used it.
+  /// Nothing where the word is not stored.
   std::optional<std::uint32_t> find(const std::string& word) const;
 
  private:
@@ -44,29 +45,29 @@ class Words final {
   std::unordered_map<std::string, std::uint32_t> places_{};
 };
 
-/// One surface that was felt before the answer, as places of words.
+/// One surface that was felt before the response, as indices of words.
 struct FeltSurface {
-  std::uint32_t item = 0;  ///< what it counts as in the answers
+  std::uint32_t item = 0;  ///< the item that it counts as in the responses
   std::uint32_t texture = 0;
 };
 
-/// What was answered: to a choice once, in an assignment for each surface.
+/// A response: one to a choice, one per surface in an assignment.
 struct GatheredReply {
-  std::uint32_t answer = 0;  ///< a place of a word
+  std::uint32_t answer = 0;  ///< index of a word
   std::optional<bool> correct{};
 };
 
 /// One valid, answered attempt at a trial of the main phase.
 struct GatheredAnswer {
-  std::uint32_t person = 0;  ///< which of the people
-  /// Word of the level of the factor `column`, or of the condition of a magnitude; the empty one
-  /// without.
+  std::uint32_t person = 0;  ///< index in `people`
+  /// Word of the level of the factor `column`, or of the condition of a magnitude; the empty word
+  /// without either.
   std::uint32_t column = 0;
-  std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacings
-  std::uint32_t options = 0;  ///< which of the option lists
+  std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacing
+  std::uint32_t options = 0;  ///< index in `option_lists`
   int repetition = 1;         ///< of the block, as planned
-  /// From the cue, when the question was put first, to the response; an assignment has one. Nothing where none is
-  /// stored, or of no length.
+  /// From the cue, when the question was asked first, to the response; an assignment has one
+  /// response time. Nothing where none is stored, or where it is not above 0.
   std::optional<double> response_time_s{};
   std::uint16_t surface_count = 0;
   std::uint16_t reply_count = 0;
@@ -82,20 +83,20 @@ struct AnsweringPerson {
 /// Texture force of the surfaces that one force model rendered.
 struct TextureForces {
   std::size_t surfaces = 0;
-  std::vector<double> matched_N{};   ///< aimed at, where it was
+  std::vector<double> matched_N{};   ///< the target, where there was one
   std::vector<double> achieved_N{};  ///< where the surface was felt for long enough
 };
 
-/// How attempts at analysed trials that do not count are named in counts: "excluded", "answered but invalid", or else
-/// their outcome.
+/// The name under which attempts at analysed trials that do not count are counted: "excluded",
+/// "answered but invalid", or otherwise their outcome.
 std::string fate_of(AnalysisUse use, AttemptOutcome outcome);
 
-/// What was left out, and what was kept although something was noticed.
+/// Counts what was omitted, and what was kept with a warning.
 struct AnswerCount {
   std::size_t participants = 0;
   std::size_t sessions = 0;
   std::size_t unfinished_sessions = 0;
-  std::size_t guessing_sessions = 0;  ///< of virtual observers that are deaf or expect nothing
+  std::size_t guessing_sessions = 0;  ///< of virtual observers that are deaf or have no expectation
   /// Of human participants, begun on a device without motors or on one that the program moved.
   std::size_t unfelt_sessions = 0;
   std::size_t planned_trials = 0;                    ///< of the main phase
@@ -109,25 +110,24 @@ struct GatheredAnswers {
   std::string version{};
   std::string kind{};
   std::string design{};
-  std::size_t sources =
-      0;  ///< files that carry this name and version and differ in more than texts
+  std::size_t sources = 0;  ///< files of this name and version that differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
   std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order
-  /// Of a selection: what alone its alternatives differ in, by all of those files.
+  /// Of a selection: the only parameter in which its alternatives differ, in all of those files.
   std::optional<std::string> compared_parameter{};
-  bool declared_alike = true;  ///< by all of those files; otherwise nothing counts as declared
+  bool declared_alike = true;  ///< in all of those files; otherwise nothing counts as declared
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
   Words words{};
-  std::vector<AnsweringPerson> people{};                 ///< with an answer, by label
+  std::vector<AnsweringPerson> people{};                 ///< with a response, by label
   std::vector<std::vector<std::string>> option_lists{};  ///< as shown, each order once
   std::vector<GatheredAnswer> answers{};                 ///< by participant and session
   std::vector<FeltSurface> surfaces{};
   std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
 
-  /// Whether responses are numbers that are analysed by the protocol's key `estimation`.
+  /// Whether responses are numbers that are analysed as the protocol's key `estimation` specifies.
   bool has_estimates() const noexcept { return !estimation.spacing.empty(); }
   /// By position.
   std::span<const FeltSurface> surfaces_of(const GatheredAnswer& answer) const {
@@ -140,17 +140,18 @@ struct GatheredAnswers {
     return replies[answer.first_reply];
   }
   const std::string& word(std::uint32_t place) const { return words.at(place); }
-  /// The spacing of a magnitude in metres; nothing where its level is no length and the protocol declares none.
+  /// The spacing of a magnitude in metres; nothing where its level is not a length and the protocol
+  /// declares none.
   std::optional<double> spacing_m(const GatheredAnswer& answer) const;
 };
 
-/// By protocol, version and group; empty groups are absent. With a `protocol` only those of that
+/// By protocol, version and group; empty groups are absent. With a `protocol`, only those of that
 /// name. When `stop` is requested, only the sessions that were read until then.
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop);
 
-/// The answer of somebody who will not choose, where the protocol allows it.
+/// The response of a participant who does not choose, where the protocol allows it.
 inline constexpr std::string_view kCannotTell = "cannot_tell";
 
 /// The factor whose levels are the columns of the chapter's tables.

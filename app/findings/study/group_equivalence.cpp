@@ -13,7 +13,8 @@ namespace asperity {
 
 namespace {
 
-/// A table of the family `equivalence`, with the declared bounds; nothing where a group is empty.
+/// The table for the family `equivalence`, with the declared bounds; nothing where a group is
+/// empty.
 std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
                                      std::span<const std::optional<double>> proportions) {
   LabelRows subjects{};
@@ -42,12 +43,13 @@ std::optional<TidyInput> sexes_table(const GatheredAnswers& gathered,
   return input;
 }
 
-/// The smallest margin that the data support is never below itself: 44.02 is 44.1.
+/// Rounds up, so that the margin is never smaller than the one that the data support: 44.02 becomes
+/// 44.1.
 std::string points_rounded_up(double difference) {
   return reading_points(std::ceil(1000.0 * difference - 1e-9) / 1000.0);
 }
 
-/// Of what was computed, and no more.
+/// Names only the methods that were computed.
 Phrase equivalence_method(const FoundNumbers& found) {
   if (!found.value("equivalence.margin")) return {};
   const Phrase bayes =
@@ -80,7 +82,7 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
           .with(reading_points(*difference.value), reading_points(*difference.low),
                 reading_points(*difference.high), std::to_string(difference.n),
                 reading_number(*found.value("jzs.bf10", "0.7071")));
-  if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, the difference is
+  if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, but the difference is
     return phrase("Analysis",
                   "The protocol declares no equivalence margin, so equivalence is not assessed: "
                   "%1. The data would not support equivalence within any margin: the CI reaches "

@@ -1,4 +1,4 @@
-// Whether women and men are equivalent, beside whether they differ.
+// Tests whether women and men are equivalent, in addition to whether they differ.
 
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace asperity {
 
-/// The analysis that its findings are of.
+/// The name of the analysis in its findings.
 inline constexpr const char* kSexesEquivalence = "sexes_equivalence";
 
-/// Two one-sided tests with the margin that the protocol declares; without one no verdict, but the
-/// smallest margin that the data would support. A Bayes factor in any case. `proportions`: of each of
-/// the people that were gathered, in their order; nothing for those without. Asks nothing where there
-/// are not both women and men.
+/// Two one-sided tests with the margin that the protocol declares; without a margin no verdict, but
+/// the smallest margin that the data would support. A Bayes factor in every case. `proportions`:
+/// one for each of the gathered people, in their order; nothing for those without. Adds no question
+/// where there are not both women and men.
 void ask_equivalence_of_sexes(const GatheredAnswers& gathered,
                               std::span<const std::optional<double>> proportions,
                               AnalysisOutcome& outcome);

@@ -24,7 +24,7 @@ bool scores_items(std::string_view kind) {
 
 constexpr const char* kLearningFamily = "learning";
 
-/// Of each answer its number among those of the participant, from 1, in the order of the plan.
+/// The number of each response among those of its participant, from 1, in the order of the plan.
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
   std::vector<std::size_t> last(gathered.people.size());
   std::vector<std::size_t> numbers{};
@@ -50,7 +50,7 @@ TidyInput times_by_trial(const GatheredAnswers& gathered, const std::vector<std:
                    {"time_s", column_of_times(gathered)}});
 }
 
-/// Nothing where a response is neither correct nor incorrect.
+/// Nothing where responses are neither correct nor incorrect.
 std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered,
                                           const std::vector<std::size_t>& numbers) {
   std::vector<std::size_t> correct{};
@@ -72,7 +72,7 @@ std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered,
 }
 
 struct Change {
-  const char* measure = "";  ///< words: cell_words.h
+  const char* measure = "";  ///< display text: cell_words.h
   const char* quantity = "";
   bool has_halves = true;
 };

@@ -1,4 +1,4 @@
-// How responses change over the trials of a protocol, whatever its kind.
+// Describes changes of responses over the trials of a protocol, for every kind.
 
 #pragma once
 
@@ -15,9 +15,10 @@ inline constexpr const char* kLearningCorrect = "learning_correct";
 inline constexpr const char* kLearning = "learning";
 inline constexpr const char* kTrialCourse = "trial_course";
 
-/// The tables `learning` and `trial_course`: response times, and proportions correct where every response is correct or
-/// incorrect, over the counted trials of each participant, numbered through all sessions. A description without a
-/// test. No table where no participant has two trials.
+/// Adds the tables `learning` and `trial_course`: response times, and proportions correct where
+/// every response is correct or incorrect, over the counted trials of each participant, numbered
+/// through all sessions. A description without a test. No table where no participant has two
+/// trials.
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// Magnitude estimation: how rough a surface feels, by its spacing and by what is held within a block.
+// Magnitude estimation: perceived roughness by spacing and by the condition that is constant within
+// a block.
 
 #include <algorithm>
 #include <array>
@@ -26,10 +27,10 @@ namespace asperity {
 namespace {
 
 constexpr const char* kAnova = "anova";
-// Where a protocol has no condition, all estimates are of this one.
+// The condition of all estimates where a protocol has none.
 constexpr const char* kOneCondition = "all";
 
-/// One number with the names that tables give to what it is of.
+/// One estimate with the names of its factors' levels as in the tables.
 struct Estimated {
   std::uint32_t person = 0;
   std::string condition{};
@@ -67,7 +68,7 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   return estimates;
 }
 
-/// In ascending order of what they say, where that is a number; words after numbers.
+/// In ascending numerical order, followed by levels that are not numbers.
 std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
                                    std::string Estimated::*name) {
   std::vector<std::string> levels{};
@@ -82,7 +83,7 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
   return levels;
 }
 
-/// As the protocol lists them; those that it does not know come last.
+/// In the protocol's order; conditions that it does not list come last.
 std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
                                        const std::vector<std::string>& declared) {
   std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
@@ -128,7 +129,7 @@ TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estima
   return input;
 }
 
-/// Of the logarithms: raw estimates, whose scale is a participant's own and no part of any effect.
+/// Raw logarithms: a participant's scale is a constant and part of no effect.
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
                       const std::vector<std::string>& spacings) {
@@ -146,7 +147,7 @@ std::string cell_key(const std::string& condition, const std::string& spacing) {
   return condition + '|' + spacing;
 }
 
-/// By condition and spacing: logarithms of the estimates of each person.
+/// By condition and spacing: logarithms of the estimates of each participant.
 using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
 
 double mean_of(const std::vector<double>& values) {
@@ -216,13 +217,13 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
   outcome.tables.push_back(std::move(persons));
 }
 
-/// A count, which is read without decimals.
+/// A count, which is displayed without decimals.
 Cell whole_cell(const FoundNumbers& found, const char* quantity, const std::string& key) {
   const std::optional<double> value = found.value(quantity, key);
   return value ? Cell{static_cast<std::int64_t>(std::llround(*value))} : Cell{};
 }
 
-/// An interval that holds every tested spacing says nothing of where the peak is.
+/// An interval that contains every tested spacing does not locate the peak.
 constexpr const char* kTooFew = "too_few_to_say";
 /// The test for an interior maximum is not significant.
 constexpr const char* kNoInterior = "no_interior_maximum";
@@ -233,7 +234,7 @@ bool has_interior_maximum(const FoundNumbers& found, const std::string& conditio
   return significant != nullptr && significant->word == "TRUE";
 }
 
-/// Of the peak of a condition: "ok", or why none is reported.
+/// The status of the peak of a condition: "ok", or why none is reported.
 std::string peak_status(const FoundNumbers& found, const std::string& condition,
                         const std::vector<std::string>& spacings) {
   const Finding* status = found.find("peak.status", condition);
@@ -309,7 +310,7 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
   if (!shifts.table.rows.empty()) outcome.tables.push_back(std::move(shifts));
 }
 
-/// With the correction of Greenhouse and Geisser, where there is anything to be corrected.
+/// With the Greenhouse–Geisser correction, where it applies.
 const char* p_of(const FoundNumbers& found, const std::string& effect) {
   return found.find("p.GG", effect) != nullptr ? "p.GG" : "p";
 }
@@ -342,11 +343,11 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
 }
 
 /// Which of the levels of a factor was felt as the roughest and which as the least rough, by the
-/// participants' mean logarithms, where `shows` says that they differ; of two levels with the interval
-/// of their ratio, whatever the test shows. Nothing where they are equal.
+/// participants' mean logarithms, where the difference is significant (`shows`); for two levels
+/// with the interval of their ratio, in any case. Nothing where they are equal.
 Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, bool shows,
                    const FoundNumbers& found) {
-  // Of several levels that may all be the same one is always the greatest.
+  // Of several levels one is always the greatest, even without an effect.
   if (levels.size() > 2 && !shows) return {};
   const Finding* most = nullptr;
   std::pair<std::string, std::string> names{};
@@ -383,7 +384,8 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
             fixed(high, 2));
 }
 
-/// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected". Nothing where one of the numbers is absent.
+/// "F(1, 3) = 20.30, partial η² = .87, p = .020, Holm-corrected". Nothing where one of the numbers
+/// is absent.
 Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
                          const StudyTests::Test& test) {
   const std::optional<double> pes = found.value("pes", effect);
@@ -407,7 +409,7 @@ Phrase method_of_effect(bool is_corrected, bool states_factor) {
       .with(anova);
 }
 
-/// `levels`: of the factor, whose order of roughness is told; none where there is none.
+/// `levels`: of the factor, whose order of roughness is reported; empty where there is none.
 void ask_effect(const char* name, const Phrase& question, const char* table,
                 const std::vector<std::string>& levels, const FoundNumbers& found,
                 const StudyTests& tests, AnalysisOutcome& outcome) {
@@ -478,7 +480,7 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
       "peaks", first);
 }
 
-/// Whether two conditions have their peaks at different spacings, of every two of them.
+/// Whether any two conditions have their peaks at different spacings.
 void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
   Phrase answer{};
   const Finding* first = nullptr;
@@ -538,7 +540,8 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (estimates.empty()) return;
   const std::vector<std::string> conditions =
       conditions_of(estimates, gathered.estimation.conditions);
-  // Findings, tables and figures have the conditions in one order, whoever met which of them first.
+  // Findings, tables and figures list the conditions in one order, independent of the order of
+  // sessions.
   std::stable_sort(estimates.begin(), estimates.end(),
                    [&conditions](const Estimated& one, const Estimated& other) {
                      const auto place = [&conditions](const Estimated& estimate) {

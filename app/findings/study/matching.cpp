@@ -1,5 +1,3 @@
-// Matching: several felt textures are assigned to as many pictures.
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -23,10 +21,12 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kMostItems = 12;  // of which matching by chance can be counted
+// the largest number for which the chance distribution is computed
+constexpr std::size_t kMostItems = 12;
 
-/// One go: as many pictures as surfaces, every picture right for one surface and used once, so that
-/// a person who feels nothing draws a random permutation. Equal ones of a person stand together.
+/// One trial: as many pictures as surfaces, every picture correct for one surface and used once, so
+/// that a participant who feels nothing responds with a random permutation. Equal trials of a
+/// participant are adjacent.
 struct Assignment {
   std::uint32_t person = 0;
   std::uint32_t column = 0;
@@ -145,7 +145,8 @@ std::uint64_t permutations(std::size_t items) {
   return product;
 }
 
-/// Rows of the family `matching`. What is right there is what bears the name of what was felt.
+/// Rows of the family `matching`. A response is correct there when it has the name of the texture
+/// felt.
 TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
                             const char* parts) {
   NumberColumn times{};
@@ -192,7 +193,8 @@ TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
   return input;
 }
 
-/// A row of the table of items: how many are right, against one relabelling of the pictures per participant.
+/// A row of the table of items: the number correct, tested against one relabelling of the pictures
+/// per participant.
 void add_item_row(const GatheredAnswers& gathered, const std::string& column,
                   const std::string& person, Chosen assignments, NamedTable& table,
                   AnalysisOutcome& outcome) {
@@ -382,7 +384,8 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
   outcome.tables.push_back(std::move(made));
 }
 
-/// `fewest`: items of a trial; `equal_size`: of every trial, and so the chance level of all.
+/// `fewest`: items of a trial; `equal_size`: the same number in every trial, and therefore one
+/// chance level.
 void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
                const StudyTests& tests, AnalysisOutcome& outcome) {
   const Finding* mean = found.find("subj.mean");
@@ -462,7 +465,7 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
       "whole_permutations", &share);
 }
 
-/// The same finding with its numbers in this unit, which is that many times as large.
+/// The same finding converted to a unit that is `unit` times as large.
 std::optional<Finding> in_units(const Finding* finding, double unit) {
   if (finding == nullptr) return std::nullopt;
   Finding scaled = *finding;
@@ -577,7 +580,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
       .difference = in_shares("group.diff", "F-M"),
       .scale = equal_size ? SexesScale::shares_of_items : SexesScale::items};
   if (equal_size && sexes.women && sexes.men && sexes.difference) {
-    // As the family `group` calls them.
+    // Under the names of the family `group`.
     for (const auto& [finding, quantity, key] :
          {std::tuple(&sexes.women, "subj.mean", "F"), std::tuple(&sexes.men, "subj.mean", "M"),
           std::tuple(&sexes.difference, "subj.diff", "")}) {

@@ -1,4 +1,4 @@
-// What takes each participant's own scale out of the numbers that they give for magnitudes.
+// Computes the factors that remove each participant's scale from magnitude estimates.
 
 #pragma once
 
@@ -17,18 +17,20 @@ namespace asperity {
 ///
 ///   log c_p = mean over participants q and cells of log x_q − mean over cells of log x_p
 ///
-/// x_p the geometric mean of a participant's numbers in a cell, a spacing under a condition: of what
-/// `analyze` takes, the main phase, valid attempts, nothing excluded, no anchors. The geometric
-/// mean of a participant's numbers in a cell, times c_p, is what `analyze` tells as normalised.
+/// x_p is the geometric mean of a participant's numbers in a cell, a spacing under a condition: of
+/// the numbers that `analyze` uses (main phase, valid attempts, nothing excluded, no anchors). The
+/// geometric mean of a participant's numbers in a cell, times c_p, is what `analyze` reports as
+/// normalised.
 ///
-/// By protocol, version and group (AnswerGroup), which share no scale.
+/// Computed by protocol, version and group (AnswerGroup), which have separate scales.
 class OwnScales final {
  public:
   OwnScales() = default;
-  /// Analyses what the study has of magnitudes. Errors: as analyze_study.
+  /// Analyses the study's magnitudes. Errors: as analyze_study.
   explicit OwnScales(const Study& study, const std::stop_token& stop = {});
 
-  /// Nothing for a participant without a number in every cell, and where no magnitude is asked for.
+  /// Nothing for a participant without a number in every cell, and in protocols that ask for no
+  /// magnitude.
   std::optional<double> of(const ParticipantRow& participant, const SessionRow& session,
                            const ProtocolRow& protocol) const;
 

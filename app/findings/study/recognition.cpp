@@ -1,5 +1,3 @@
-// Recognition: which of several pictures shows what was felt.
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -22,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-/// What is known of an answer that has a right one.
+/// The result of a response to a question that has a correct one.
 struct Judged {
   const GatheredAnswer* answer = nullptr;
   std::uint32_t felt = 0;
@@ -30,7 +28,7 @@ struct Judged {
   bool right = false;
 };
 
-/// Answers of which it is known whether they are right.
+/// The responses that can be classified as correct or incorrect.
 std::vector<Judged> judged_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Judged> judged{};
   for (const GatheredAnswer& answer : gathered.answers) {
@@ -47,8 +45,8 @@ std::vector<Judged> judged_of(const GatheredAnswers& gathered, AnalysisOutcome& 
   return judged;
 }
 
-/// The pictures of each option list: chance is 1 of these. Who will not choose has not guessed, but is
-/// not right either.
+/// The pictures of each option list: chance is 1 divided by their number. A participant who does
+/// not choose has not guessed, and is not correct either.
 std::vector<std::set<std::string>> pictures_of(const GatheredAnswers& gathered) {
   std::vector<std::set<std::string>> pictures{};
   for (const std::vector<std::string>& options : gathered.option_lists) {
@@ -82,7 +80,7 @@ Pictures pictures_in(const GatheredAnswers& gathered, const std::vector<Judged>&
   return pictures;
 }
 
-/// Rows of the family `recognition`; an answer that is none of the labels counts as missing.
+/// Rows of the family `recognition`; a response that is not among the labels counts as missing.
 TidyInput trials_table(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
                        const std::vector<std::string>& labels) {
   std::vector<std::size_t> label_of(gathered.words.size(), LabelColumn::kMissing);
@@ -144,7 +142,7 @@ std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
   return input;
 }
 
-/// Of each of the people; nothing for those without an answer that can be judged.
+/// For each participant; nothing for those without a response that can be classified.
 std::vector<std::optional<double>> proportions_right(const GatheredAnswers& gathered,
                                                      const std::vector<Judged>& judged) {
   std::vector<HitCount> own(gathered.people.size());
@@ -215,7 +213,7 @@ bool is_about_likeness(const Finding& finding) {
   });
 }
 
-/// Takes back the fit of the choice model where it fits little but the halves that were added.
+/// Withdraws the fit of the choice model where it mainly fits the halves that were added.
 void withhold_fit(std::vector<Finding>& likeness) {
   const bool too_few = std::any_of(likeness.begin(), likeness.end(), [](const Finding& one) {
     return one.quantity == "scm.too.few" && one.word == "TRUE";
@@ -409,7 +407,7 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
       "measures", bits, CountedUnit::answers);
 }
 
-/// Two textures that were felt, and how often one of them was taken for the other.
+/// Two textures that were felt, and how often one of them was confused with the other.
 struct ConfusedPair {
   std::string names{};
   std::string key{};
@@ -419,7 +417,7 @@ struct ConfusedPair {
   double share() const { return static_cast<double>(times) / static_cast<double>(answers); }
 };
 
-/// The pairs whose share of confusions is the largest.
+/// The pairs with the largest proportion of confusions.
 std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
                                         const std::vector<Judged>& judged,
                                         const std::vector<std::string>& felt) {
@@ -438,7 +436,7 @@ std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
                         .key = felt[i] + '|' + felt[j],
                         .times = confusions.at(a, b) + confusions.at(b, a),
                         .answers = answers[a] + answers[b]};
-      // Whole numbers: equal shares of different numbers of answers are equal.
+      // In integers, so that equal proportions of different numbers of responses are equal.
       const std::size_t mine = most.empty() ? 0 : pair.times * most.front().answers;
       const std::size_t others = most.empty() ? 0 : most.front().times * pair.answers;
       if (mine < others) continue;
@@ -449,17 +447,17 @@ std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
   return most;
 }
 
-/// One texture that was called by the name of one other picture, felt or not.
+/// One texture that was identified as another picture, whose texture may or may not have been felt.
 struct Confusion {
   std::string felt{};
   std::string called{};
   std::size_t times = 0;
-  std::size_t answers = 0;  ///< to the felt one
+  std::size_t answers = 0;  ///< to the felt texture
 
   double share() const { return static_cast<double>(times) / static_cast<double>(answers); }
 };
 
-/// Those whose share is the largest.
+/// Those with the largest proportion.
 std::vector<Confusion> largest_confusions(const GatheredAnswers& gathered,
                                           const std::vector<Judged>& judged,
                                           const Pictures& pictures) {
@@ -477,7 +475,7 @@ std::vector<Confusion> largest_confusions(const GatheredAnswers& gathered,
       if (felt == called || !a || !b) continue;
       const std::size_t times = confusions.at(*a, *b);
       if (times == 0) continue;
-      // Whole numbers: equal shares of different numbers of answers are equal.
+      // In integers, so that equal proportions of different numbers of responses are equal.
       const std::size_t own = most.empty() ? 0 : times * most.front().answers;
       const std::size_t others = most.empty() ? 0 : most.front().times * answers[*a];
       if (own < others) continue;
@@ -498,10 +496,10 @@ Phrase confusions_text(const std::vector<Confusion>& confusions) {
   return all;
 }
 
-constexpr std::size_t kMostNamedConfusions = 3;  // more pairs or confusions are read in the table
+constexpr std::size_t kMostNamedConfusions = 3;  // the table lists further pairs and confusions
 
-/// What the pairs do not show: the most frequent confusions in one direction, where one of them belongs to no pair that
-/// is reported.
+/// Adds what the pairs do not show: the most frequent confusions in one direction, where one of
+/// them belongs to no pair that is reported.
 Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPair>& pairs,
                               const std::vector<Confusion>& largest) {
   const auto is_in_a_pair = [&pairs](const Confusion& one) {
@@ -646,7 +644,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
 
   const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
   const double chance =
-      1.0 / static_cast<double>(labels.size());  // where the pictures are the same
+      1.0 / static_cast<double>(labels.size());  // where every trial shows the same pictures
   tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
   if (pictures.always_the_same) tests.state_chance(chance);
   tests.add("information", "", found, "G.perm.p");

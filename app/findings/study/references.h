@@ -1,4 +1,4 @@
-// The publications that reports cite, as the APA prints them.
+// Lists the publications that reports cite, in APA style.
 
 #pragma once
 
@@ -14,7 +14,7 @@ struct Reference {
   std::string_view entry{};  ///< in the list of references
 };
 
-/// All of them, in the order of the list.
+/// All references, in the order of the list.
 std::span<const Reference> references();
 
 /// Errors: std::out_of_range for an unknown key.

@@ -31,7 +31,7 @@ struct MeanScore {
 /// By target and repetition.
 using Ratings = std::map<std::pair<std::uint32_t, std::uint32_t>, MeanScore>;
 
-/// What the family `icc` finds of them. Numbers stand for names, which no finding has.
+/// The findings of the family `icc`. Numbers replace names, which no finding contains.
 std::vector<Finding> correlations_of(const Ratings& ratings) {
   LabelRows targets{};
   LabelRows raters{};
@@ -82,7 +82,7 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
              has_column ? score.column : static_cast<std::uint32_t>(score.repetition)}]
         .add(score.score);
   }
-  // Where only some trials belong to a column, the others are not its repetitions.
+  // Where only some trials belong to a column, the others are not repetitions of them.
   if (with_column > 0 && with_column < repeated.scores.size()) return;
   const std::size_t repetitions = repetitions_in(ratings);
   if (repetitions < 2) return;
@@ -155,7 +155,7 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
   }
   if (correlations.empty()) return;
   FindingList list{};
-  // Of k repetitions no correlation is below −1/(k − 1).
+  // With k repetitions no correlation is below −1/(k − 1).
   const double least = -1.0 / (static_cast<double>(repetitions) - 1.0);
   add_mean_of_group("icc.mean", "ICC3", correlations,
                     {.possible = ConfidenceInterval{.low = least, .high = 1.0},

@@ -1,4 +1,4 @@
-// How reliable participants' results are over the repetitions of an experiment.
+// Computes the reliability of participants' results over the repetitions of an experiment.
 
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace asperity {
 
-/// The result of one trial, or of one answer: a proportion.
+/// The result of one trial, or of one response: a proportion.
 struct RepeatedScore {
-  std::uint32_t person = 0;  ///< which of the people
+  std::uint32_t person = 0;  ///< index of the participant
   std::uint32_t column = 0;  ///< as GatheredAnswer::column
   int repetition = 1;        ///< as planned
   double score = 0.0;
@@ -23,14 +23,14 @@ struct RepeatedScores {
   Phrase name{};  ///< "the participants' proportions correct"
 };
 
-/// Intraclass correlations of the participants' mean scores in each repetition: a level of the factor `column`, or,
-/// without that factor, a repetition of the block. Asks nothing where there are not two repetitions and two participants
-/// with both.
+/// Intraclass correlations of the participants' mean scores in each repetition: a level of the
+/// factor `column`, or, without that factor, a repetition of the block. Adds no question where
+/// there are not two repetitions and two participants with both.
 void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repeated,
                      AnalysisOutcome& outcome);
 
 bool has_repetitions(const GatheredAnswers& gathered);
-/// The finding that there is no reliability, and why.
+/// Adds the finding that there is no reliability, and why.
 void add_no_reliability(const char* code, const char* reason, AnalysisOutcome& outcome);
 
 /// An estimate of one surface, which is one of each participant's targets.
@@ -41,9 +41,10 @@ struct RepeatedEstimate {
   double logarithm = 0.0;
 };
 
-/// The mean over the participants of each one's own intraclass correlation ICC3: targets are the surfaces, raters the
-/// repetitions. A participant's own scale adds the same to all logarithms, so that a correlation of all participants
-/// together would be that of their scales. Asks nothing where no participant has two surfaces with two repetitions.
+/// The mean over the participants of individual intraclass correlations ICC3: targets are the
+/// surfaces, raters the repetitions. A participant's scale adds a constant to all their logarithms,
+/// so that a correlation over all participants together would reflect their scales. Adds no
+/// question where no participant has two surfaces with two repetitions.
 void ask_reliability_of_estimates(const GatheredAnswers& gathered,
                                   std::span<const RepeatedEstimate> estimates,
                                   AnalysisOutcome& outcome);

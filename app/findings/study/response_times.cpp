@@ -18,16 +18,16 @@ namespace asperity {
 
 namespace {
 
-/// What the protocol varies between trials: the level of each answer, none where it has no level.
+/// A factor that varies between trials: the level of each response, none where it has no level.
 struct TrialFactor {
   std::string name{};
   LabelColumn levels{};
 };
 
-/// Empty: none.
+/// An empty text: no level.
 using LevelOf = std::function<std::string(const GatheredAnswer&)>;
 
-/// As the protocol lists them; then numbers in ascending order, then names.
+/// In the declared order; then numbers in ascending order, then names.
 void sort_trial_levels(const std::vector<std::string>& declared, std::vector<std::string>& levels) {
   std::sort(levels.begin(), levels.end(), [&declared](const std::string& a, const std::string& b) {
     const auto place = [&declared](const std::string& level) {
@@ -62,7 +62,7 @@ TrialFactor trial_factor(const std::string& name, const GatheredAnswers& gathere
   return factor;
 }
 
-/// Of the surfaces of a trial, where they all show one texture.
+/// The texture of the surfaces of a trial, where they all have the same one.
 std::string common_texture(const GatheredAnswers& gathered, const GatheredAnswer& answer) {
   const auto surfaces = gathered.surfaces_of(answer);
   const bool is_common =
@@ -73,7 +73,7 @@ std::string common_texture(const GatheredAnswers& gathered, const GatheredAnswer
   return is_common ? gathered.word(surfaces.front().texture) : std::string();
 }
 
-/// Those with two levels at least.
+/// The factors with at least two levels.
 std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
   const auto column = [&gathered](const GatheredAnswer& answer) {
     return gathered.word(answer.column);
@@ -96,7 +96,7 @@ std::vector<TrialFactor> factors_of(const GatheredAnswers& gathered) {
   return factors;
 }
 
-/// For the family `response_times`.
+/// The table for the family `response_times`.
 TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<TrialFactor> factors) {
   std::vector<TidyTable::Column> columns{{"subject", column_of_people(gathered)},
                                          {"time_s", column_of_times(gathered)}};

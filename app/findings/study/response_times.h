@@ -1,4 +1,4 @@
-// How long participants took to respond, by condition, whatever the kind of protocol.
+// Describes response times by condition, for every kind of protocol.
 
 #pragma once
 
@@ -10,9 +10,9 @@ namespace asperity {
 /// The findings and the table of response times.
 inline constexpr const char* kResponseTimes = "response_times";
 
-/// The table of geometric means over participants: of all trials and by what the protocol varies between trials
-/// (repetition and texture, or condition and spacing). A description without a test. Where no trial has a time, a
-/// remark.
+/// Adds the table of geometric means over participants: of all trials and by what the protocol
+/// varies between trials (repetition and texture, or condition and spacing). A description without
+/// a test. Where no trial has a response time, adds a remark instead.
 void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 }  // namespace asperity

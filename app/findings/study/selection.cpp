@@ -1,5 +1,3 @@
-// Selection: which of several renderings of one texture is the most realistic.
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -18,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-/// Everything that is counted, in one walk over the answers.
+/// All counts, from one pass over the responses.
 struct SelectionCounts {
   explicit SelectionCounts(const Selection& selection, const ChapterCells& cells);
 
@@ -182,7 +180,7 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
   outcome.tables.push_back(std::move(made));
 }
 
-/// Whether every participant felt every texture equally often, so that textures can be exchanged.
+/// Whether every participant felt every texture equally often, so that textures are exchangeable.
 bool is_balanced(const Selection& selection) {
   std::vector<std::size_t> trials(selection.gathered.people.size() * selection.textures.size());
   for (const GatheredAnswer& answer : selection.gathered.answers) {
@@ -225,8 +223,9 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
   });
 }
 
-/// What the family `selection` finds of the choices. Where trials offer different items, of each pair alone and of the
-/// trials that offered both: their names together are the keys, of a proportion that of the item itself first.
+/// The findings of the family `selection` on the choices. Where trials offer different items, for
+/// each pair separately and for the trials that offered both: keys are both names together, for a
+/// proportion the name of its item first.
 std::vector<Finding> choice_findings(const Selection& selection) {
   constexpr const char* kName = "choice";
   constexpr const char* kFamily = "selection";
@@ -248,7 +247,8 @@ std::vector<Finding> choice_findings(const Selection& selection) {
           quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");
       const bool is_of_one = quantity.starts_with("subj.") && !finding.key.empty();
       if (!is_of_one && !is_of_pair) continue;
-      if (quantity.ends_with(".holm")) continue;  // over one pair; the table of tests has all
+      // over one pair; the table of tests has the correction over all
+      if (quantity.ends_with(".holm")) continue;
       if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
       finding.method += "; of the trials in which both were presented";
       of_pairs.push_back(std::move(finding));
@@ -257,7 +257,7 @@ std::vector<Finding> choice_findings(const Selection& selection) {
   return of_pairs;
 }
 
-/// Each participant's own proportions: of every item, or of the first of every pair.
+/// Each participant's proportions: of every item, or of the first of every pair.
 void add_shares_of_persons(const Selection& selection, const FoundNumbers& found,
                            AnalysisOutcome& outcome) {
   std::vector<PersonsRow> rows{};
@@ -273,7 +273,7 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
   add_persons(found, rows, "pair", "share_of_pair", outcome, "persons_by_pair");
 }
 
-/// Tests of a declared family that compare all choices.
+/// Tests of a declared family that would compare all choices.
 void add_untestable(StudyTests& tests) {
   for (const char* const name : {"preference", "textures"}) {
     if (!tests.is_in_family(name)) continue;
@@ -373,7 +373,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
   const std::string pairs = only_target ? "target_pairs" : "pairs";
   const FoundNumbers found_scale(scale);
-  // What a design is about comes first: the pairs, where trials present different models.
+  // The main comparison comes first: the pairs, where trials present different models.
   if (selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
   ask_pairs(selection, pairs, tests, found, outcome);
   if (!selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);

@@ -30,7 +30,7 @@ LabelColumn labels_of_people(const GatheredAnswers& gathered) {
   return people;
 }
 
-/// The rows of a table of choices, while they are added.
+/// Collects the rows of a table of choices.
 class ChoiceRows final {
  public:
   explicit ChoiceRows(const Selection& selection)
@@ -69,7 +69,7 @@ bool offers(const Selection& selection, const GatheredAnswer& answer, std::size_
                      [&](const FeltSurface& surface) { return selection.item(surface) == item; });
 }
 
-/// A table of counted choices: of each participant, how often from which items which one.
+/// Counted choices: for each participant, how often each item was chosen from each set.
 using CountedChoices =
     std::map<std::tuple<std::size_t, std::vector<std::size_t>, std::size_t>, std::uint64_t>;
 
@@ -82,7 +82,7 @@ CountedChoices count_choices(const Selection& selection) {
     for (const FeltSurface& surface : selection.gathered.surfaces_of(answer)) {
       std::get<1>(key).push_back(selection.item(surface));
     }
-    // The order in which two are felt is part of the comparison; of more it is not looked at.
+    // The order of two surfaces is part of the comparison; of more it is not considered.
     if (!selection.two_offered) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
     std::get<2>(key) = selection.chosen(answer);
     ++counted[key];

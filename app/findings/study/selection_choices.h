@@ -1,4 +1,5 @@
-// The answers of a selection as choices among items, and as the tables that families of analyses read.
+// Represents the responses of a selection as choices among items, and as the tables that families
+// of analyses read.
 
 #pragma once
 
@@ -13,30 +14,30 @@
 
 namespace asperity {
 
-/// No item, position or texture: of "cannot tell".
+/// No item, position or texture: for "cannot tell".
 inline constexpr std::size_t kNoChoice = LabelColumn::kMissing;
 
-/// The answers of a selection as choices among items.
+/// The responses of a selection as choices among items.
 struct Selection {
   const GatheredAnswers& gathered;
   std::vector<std::string> items{};     ///< by name
   std::vector<std::string> textures{};  ///< by name
   std::vector<std::size_t> item_of_word{};
   std::vector<std::size_t> texture_of_word{};
-  std::size_t positions = 0;  ///< of the largest trial
+  std::size_t positions = 0;  ///< in the largest trial
   bool all_offered = true;    ///< every item in every trial
   bool two_offered = true;    ///< in every trial
-  bool can_abstain = false;   ///< cannot_tell was an answer
+  bool can_abstain = false;   ///< cannot_tell was a possible response
   std::size_t abstained = 0;
 
   explicit Selection(const GatheredAnswers& answers);
 
-  /// kNoChoice for cannot_tell, and for what was not felt.
+  /// kNoChoice for cannot_tell, and for items that were not felt.
   std::size_t chosen(const GatheredAnswer& answer) const {
     return item_of_word[gathered.reply_of(answer).answer];
   }
   std::size_t item(const FeltSurface& surface) const { return item_of_word[surface.item]; }
-  /// Of the first surface: all of a trial show the same one.
+  /// The texture of the first surface; all surfaces of a trial have the same one.
   std::size_t texture(const GatheredAnswer& answer) const {
     return answer.surface_count == 0 ? kNoChoice
                                      : texture_of_word[gathered.surfaces_of(answer)[0].texture];
@@ -48,7 +49,7 @@ struct Selection {
     }
     return kNoChoice;
   }
-  /// What is in question: declared, or else the first.
+  /// The item whose superiority is tested: the declared one, or otherwise the first.
   const std::string& target() const {
     const auto& declared = gathered.declared.target;
     const bool is_known =
@@ -58,12 +59,12 @@ struct Selection {
   bool has_target() const { return gathered.declared.target == target(); }
 };
 
-/// "1", "2", …: how positions are named.
+/// "1", "2", …: the names of positions.
 std::vector<std::string> numbers_up_to(std::size_t count);
 
-/// What is chosen by each answer: an item, a position, a texture.
+/// The chosen category of each response: an item, a position, a texture.
 using ChoiceOf = std::function<std::size_t(const GatheredAnswer&)>;
-/// For the family `selection`: who chose which of `names` with which texture.
+/// For the family `selection`: each participant's choices among `names`, by texture.
 TidyInput choices_table(const Selection& selection, const std::vector<std::string>& names,
                         const ChoiceOf& choice, const std::string& target);
 
@@ -74,13 +75,14 @@ struct ItemPair {
 };
 /// The pairs that some trial offered together, in order.
 std::vector<ItemPair> pairs_offered(const Selection& selection);
-/// For the family `selection`: the choices between two items, of the trials that offered both. A choice of a third
-/// item is none between the two.
+/// For the family `selection`: the choices between two items, of the trials that offered both. A
+/// choice of a third item is not a choice between the two.
 TidyInput choices_between(const Selection& selection, const ItemPair& pair);
 
 /// For the family `paired`: comparisons of two; "cannot tell" is a tie.
 TidyInput comparisons_of(const Selection& selection);
-/// For the family `ranking`: the best of several, as rankings of which only the first place is known.
+/// For the family `ranking`: the best of several, as rankings of which only the first rank is
+/// known.
 TidyInput first_places_of(const Selection& selection);
 
 }  // namespace asperity

@@ -31,14 +31,14 @@ bool is_of_one_participant(const StudyTests::Test& test) {
   return test.status == StudyTests::kOneParticipantAlone;
 }
 
-/// The greatest mean of participants' proportions: several names where means are equal.
+/// The greatest of the participants' mean proportions: several names where means are equal.
 struct GreatestMean {
   std::vector<std::string> names{};
   const Finding* mean = nullptr;  ///< of the first of them; null where there is none
 };
 
 GreatestMean greatest_mean(std::span<const std::string> names, const FoundNumbers& found) {
-  constexpr double kRounding = 1e-12;  // sums of the same proportions in another order
+  constexpr double kRounding = 1e-12;  // of sums of the same proportions in a different order
   GreatestMean greatest{};
   for (const std::string& name : names) {
     const Finding* mean = found.find("subj.mean", name);
@@ -50,7 +50,8 @@ GreatestMean greatest_mean(std::span<const std::string> names, const FoundNumber
   return greatest;
 }
 
-/// "height_map was chosen most often: in 60 % of a participant's choices on average (…), where chance is 33 %"
+/// "height_map was chosen most often: in 60 % of a participant's choices on average (…), where
+/// chance is 33 %"
 Phrase most_often(const GreatestMean& most, std::size_t items) {
   constexpr std::size_t kBoth = 2;
   const Phrase share = percent(*most.mean->value);
@@ -82,7 +83,7 @@ const char* scale_quantity(const Selection& selection) {
   return selection.two_offered ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
 }
 
-/// The log worths of all items, the greatest first; none where there is no scale.
+/// The log worths of all items, in descending order; none where there is no scale.
 std::vector<std::pair<std::string, const Finding*>> worths_in_order(const Selection& selection,
                                                                     const FoundNumbers& scale) {
   std::vector<std::pair<std::string, const Finding*>> order{};
@@ -137,7 +138,7 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
                method, "scale", order.front().second);
 }
 
-/// The p that is reported: adjusted within the family.
+/// The reported p: adjusted within the family.
 double reported_p(const StudyTests::Test& test) {
   return test.adjusted.value_or(test.p.value_or(1.0));
 }
@@ -160,9 +161,9 @@ std::string pair_text(const StudyTests::Test& test) {
   return test.about.substr(0, bar) + " / " + test.about.substr(bar + 1);
 }
 
-/// "the smallest p is that of a / b (p = .012 after Holm)"
+/// "the smallest p is that of a / b (p = .012, Holm-corrected)"
 Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
-  constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
+  constexpr std::size_t kMostNamed = 3;  // the table lists further pairs
   const Phrase p = p_text(*smallest.front());
   if (smallest.size() > kMostNamed) {
     return phrase("Analysis", "the smallest p is shared by %1 pairs (each %2)")
@@ -175,7 +176,8 @@ Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
       .with(listed_names(names), p);
 }
 
-/// "a over b (p = .012 after Holm)"; with the proportion among the choices between the two, where `found` has it.
+/// "a over b (p = .012, Holm-corrected)"; with the proportion among the choices between the two,
+/// where `found` has it.
 Phrase preference_in(const StudyTests::Test& test, const FoundNumbers& found) {
   const std::size_t bar = test.about.find('|');
   std::string more = test.about.substr(0, bar);
@@ -189,7 +191,7 @@ Phrase preference_in(const StudyTests::Test& test, const FoundNumbers& found) {
       .with(more, less, percent(*mean->value), interval_text(*mean), p_text(test));
 }
 
-/// What was chosen how often, by position: "what was felt first was chosen in 33 % of …".
+/// The proportions of choices by position: "what was felt first was chosen in 33 % of …".
 Phrase positions_text(const GreatestMean& most, std::size_t positions, const Finding& first) {
   const Phrase share = percent(*most.mean->value);
   const Phrase chance = percent(1.0 / static_cast<double>(positions));
@@ -226,7 +228,7 @@ Phrase positions_text(const GreatestMean& most, std::size_t positions, const Fin
             interval_text(first), chance);
 }
 
-/// How many participants answered, and how many of them ever chose the target.
+/// The number of participants who responded, and of those who chose the target at least once.
 struct TargetChoosers {
   std::size_t participants = 0;
   std::size_t choosers = 0;

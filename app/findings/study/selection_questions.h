@@ -1,4 +1,4 @@
-// The questions of a selection, answered in sentences by its tests and scales.
+// Answers the questions of a selection in sentences, from its tests and scales.
 
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace asperity {
 
-/// Which rendering is the most realistic: by the participants' proportions where every trial offers every item, by the
-/// scale otherwise.
+/// Which rendering is the most realistic: by the participants' proportions where every trial offers
+/// every item, otherwise by the scale.
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome);
 
-/// Whether one rendering is preferred to another, by the tests of this name; `found` has the differences, and the
-/// proportions of single pairs where trials offer different items.
+/// Whether one rendering is preferred to another, by the tests of this name; `found` has the
+/// differences, and the proportions of single pairs where trials offer different items.
 void ask_pairs(const Selection& selection, const std::string& name, const StudyTests& tests,
                const FoundNumbers& found, AnalysisOutcome& outcome);
 
@@ -24,7 +24,7 @@ void ask_position(std::size_t positions, const FoundNumbers& found, const StudyT
 
 /// Whether the preference for the target depends on the texture.
 void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome);
-/// Whether that is a question here: there is a target, offered in every trial, and several textures.
+/// Whether that question applies: there is a target, offered in every trial, and several textures.
 bool asks_about_textures(const Selection& selection);
 
 }  // namespace asperity

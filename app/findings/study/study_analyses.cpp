@@ -1,4 +1,4 @@
-// The one list of the analyses of kinds; a new kind adds its include and its line.
+// The registry of the analyses of kinds; a new kind adds its include and its line.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// The analysis of one kind of experiment, as a value, and the registry of all of them.
+// The analysis of one kind of experiment, as a value, and the registry of all analyses.
 
 #pragma once
 
@@ -14,18 +14,20 @@
 
 namespace asperity {
 
-/// What a test of a kind found, as a clause of English. %1 and %2 are what the test is about, %3 is
-/// " of 25 %" after the chance level, where the test has one.
+/// The result of a test of a kind, as a clause in English. %1 and %2 are the subjects of the test,
+/// %3 is " of 25 %" after the chance level, where the test has one.
 struct TestClaim {
   std::string_view test{};    ///< a KindTest of the kind
-  std::string_view method{};  ///< for a single method of it: its code; these stand first
+  std::string_view method{};  ///< where the clause is for one method: its code; these come first
   std::string_view higher{};  ///< significant, the statistic positive or without a sign
-  std::string_view lower{};   ///< significant, the statistic negative; empty where that cannot be
+  /// Significant, the statistic negative; empty where that is impossible.
+  std::string_view lower{};
   std::string_view nothing{};
 };
 
-/// Everything that differs between kinds once there are responses: tables, findings and sentences. The
-/// counterpart before is ExperimentKind (protocols/kinds/experiment_kind.h); a test walks both registries.
+/// Everything that differs between kinds once there are responses: tables, findings and sentences.
+/// The counterpart before that is ExperimentKind (protocols/kinds/experiment_kind.h); a test
+/// compares both registries.
 struct StudyAnalysis {
   std::string_view kind{};    ///< the id of the ExperimentKind
   Phrase name{};              ///< "magnitude estimation"
@@ -45,7 +47,7 @@ struct StudyAnalysis {
   EstimateSentence (*estimates)(const AnalysisOutcome& outcome) = nullptr;
 };
 
-/// All of them, in the order of experiment_kinds().
+/// All analyses, in the order of experiment_kinds().
 std::span<const StudyAnalysis* const> study_analyses();
 
 /// Null for a kind that this program does not have.

@@ -34,7 +34,7 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
   return {};
 }
 
-/// "95 % CI [2.10, 2.90]" of what is not a proportion.
+/// "95 % CI [2.10, 2.90]" for an estimate other than a proportion.
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "95 % CI [%1, %2]")
@@ -43,7 +43,7 @@ Phrase plain_interval(const Finding& finding, int digits) {
   return phrase("Analysis", "without a CI");
 }
 
-/// The same of a difference, whose p is of another method than its interval.
+/// The same for a difference, whose p comes from a different method than its interval.
 Phrase interval_of_difference(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "Welch 95 % CI [%1, %2]")

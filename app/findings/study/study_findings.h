@@ -1,4 +1,4 @@
-// Findings of the families put beside each other: found again by name, said in words.
+// Combines the findings of several families, and expresses them as text.
 
 #pragma once
 
@@ -19,40 +19,41 @@
 
 namespace asperity {
 
-/// Runs a family on a table and gives its findings the name `analysis`. What the family refuses is a
-/// finding `status` with the word not_applicable.
+/// Runs a family on a table and gives its findings the name `analysis`. An error of the family
+/// becomes a finding `status` with the word not_applicable.
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input);
 
-/// Which findings to keep.
+/// Selects the findings to keep.
 using KeepFinding = std::function<bool(const Finding&)>;
-/// Appends them to those of the outcome.
+/// Appends them to the findings of the outcome.
 void keep_findings(
     std::span<const Finding> findings, AnalysisOutcome& outcome,
     const KeepFinding& keep = [](const Finding&) { return true; });
 
-/// A word in the place of an answer, and the sentence that states why there is none.
+/// A word in place of a number, and the sentence that states why there is no number.
 void add_status(const FindingName& name, std::string word, std::string reason,
                 AnalysisOutcome& outcome);
 
 /// "75 %"
 Phrase percent(double share);
-/// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
+/// "(95 % CI [40 %, 71 %])" of a proportion, or why there is none.
 Phrase interval_text(const Finding& share);
 
-/// Whether the 95 % CI of an estimate holds this value, so that the estimate establishes no difference from it; not
-/// without a CI.
+/// Whether the 95 % CI of an estimate contains this value, so that the estimate establishes no
+/// difference from it; false without a CI.
 bool holds_in_interval(const Finding& estimate, double value) noexcept;
 
-/// What the n of a finding counts.
+/// The unit of the n of a finding.
 enum class CountedUnit { participants, answers, goes };
-/// The answer of a question: `finding` is what the sentence rests on.
+/// Adds the answer to a question: `finding` is the number on which the sentence is based.
 void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
                   Phrase method, const char* table, const Finding* finding,
                   CountedUnit unit = CountedUnit::participants);
 
-/// In what the results of women and men are told.
+/// The scale on which women and men are compared.
 enum class SexesScale { shares_of_answers, shares_of_items, items };
-/// Means of the participants of each sex with their intervals, and the first less the second.
+/// The means of the participants of each sex with their intervals, and the difference (first −
+/// second).
 struct SexesComparison {
   std::optional<Finding> women{};
   std::optional<Finding> men{};
@@ -62,8 +63,8 @@ struct SexesComparison {
 /// Whether women and men differ; nothing where there are not both.
 void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome);
 
-/// The table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
-/// keys, with the same as findings `mean_of_persons_QUANTITY`.
+/// Appends the table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of
+/// these keys, and the same numbers as findings `mean_of_persons_QUANTITY`.
 struct PersonsRow {
   std::string name{};  ///< in the table
   std::string key{};   ///< of the findings
@@ -75,12 +76,13 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
 /// A row per measure: value and interval, where they are numbers.
 struct Measure {
   enum class Form { number, count };
-  const char* name = nullptr;  ///< fixed, for programs; words: cell_words.h
+  const char* name = nullptr;  ///< fixed, for programs; display text: cell_words.h
   const char* quantity = nullptr;
   Form form = Form::number;
-  bool has_interval = true;  ///< false: one over trials, which says nothing about participants
+  /// False: its interval is over trials, and does not apply to participants.
+  bool has_interval = true;
 };
-/// "%1, averaged over the participants, with a t-based CI on the logit scale." of what `mean` has.
+/// "%1, averaged over the participants, with a t-based CI on the logit scale.", without the parts that do not apply to `mean`.
 Phrase averaged(const Phrase& proportion, const Finding* mean);
 
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,

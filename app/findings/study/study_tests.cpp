@@ -41,8 +41,8 @@ std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
       .value = *finding->value, .low = finding->low, .high = finding->high};
 }
 
-/// An effect size that takes single trials for independent, in a test of participants, is marked; of one
-/// participant its interval would say nothing about participants.
+/// Marks an effect size that treats single trials as independent in a test of participants; with
+/// one participant its interval would not generalise to participants.
 void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
   if (!test.effect || test.unit != kUnitOfParticipants) return;
   const Finding* finding = found.find(test.made_by->effect, key);
@@ -52,7 +52,7 @@ void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::T
   test.effect->high.reset();
 }
 
-/// Why nobody has added a test that the protocol declares: a code of cell_words.h.
+/// Why a test that the protocol declares was not added: a code of cell_words.h.
 std::string reason_for(const std::string& name) {
   using WhyNot = std::pair<std::string_view, std::string_view>;
   constexpr std::array kReasons{WhyNot{"condition", "one_condition"},
@@ -77,7 +77,8 @@ std::optional<double> too_large(std::optional<double> smallest) {
 
 Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
 
-/// The row of a test, with the names of its columns. `family`: of which it is; may be empty.
+/// The row of a test, with the names of its columns. `family`: the family of the test; may be
+/// empty.
 std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test& test,
                                                          const std::string& family) {
   static const TestMethod kNone{};
@@ -114,7 +115,7 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
       {"status", test.p ? Cell{} : Cell{test.status}}};
 }
 
-/// A cell by the name of its column.
+/// Looks up cells by the name of their column.
 class TestRow final {
  public:
   TestRow(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
@@ -136,20 +137,21 @@ class TestRow final {
   const std::vector<Cell>& row_;
 };
 
-/// The code of the test, and after a stroke how many permutations it made, as `words_of_cell` reads it.
+/// The code of the test, and after a stroke the number of permutations, as `words_of_cell` reads
+/// it.
 Cell method_cell(const TestRow& row) {
   const std::string permutations = row.text("permutations");
   if (permutations.empty()) return row.cell("method");
   return row.text("method") + '|' + permutations;
 }
 
-/// The code of the test, and after a stroke what it is about.
+/// The code of the test, and after a stroke its subject.
 Cell test_cell(const TestRow& row) {
   const std::string about = row.text("about");
   return row.text("test") + (about.empty() ? "" : '|' + about);
 }
 
-/// How many, and after a stroke of what; missing where nothing was tested.
+/// The number, and after a stroke its unit; missing where nothing was tested.
 Cell n_cell(const TestRow& row) {
   const double n = row.number("n").value_or(0.0);
   return n > 0.0 ? Cell{fixed(n, 0) + '|' + row.text("unit")} : Cell{};
@@ -174,7 +176,8 @@ Cell effect_cell(const TestRow& row) {
                      {.low = row.number("effect_low"), .high = row.number("effect_high")});
 }
 
-/// Statistics with their degrees of freedom, and effect sizes with their intervals, in one cell each.
+/// Combines statistics with their degrees of freedom, and effect sizes with their intervals, in one
+/// cell each.
 Table with_joined_cells(const Table& tests) {
   Table made{{"test", "method", "n", "statistic", "effect_size", "p", "p_holm", "p_smallest",
               "role", "status"},
@@ -189,7 +192,7 @@ Table with_joined_cells(const Table& tests) {
   return made;
 }
 
-/// The smallest p that could be attained; that of a single participant is 1, and no test.
+/// Records the smallest attainable p; that of a single participant is 1, which is not a test.
 void note_smallest_p(std::optional<double> smallest, StudyTests::Test& test) {
   if (!test.p || !smallest) return;
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
@@ -240,7 +243,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     return;
   }
   if (!by.smallest.empty()) note_smallest_p(found.value(by.smallest, key), test);
-  if (!test.p) return;  // without a test there is no statistic either
+  if (!test.p) return;  // without a p there is no statistic either
   test.statistic = found.value(by.statistic, key);
   for (const std::string_view quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
@@ -253,7 +256,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   judge_effect(found, key, test);
   if (by.estimate.empty()) return;
   test.estimate = effect_in(found, by.estimate, key);
-  if (test.estimate && found.find(by.estimate, key)->n != test.n) {  // an interval of trials
+  if (test.estimate && found.find(by.estimate, key)->n != test.n) {  // an interval over trials
     test.estimate->low.reset();
     test.estimate->high.reset();
   }
@@ -378,9 +381,10 @@ std::size_t StudyTests::tests_in_family() const {
       tests_.begin(), tests_.end(), [this](const Test& test) { return is_in_family(test.name); }));
 }
 
-// What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
-// others what they would have been, and its own place in the family. Holm's adjusted p do not fall when
-// any raw p rises: what all tests give at their smallest p is the least that each can give.
+// A test that was declared but cannot be made still counts in the family: with p = 1 it leaves the
+// other tests' correction unchanged. Holm's adjusted p do not decrease when any raw p increases:
+// the adjusted values of all smallest p are therefore the smallest adjusted value that each test
+// can reach.
 void StudyTests::adjust() {
   std::vector<Test*> family{};
   for (Test& test : tests_) {

@@ -1,4 +1,5 @@
-// The tests of a study, Holm's correction over its family, and the table that reports them.
+// Collects the tests of a study, applies Holm's correction over its family, and makes the table
+// that reports them.
 
 #pragma once
 
@@ -15,10 +16,10 @@
 
 namespace asperity {
 
-/// The tests of a study, and Holm's correction over those that are its family.
+/// The tests of a study, with Holm's correction over those of its family.
 class StudyTests final {
  public:
-  /// The table of them all, and the analysis that its findings are of.
+  /// The table of all tests, and the analysis that its findings belong to.
   static constexpr const char* kTable = "tests";
   /// The status of a permutation test of one participant, whose p could only be 1.
   static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
@@ -28,20 +29,23 @@ class StudyTests final {
 
   struct Test {
     std::string name{};   ///< the name of a KindTest
-    std::string about{};  ///< what of several is tested; may be empty
+    std::string about{};  ///< which of several comparisons is tested; may be empty
     const TestMethod* made_by = nullptr;
     std::string method{};
     std::size_t n = 0;  ///< of the units that contributed
     std::string unit{kUnitOfParticipants};
-    /// Participants who answered and do not contribute, because nothing of theirs can be exchanged.
+    /// Participants who responded and do not contribute, because they have nothing that can be
+    /// exchanged.
     std::size_t left_out = 0;
     std::optional<double> p{};
-    FindingName source{};                ///< whose p it is
-    /// That these data could give, of the family Holm-corrected: where it exceeds 5 %, nothing could show.
+    FindingName source{};  ///< the finding that has its p
+    /// The smallest attainable p, Holm-corrected for a test of the family: above 5 %, significance
+    /// is impossible.
     std::optional<double> smallest_p{};
     std::optional<double> statistic{};
     std::vector<double> degrees{};    ///< of freedom: none, one, or two of an F; uncorrected
-    std::optional<double> epsilon{};  ///< that corrects them; nothing where they are not corrected
+    /// The ε that corrects them; nothing where they are not corrected.
+    std::optional<double> epsilon{};
     std::optional<std::size_t>
         random_permutations{};  ///< 0: all were counted; nothing: not permuted
     struct Effect {
@@ -53,29 +57,29 @@ class StudyTests final {
     std::optional<Effect> effect{};
     std::optional<Effect> estimate{};   ///< the proportion that is tested
     std::optional<double> chance{};     ///< the chance level of that proportion
-    std::optional<double> adjusted{};   ///< within the family,
-    bool is_alone_in_family = false;    ///< of which it is the only one, so that p is not corrected
+    std::optional<double> adjusted{};   ///< within the family
+    bool is_alone_in_family = false;    ///< the only test of its family, so that p is not corrected
     TestRole role = TestRole::exploratory;
-    bool pools_participants = false;    ///< n counts responses of more than one
+    bool pools_participants = false;  ///< n counts responses of more than one participant
     std::string status = "ok";
 
-    /// Only a test of the family can show something; adjusted within it, at 5 %.
+    /// Only a test of the family can be significant here; adjusted within it, at 5 %.
     bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
-    /// Whatever it can show.
+    /// Significant at 5 %, for tests outside the family without correction.
     bool is_significant() const noexcept { return adjusted ? shows() : p && *p < 0.05; }
   };
-  /// The test whose p is the quantity `p` with this key. A p that is not a number is the reason that
-  /// there is no test; of the study's own family such a test counts as p = 1.
+  /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
+  /// reason that there is no test; within the study's family such a test counts as p = 1.
   void add(const std::string& name, const std::string& about, const FoundNumbers& found,
            std::string_view p, std::string_view key = {});
   /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
   void add_untested(const std::string& name, const std::string& about, const std::string& reason);
-  /// Of the test that was added last.
+  /// Sets the number of participants left out of the test that was added last.
   void leave_out(std::size_t participants);
-  /// The same: the proportion that is expected under guessing, against which it is.
+  /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
-  /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
-  /// has added is a row without a p.
+  /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
+  /// and that was not added is a row without a p.
   void finish(AnalysisOutcome& outcome);
 
   const Test* find(std::string_view name, std::string_view about = {}) const;
@@ -85,11 +89,11 @@ class StudyTests final {
   bool is_declared() const noexcept { return is_declared_; }
 
  private:
-  /// The p of the family, and the smallest ones that are attainable, with Holm's correction.
+  /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
   void adjust();
   std::size_t tests_in_family() const;
-  /// What stands below the table: of how many tests the family is, and what the columns hold, without the symbols of the
-  /// tests that are called `left_out`.
+  /// The note below the table: the number of tests in the family, and the contents of the columns,
+  /// without the symbols of the tests that are called `left_out`.
   Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
   Phrase note_on_columns(std::string_view left_out) const;
 
@@ -101,16 +105,17 @@ class StudyTests final {
   std::vector<Test> tests_{};
 };
 
-/// A table as a person reads it (reading_table.h). In that of the tests a statistic stands with its degrees
-/// of freedom and its value in one cell, "t(19) = 12.25", an effect size with its interval in another,
-/// "d = 2.74 [1.75, 3.71]".
+/// A table for display (reading_table.h). In the table of tests a statistic is combined with its
+/// degrees of freedom and its value in one cell, "t(19) = 12.25", an effect size with its interval
+/// in another, "d = 2.74 [1.75, 3.71]".
 Table reading_table(const NamedTable& table);
 
-/// "p = .031, uncorrected"; of the family "p = .062, Holm-corrected", or "p = .062, the only confirmatory test". Where no p
-/// of 5 % could be attained, with the smallest one. Without a declaration no test is confirmatory.
+/// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
+/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one.
+/// Without a declaration no test is confirmatory.
 Phrase p_text(const StudyTests::Test& test);
-/// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
-/// of a test outside the family `told`, with the sentence that it is exploratory.
+/// The sentences about a test that was made: `claim` if it is significant, `nothing` if it is not,
+/// and `told` for a test outside the family, with the sentence that it is exploratory.
 struct Sayings {
   Phrase claim{};
   Phrase nothing{};

@@ -1,5 +1,3 @@
-// The tables that every kind has, each also as findings.
-
 #include "app/findings/study/tally.h"
 
 #include <algorithm>
@@ -37,8 +35,8 @@ Finding interval_finding(const Finding& about, double low, double high, std::str
   return finding;
 }
 
-/// Every row through the family of single counts, by the row's number. Where there is no one chance,
-/// its p means nothing, and is not looked at.
+/// Every row analysed by the family of single counts, by the row's number. Where there is no single
+/// chance level, its p is meaningless and is not used.
 std::vector<Finding> numbers_of(const ShareTable& shares) {
   std::string text = "id,k,n,p0\n";
   for (std::size_t i = 0; i < shares.rows.size(); ++i) {

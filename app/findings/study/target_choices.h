@@ -1,4 +1,4 @@
-// The choices of the target of a selection: over repetitions, and beyond its textures.
+// Analyses the choices of the target of a selection: over repetitions, and over textures.
 
 #pragma once
 
@@ -7,9 +7,10 @@
 
 namespace asperity {
 
-/// How reliable the participants' proportions of choices of the target are over repetitions, and whether the
-/// proportion holds for other participants and textures. Where not every trial presents every model there is no such
-/// proportion, and the findings give that as the status; so does the reliability without a declared target.
+/// The reliability of the participants' proportions of choices of the target over repetitions, and
+/// whether the proportion generalises to other participants and textures. Where not every trial
+/// presents every model there is no such proportion, and the findings state that in their status;
+/// the same applies to the reliability without a declared target.
 void ask_target_choices(const Selection& selection, AnalysisOutcome& outcome);
 
 }  // namespace asperity

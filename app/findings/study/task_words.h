@@ -1,4 +1,4 @@
-// Words for the task of a protocol.
+// Describes the task of a protocol as text.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// The tests of a study in words that a paper prints.
+// Reports the tests of a study in sentences for a paper.
 
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace asperity {
 
-/// "exact", or how many permutations were drawn; empty of a test that permutes nothing.
+/// "exact", or how many permutations were drawn; empty for a test that permutes nothing.
 std::string permutations_text(const StudyTests::Test& test);
 
 /// "F(2, 38) = 5.17"; with an ε that corrects the degrees of freedom "F(1.54, 29.18) = 5.17, ε = .77".
 std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
                            std::optional<double> epsilon = {});
 
-/// "d = 2.74 [1.75, 3.71]"; without an interval where an end is absent.
+/// "d = 2.74 [1.75, 3.71]"; without an interval where a limit is absent.
 struct EffectInterval {
   std::optional<double> low{};
   std::optional<double> high{};
@@ -27,13 +27,13 @@ struct EffectInterval {
 };
 std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval);
 
-/// What a test of this kind of protocol found, with its numbers: "The mean proportion correct was
-/// significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %], N = 6; one-sample t test,
-/// t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI [1.56, 6.83]."
-/// Of a test that could not be made, that and why.
+/// The result of a test of this kind of protocol, with its numbers: "The mean proportion correct
+/// was significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %],
+/// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
+/// [1.56, 6.83]." For a test that could not be made, that fact and the reason.
 TestSentence sentence_of_test(const StudyTests::Test& test, std::string_view kind);
 
-/// Of a mean proportion, whose CI is of another method than the test.
+/// For a mean proportion, whose CI comes from a different method than the test.
 inline constexpr std::string_view kChanceInInterval =
     "; the 95 % CI of the mean contains the chance level";
 

@@ -20,7 +20,7 @@
 namespace asperity {
 namespace {
 
-/// What the findings rest on, whatever the design of the table.
+/// The basis of the findings, for every design of the table.
 struct MeanComparison {
   std::size_t n = 0;  ///< participants
   std::size_t incomplete = 0;
@@ -66,7 +66,7 @@ ComparedMeans one_sample(const std::vector<double>& sample, std::string method, 
   return made;
 }
 
-/// The columns of a design, read; rows with an empty cell are left out and counted.
+/// Reads the columns of a design; rows with an empty cell are omitted and counted.
 ComparedMeans read_one_sample(const TidyTable& table, double confidence) {
   std::vector<double> sample{};
   std::size_t incomplete = 0;

@@ -1,4 +1,4 @@
-// Options out of JSON and out of NAME=VALUE.
+// Parses options from JSON and from NAME=VALUE.
 
 #include "app/findings/tidy/family_options.h"
 
@@ -42,7 +42,7 @@ double option_number(const OptionValue& option, const std::string& name) {
   refuse_option(name, "must be a number");
 }
 
-// Levels and names that look like numbers are written without quotes by careful and careless hands.
+// Levels and names that look like numbers are accepted without quotes.
 std::string option_text(const OptionValue& option, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
   if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
@@ -61,7 +61,7 @@ auto list_of(const OptionValue& option, const std::string& name, Item item) {
   return list;
 }
 
-/// A list of names; one that stands twice would be two with the same numbers.
+/// A list of names; a repeated name would duplicate the same numbers.
 std::vector<std::string> distinct_names(const OptionValue& option, const std::string& name) {
   std::vector<std::string> names = list_of(option, name, option_text);
   std::set<std::string_view> seen{};

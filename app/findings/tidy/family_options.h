@@ -1,4 +1,4 @@
-// What an analysis of a table is told beside the table.
+// Options of an analysis of a table.
 
 #pragma once
 
@@ -12,34 +12,35 @@
 
 namespace asperity {
 
-/// A JSON value without its syntax; an object keeps its order.
+/// A JSON value, independent of its syntax; members of an object keep their order.
 struct OptionValue {
   using List = std::vector<OptionValue>;
   using Object = std::vector<std::pair<std::string, OptionValue>>;
   std::variant<std::monostate, bool, double, std::string, List, Object> value{};
 };
 
-/// Options by name, with the types that an analysis asks for. One value stands for a list of one;
-/// null is the same as absent.
+/// Options by name, with the types that an analysis requests. A single value is accepted as a list
+/// of one; null is the same as absent.
 ///
 /// Errors: every function throws std::runtime_error naming the option: absent where there is no
-/// default, of another type, or a list in which a name stands twice.
+/// default, of another type, or a list that contains a name twice.
 class FamilyOptions final {
  public:
   FamilyOptions() = default;
   /// An object, or `[]` for none.
   static FamilyOptions of_json(const std::string& text, const std::string& file_name);
-  /// One more, as a value.
+  /// Adds one option, as a value.
   void set(const std::string& name, double number);
   void set(const std::string& name, std::string text);
   void set(const std::string& name, const std::vector<std::string>& texts);
   /// An object of lists: factors with their levels, in order.
   void set(const std::string& name,
            const std::vector<std::pair<std::string, std::vector<std::string>>>& levels);
-  /// One more from the command line. Its text is read as JSON where it is that; `a,b,c` is a list.
+  /// Adds one option from the command line. Its text is read as JSON where it is valid JSON;
+  /// `a,b,c` is a list.
   void add(const std::string& name, const std::string& text);
 
-  /// Of all that are given, in their order.
+  /// All given options, in their order.
   std::vector<std::string> names() const;
   bool has(const std::string& name) const;
 
@@ -54,10 +55,10 @@ class FamilyOptions final {
   std::vector<std::pair<std::string, std::vector<std::string>>> levels(
       const std::string& name) const;
 
-  /// `conf`, 0.95 where absent. Refuses what is no probability.
+  /// `conf`, 0.95 where absent. Rejects a value that is not a probability.
   double confidence() const;
 
-  /// Those that no analysis has asked for: misspelt, or of another family.
+  /// Options that no analysis has requested: misspelt, or of another family.
   std::vector<std::string> never_asked_for() const;
 
  private:

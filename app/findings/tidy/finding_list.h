@@ -1,4 +1,4 @@
-// Findings, one after the other.
+// Collects findings in order.
 
 #pragma once
 
@@ -18,34 +18,34 @@
 
 namespace asperity {
 
-/// The key of a number that belongs to two things.
+/// The key of a number that belongs to two items.
 inline std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
 
 /// A number that is not defined for these data.
 inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
-/// Why there is no number, where nothing more is known about it.
+/// The status of a missing number, where no further reason is known.
 inline constexpr const char* kNotDefined = "this number is not defined for these data";
 
-/// What a number rests on.
+/// The basis of a number.
 struct Basis {
   std::size_t n = 0;                             ///< independent units
-  std::string method{};                          ///< what was computed, and against which chance
-  std::string unit = "1";                        ///< as SI writes it
-  std::optional<ConfidenceInterval> interval{};  ///< around the number
-  std::optional<double> confidence{};            ///< of that
-  std::string undefined{};  ///< why the number is not defined, should it not be; empty: not said
+  std::string method{};                          ///< what was computed, and the chance level
+  std::string unit = "1";                        ///< SI symbol
+  std::optional<ConfidenceInterval> interval{};  ///< of the number
+  std::optional<double> confidence{};            ///< of that interval
+  std::string undefined{};  ///< the status if the number is not defined; empty: the default one
 };
 
-/// Collects findings with a word in the place of a number that is none.
+/// Collects findings, with a word in place of a value that is not a number.
 class FindingList final {
  public:
-  /// A number; `NA` with the status of one that is not defined where it is NaN, `Inf` and `-Inf`.
+  /// A number; `NA` with the status "not defined" where it is NaN, `Inf` and `-Inf`.
   void number(std::string quantity, std::string key, double value, Basis basis = {});
   void count(std::string quantity, std::string key, std::uint64_t value, Basis basis = {});
   void truth(std::string quantity, std::string key, bool value, Basis basis = {});
-  /// A word instead of an answer. `status`: the sentence that says why, and what to do; "ok" where
-  /// the word is the answer.
+  /// A word instead of a number. `status`: the sentence that states why, and what to do; "ok" where
+  /// the word is the result.
   void word(std::string quantity, std::string key, std::string word, std::string status,
             Basis basis = {});
 
@@ -56,36 +56,37 @@ class FindingList final {
   std::vector<Finding> findings_{};
 };
 
-/// How the participants' own shares spread: `subj.minimum`, `subj.median`, `subj.maximum`. Nothing
-/// for nobody.
+/// The spread of the participants' proportions: `subj.minimum`, `subj.median`, `subj.maximum`. Adds
+/// nothing without participants.
 void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings);
 
 /// "exact", or "random (9999 draws, seed 1)", for a method; `drawn` of 0 is exact.
 std::string way_of_counting(std::size_t drawn);
 
-/// The mean of participants' own proportions, `subj.mean` as a rule, with its interval (`mean_share_interval`) where there are
-/// two participants. `method`: of what it is the mean. Whatever shows the interval of a mean proportion takes it from
-/// here.
+/// The mean of participants' proportions, usually `subj.mean`, with its interval
+/// (`mean_share_interval`) where there are two participants. `method`: the quantity that is
+/// averaged. All displays of the interval of a mean proportion take it from here.
 void add_mean_share(const std::string& quantity, const std::string& key,
                     std::span<const HitCount> participants, const std::string& method,
                     const MeanShareQuestion& question, FindingList& findings);
 
-/// The geometric mean of single participants' numbers, at least one, with its interval, `QUANTITY.lower` and
-/// `QUANTITY.upper`. Returns whether there is an interval.
+/// The geometric mean of single participants' numbers, at least one, with its interval,
+/// `QUANTITY.lower` and `QUANTITY.upper`. Returns whether there is an interval.
 struct GeometricScale {
   double confidence = 0.95;
   std::string unit = "1";
-  std::string method{};  ///< of what it is the mean
+  std::string method{};  ///< the quantity that is averaged
 };
 bool add_geometric_mean(const std::string& quantity, const std::string& key,
                         std::span<const double> of_participants, const GeometricScale& scale,
                         FindingList& findings);
-/// `QUANTITY.status`: why a mean over so many participants has no interval (too_few, undefined_zero_variance).
+/// `QUANTITY.status`: why a mean over this many participants has no interval (too_few,
+/// undefined_zero_variance).
 void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
                      FindingList& findings);
 
-/// Cohen's h of a proportion against chance, with Wilson's limits on the same scale, on which they cover
-/// as often.
+/// Cohen's h of a proportion against chance, with Wilson's limits on the same scale, on which their
+/// coverage is unchanged.
 struct ChanceOfHit {
   double chance = 0.5;
   double confidence = 0.95;
@@ -93,11 +94,11 @@ struct ChanceOfHit {
 void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
                  const ChanceOfHit& of, FindingList& findings);
 
-/// The numbers of single participants, with what these can be where there are bounds to it.
+/// The numbers of single participants, with their bounds where there are any.
 struct GroupScale {
   double confidence = 0.95;
   std::optional<ConfidenceInterval> possible{};
-  std::string of = "mean of the group's participants";  ///< what a mean is, for its method
+  std::string of = "mean of the group's participants";  ///< description of a mean, for its method
 };
 /// The mean of a group's participants with Student's interval, where there is one.
 void add_mean_of_group(const std::string& quantity, const std::string& key,
@@ -108,8 +109,8 @@ void add_difference_of_means(const std::string& quantity, const std::string& key
                              const TwoSamples& samples, const GroupScale& scale,
                              FindingList& findings);
 
-/// What the permutation test of two groups is reported with: how many splits were drawn at random
-/// (`NAME.draws`; 0 where all were counted).
+/// The report of the permutation test of two groups: the number of random permutations
+/// (`NAME.draws`; 0 where all were enumerated).
 void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
                 std::size_t n, FindingList& findings);
 

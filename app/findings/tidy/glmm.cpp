@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-/// A factor with treatment contrasts: its columns of the design, one per level but the first.
+/// A factor with treatment contrasts: its columns of the design, one per level except the first.
 struct FixedFactor {
   std::string name{};
   std::vector<std::string> levels{};
@@ -215,8 +215,9 @@ class CrossedFindings final {
     }
   }
 
-  /// Of other participants and other items of the same kind: t instead of Wald's z, unless there are factors: the
-  /// intercept is then that of the reference levels, of which fewer participants may have trials.
+  /// The proportion for other participants and other items of the same kind: t instead of Wald's z,
+  /// unless there are factors: the intercept is then that of the reference levels, of which fewer
+  /// participants may have trials.
   void average_proportion(const CrossedFit& fit) {
     if (!table_.factors.empty()) {
       proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
@@ -248,7 +249,7 @@ class CrossedFindings final {
     list_.number("glmm.proportion", "", proportion_at(fit.beta(0), table_.model.link), shown);
   }
 
-  /// Against the model without the factor.
+  /// The likelihood-ratio test against the model without the factor.
   void likelihood_ratio(const FixedFactor& factor, const CrossedFit& full) {
     CrossedModel without = table_.model;
     const Eigen::Index behind = without.design.cols() - factor.first_column - factor.columns();

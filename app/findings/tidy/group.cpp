@@ -26,7 +26,7 @@ struct Groups {
   std::vector<GroupedHits> participants{};
   std::vector<std::string> participant_names{};  ///< empty where the row has none
   TwoByTwo pooled{};
-  std::vector<double> first{};  // share of each participant
+  std::vector<double> first{};  // proportion of each participant
   std::vector<double> second{};
 };
 
@@ -69,7 +69,7 @@ struct StatusText {
   const char* sentence = nullptr;
 };
 
-/// Nothing where another finding states it: `mixed.boundary`, `glm.status`.
+/// Nothing where another finding states the reason: `mixed.boundary`, `glm.status`.
 StatusText status_text(NoMixedLogit reason) {
   switch (reason) {
     case NoMixedLogit::separated:

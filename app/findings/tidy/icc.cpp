@@ -13,7 +13,7 @@ namespace {
 
 struct RatedTargets {
   Eigen::MatrixXd complete{};  ///< targets with a score from every rater × raters
-  std::size_t incomplete = 0;  ///< targets without
+  std::size_t incomplete = 0;  ///< targets without a score from every rater
 };
 
 RatedTargets rated_targets(const TidyTable& table) {

@@ -56,7 +56,7 @@ OrderedTrials ordered_trials(const TidyTable& table, const std::vector<bool>& ha
   return ordered;
 }
 
-/// Without the middle one of an odd number; nothing for a participant with one trial.
+/// Omits the middle trial of an odd number; nothing for a participant with one trial.
 struct Halves {
   std::span<const std::size_t> first{};
   std::span<const std::size_t> second{};
@@ -67,7 +67,7 @@ std::optional<Halves> halves_of(const std::vector<std::size_t>& rows) {
   return Halves{std::span(rows).first(half), std::span(rows).last(half)};
 }
 
-/// Stretches of equally many trials, the last perhaps of fewer.
+/// Blocks of equally many trials; the last may have fewer.
 class TrialBlocks final {
  public:
   TrialBlocks(std::uint64_t last, const FamilyOptions& options) : last_(last) {
@@ -82,7 +82,7 @@ class TrialBlocks final {
   std::size_t of(std::uint64_t trial) const {
     return static_cast<std::size_t>((trial - 1) / width_);
   }
-  /// "3" of one trial, "1-4" of several.
+  /// "3" for one trial, "1-4" for several.
   std::string name(std::size_t block) const {
     const std::uint64_t first = block * width_ + 1;
     const std::uint64_t last = std::min(first + width_ - 1, last_);

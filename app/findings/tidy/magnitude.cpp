@@ -22,7 +22,7 @@
 namespace asperity {
 namespace {
 
-/// Answered estimates with the places of their participants, probes and spacings.
+/// Estimates with the indices of their participants, probes and spacings.
 struct Estimates {
   std::vector<std::string> participants{};  ///< in the order of their first positive estimate
   std::vector<std::string> probes{};
@@ -39,7 +39,7 @@ ZeroRule zero_rule_of(const std::string& name) {
                            "\"; it must be exclude or halfmin");
 }
 
-/// Numbers as numbers are written, other names as they stand: 0.50 and 0.5 are one probe.
+/// Numbers in canonical form, other names unchanged: 0.50 and 0.5 are one probe.
 std::string probe_name(std::string_view text) {
   const TidyTable one("p\n" + std::string(text) + '\n', "");
   try {
@@ -94,7 +94,7 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
 
   std::vector<std::string> probe_names{};
   for (const std::string& name : probes.names) probe_names.push_back(probe_name(name));
-  // Only what has an estimate counts; names in the order of their first one.
+  // Only rows with an estimate count; names are in the order of their first one.
   std::map<std::size_t, std::size_t> participant_places{};
   std::map<std::string, std::size_t> probe_places{};
   std::map<std::size_t, std::size_t> level_places{};
@@ -266,7 +266,7 @@ class MagnitudeList final {
         const auto column = static_cast<Eigen::Index>(level);
         const std::string key = cell_key(probe, level);
         const double mean = cell.mean(column);
-        // With a single cell everybody's normalised estimate is the grand mean, whoever they are.
+        // With a single cell, every participant's normalised estimate is the grand mean.
         const bool has_spread =
             cell.half_width && (normalisation_ != Normalisation::grand_mean || cells > 1.0);
         const double half = has_spread ? (*cell.half_width)(column) : kUndefined;

@@ -1,4 +1,4 @@
-// Each trial assigns several felt textures to as many images.
+// Matching: each trial assigns several felt textures to as many images.
 
 #include <algorithm>
 #include <array>
@@ -34,21 +34,22 @@ struct TidyTrial {
   std::size_t first_item = 0;
   std::size_t items = 0;
   std::size_t right = 0;
-  std::size_t chance = 0;  ///< which of the chances
-  std::size_t times = 1;   ///< how many trials it stands for
+  std::size_t chance = 0;  ///< index in `chances`
+  std::size_t times = 1;   ///< how many trials it represents
   bool permutation = false;
 
   bool whole() const { return permutation && right == items; }
 };
 
 struct Matching {
-  std::vector<std::string> labels{};  ///< felt first, then what was only chosen
+  std::vector<std::string> labels{};  ///< felt items first, then those that were only chosen
   std::vector<std::string> participants{};
   std::vector<std::string> trial_names{};
   std::vector<std::string> groups{};  ///< by participant; empty where there is none
   std::vector<MatchedItem> matched{};
   std::vector<TidyTrial> trials{};
-  std::vector<IntegerDistribution> chances{};  ///< of one trial's right items; all different
+  /// Distributions of one trial's number correct; all different.
+  std::vector<IntegerDistribution> chances{};
   std::vector<std::size_t> felt{};             ///< labels that were felt, by name
   std::size_t items = 0;                       ///< of the first trial
   bool equal_size = true;
@@ -64,7 +65,7 @@ struct Matching {
   }
 };
 
-/// Sorts rows into trials, in the order in which trials first stand.
+/// Groups rows into trials, in the order of their first rows.
 void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) {
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn trials = table.all_labels("trial");
@@ -119,7 +120,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
   }
 }
 
-/// Most trials are dealt alike: all permutations of a size.
+/// Most trials have the same design: all permutations of a size.
 void find_chances(Matching& read) {
   std::map<std::size_t, std::size_t> of_permutations{};  // by size
   std::map<std::vector<double>, std::size_t> of_probabilities{};
@@ -162,7 +163,7 @@ Matching matching_in(const TidyInput& input) {
   return read;
 }
 
-/// How often each chance stands.
+/// How often each chance distribution occurs.
 using Times = std::vector<std::uint64_t>;
 
 IntegerDistribution chance_of(const Matching& read, const Times& times) {
@@ -272,11 +273,11 @@ void add_whole(const Matching& read, FindingList& findings) {
               {.chance = whole_chance(read.items), .confidence = read.confidence}, findings);
 }
 
-/// The wrong items of a permutation are two at least: under Mallows' model with four items their number varies up to
-/// 2.1 times as much as that of independent ones.
+/// A permutation has at least two incorrect items: under Mallows' model with four items their
+/// number has up to 2.1 times the variance of that of independent items.
 constexpr double kLeastDesignEffect = 2.0;
 
-/// Answers by what was felt and what was chosen, both as labels.
+/// Responses by felt and chosen item, both as labels.
 struct ItemCounts {
   std::vector<HitCount> hits{};  ///< by felt label, permutation trials only
   std::vector<std::map<std::size_t, std::uint64_t>> trials_by_size{};  ///< the same trials
@@ -298,7 +299,7 @@ struct ItemCounts {
   }
 };
 
-/// Every participant's own distributions under one relabelling of the pictures.
+/// Every participant's distributions under one relabelling of the pictures.
 std::vector<RelabelledMatching> relabelled_participants(const Matching& read,
                                                         bool permutations_only) {
   std::vector<std::vector<RepeatedTrial>> trials(read.participants.size());
@@ -313,8 +314,8 @@ std::vector<RelabelledMatching> relabelled_participants(const Matching& read,
   return participants;
 }
 
-/// A one-sided test of a count, with the participant as the unit. `quantity` ends in ".p.greater"; the smallest p that
-/// these data can give stands next to it, as ".smallest".
+/// A one-sided test of a count, with the participant as the unit. `quantity` ends in ".p.greater";
+/// the smallest attainable p is added with the suffix ".smallest".
 void add_relabelling_test(const std::string& quantity, const std::string& key, std::uint64_t count,
                           std::span<const IntegerDistribution> participants, const std::string& of,
                           FindingList& findings) {
@@ -328,7 +329,7 @@ void add_relabelling_test(const std::string& quantity, const std::string& key, s
                   {.n = participants.size(), .method = "smallest attainable p; " + method});
 }
 
-/// The right items of all participants.
+/// The number of correct items of all participants.
 void add_relabelled_items(const Matching& read, FindingList& findings) {
   std::uint64_t right = 0;
   for (const TidyTrial& trial : read.trials) right += trial.right * trial.times;
@@ -352,7 +353,7 @@ void add_relabelled_items(const Matching& read, FindingList& findings) {
                  "with one relabelling per participant"});
 }
 
-/// Trials with all items correct, and the answers to each felt item.
+/// Trials with all items correct, and the responses to each felt item.
 void add_relabelled_permutations(const Matching& read, FindingList& findings) {
   const std::vector<RelabelledMatching> participants = relabelled_participants(read, true);
   if (participants.empty()) return;
@@ -389,8 +390,8 @@ void add_relabelled_permutations(const Matching& read, FindingList& findings) {
   }
 }
 
-/// Single textures. In trials of different sizes their chances differ, and the hits of chance are a
-/// sum of unequal coins.
+/// Single textures. In trials of different sizes the chance levels differ, and the number of hits
+/// expected by chance is a sum of unequal Bernoulli variables.
 void add_textures(const Matching& read, FindingList& findings) {
   const ItemCounts counts(read);
   for (const std::size_t label : read.felt) {
@@ -455,7 +456,7 @@ void add_mallows(const Matching& read, FindingList& findings) {
   findings.number("mallows.ci.upper", "", fit.finite->interval.high, basis);
 }
 
-/// Of one group: correctly matched items of a trial.
+/// The mean of one group: correctly matched items per trial.
 void add_group_mean(const Matching& read, const std::string& group, std::span<const double> means,
                     std::span<const HitCount> own, const GroupScale& scale, FindingList& findings) {
   if (!read.equal_size) {
@@ -474,7 +475,7 @@ void add_group_mean(const Matching& read, const std::string& group, std::span<co
   findings.number("group.mean", group, one_sample_t(means).mean, basis);
 }
 
-/// `means`: right items of a trial, by participant; `own` of all items.
+/// `means`: correct items per trial, by participant; `own` over all items.
 void add_groups(const Matching& read, const std::vector<double>& means,
                 std::span<const HitCount> own, FindingList& findings) {
   const std::set<std::string> groups(read.groups.begin(), read.groups.end());
@@ -493,7 +494,7 @@ void add_groups(const Matching& read, const std::vector<double>& means,
   }
   const TwoSamples samples{.first = first, .second = second};
   const std::string key = names[0] + '-' + names[1];
-  std::size_t most = 0;  // items of a trial, so that no participant's mean is above it
+  std::size_t most = 0;  // items of a trial, the maximum of a participant's mean
   for (const TidyTrial& trial : read.trials) most = std::max(most, trial.items);
   const GroupScale scale{
       .confidence = read.confidence,
@@ -521,7 +522,7 @@ void add_groups(const Matching& read, const std::vector<double>& means,
   }
 }
 
-/// The participant as the unit: the share of right items of each, over the participants.
+/// The proportion of correct items with the participant as the unit.
 void add_shares_of_participants(std::span<const HitCount> own, double confidence,
                                 FindingList& findings) {
   std::vector<double> shares{};

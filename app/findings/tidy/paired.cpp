@@ -1,4 +1,4 @@
-// Each judgement puts one of two items before the other, or neither.
+// Paired comparisons: each judgement prefers one of two items, or neither.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What planned tests would find: one scenario per row.
+// Power of planned tests: one scenario per row.
 
 #include "analysis/power.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 using NumbersByColumn = std::map<std::string, std::vector<std::optional<double>>>;
 
-/// One row, asked for the columns that its kind needs.
+/// One row, with access to the columns that its kind requires.
 class Scenario final {
  public:
   Scenario(const TidyTable& table, std::size_t row, NumbersByColumn& columns)
@@ -47,7 +47,7 @@ class Scenario final {
     }
     return static_cast<std::size_t>(value);
   }
-  /// Separated by semicolons.
+  /// Numbers separated by semicolons.
   std::vector<double> numbers(const char* column) const {
     std::vector<double> list{};
     const std::string text(table_.texts(column)[row_]);
@@ -66,7 +66,7 @@ class Scenario final {
  private:
   const TidyTable& table_;
   std::size_t row_ = 0;
-  NumbersByColumn& columns_;  // read once, when a kind first asks for them
+  NumbersByColumn& columns_;  // read once, when a kind first requests them
 };
 
 class PowerList final {

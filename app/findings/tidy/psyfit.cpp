@@ -1,4 +1,4 @@
-// Psychometric functions of conditions: right answers by level.
+// Psychometric functions of conditions: correct responses by level.
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ std::optional<double> rate_of(const FamilyOptions& options, const std::string& n
   return options.number(name);
 }
 
-/// A rate that is fitted can be 0.
+/// Rejects a performance that the model cannot reach. A rate that is fitted can be 0.
 void refuse_unreachable(double performance, const PsychometricModel& model) {
   const double low = model.gamma.value_or(0.0);
   const double high = 1.0 - model.lambda.value_or(0.0);
@@ -252,7 +252,7 @@ class PsychometricList final {
     number("threshold.overdispersed.upper", fit.overdispersed->threshold.high, interval);
   }
 
-  /// The intervals take a fixed λ as true.
+  /// Lapse rates; intervals treat a fixed λ as known.
   void lapses(const PsychometricFit& fit) {
     const PsychometricFit::FreeLapses& free = *fit.free_lapses;
     const double shift = free.threshold - fit.threshold;
@@ -326,7 +326,7 @@ class PsychometricList final {
     const bool symmetric =
         shape == PsychometricShape::logistic || shape == PsychometricShape::normal;
     if (symmetric && fit.function.gamma == 0.0) {
-      // Of F itself, without lapses.
+      // The threshold of F, without lapses.
       const PsychometricFunction plain{
           .shape = shape, .alpha = fit.function.alpha, .beta = fit.function.beta};
       number("jnd", 0.5 * (plain.inverse(0.75) - plain.inverse(0.25)), "(x75 − x25)/2 of F");
@@ -345,7 +345,7 @@ class PsychometricList final {
                basis("profile interval"));
   }
 
-  /// A threshold that no level is beyond rests on the form of the function alone.
+  /// A threshold beyond all tested levels depends on the form of the function alone.
   void say_where_outside(double threshold, const Blocks& blocks) {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -lowest;

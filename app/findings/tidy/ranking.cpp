@@ -1,4 +1,4 @@
-// Each trial ranks some or all of the items that it offers.
+// Rankings: each trial ranks some or all of the items that it offers.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Each participant scores every item once; only the order of the scores counts.
+// Ratings: each participant scores every item once; only the order of the scores counts.
 
 #include <cmath>
 #include <optional>
@@ -17,7 +17,7 @@ namespace {
 
 struct Scores {
   Eigen::MatrixXd complete{};  ///< a row per participant who scored every item
-  std::size_t incomplete = 0;  ///< participants who did not
+  std::size_t incomplete = 0;  ///< participants who did not score every item
 };
 
 Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) {
@@ -56,7 +56,7 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
   return made;
 }
 
-/// What the numbers leave out, where they leave out something.
+/// Reports the rows that the numbers omit, if any.
 void add_left_out(const Scores& scores, FindingList& findings) {
   if (scores.incomplete > 0) {
     findings.count("n.incomplete", "", scores.incomplete,

@@ -1,4 +1,5 @@
-// Which of m stimuli was felt: confusions, sensitivity, information, similarity.
+// Recognition: identification of one of m stimuli, with confusions, sensitivity, information and
+// similarity.
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ class Recognition final {
   Basis basis(std::string method) const {
     return {.n = trials_.participants.size(), .method = std::move(method)};
   }
-  /// Of what pools the answered trials.
+  /// The basis of numbers that pool the answered trials.
   Basis of_trials(std::string method) const {
     return {.n = right_.trials, .method = std::move(method)};
   }

@@ -1,4 +1,4 @@
-// A case with known results: a folder with case.json and the tables that it names.
+// Reads a case with known results: a folder with case.json and the tables that it names.
 
 #pragma once
 
@@ -21,8 +21,8 @@ struct ReferenceCase {
 /// Errors: std::runtime_error or ResultsError naming the file.
 ReferenceCase read_reference_case(const std::filesystem::path& folder);
 
-/// `quantity,key,value`, one line per finding in their order: the value in the shortest digits that
-/// read back to the same number, or the word. Quoted as RFC 4180 says.
+/// `quantity,key,value`, one line per finding in their order: the value in the fewest digits that
+/// give the same number when read, or the word. Quoted as specified by RFC 4180.
 std::string case_csv_of(std::span<const Finding> findings);
 
 }  // namespace asperity

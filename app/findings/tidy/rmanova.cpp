@@ -32,7 +32,7 @@ struct Design {
   RepeatedMeasures data{};
 };
 
-/// A level as the options name it, or as a number that it equals: 0.50 is 0.5.
+/// A level by name, or by an equal number: 0.50 is 0.5.
 std::optional<std::size_t> level_of(std::string_view text, const std::vector<std::string>& levels) {
   const auto same = std::find(levels.begin(), levels.end(), text);
   if (same != levels.end()) return static_cast<std::size_t>(same - levels.begin());
@@ -46,7 +46,7 @@ std::optional<std::size_t> level_of(std::string_view text, const std::vector<std
       if (number(levels[i]) == value) return i;
     }
   } catch (const std::exception&) {
-    return std::nullopt;  // no number is compared with a name
+    return std::nullopt;  // a number is not compared with a name
   }
   return std::nullopt;
 }
@@ -104,7 +104,7 @@ Design read_design(const TidyInput& input) {
   std::vector<std::size_t> groups(table.rows(), 0);
   if (!design.between.empty()) groups = codes_of(table, design.between.front());
 
-  // Participants without any number are not there at all.
+  // Participants without any number are ignored.
   struct Person {
     std::vector<double> sums{};
     std::vector<std::size_t> counts{};

@@ -79,7 +79,7 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
                        .method = "Friedman's test, corrected for ties",
                        .undefined = "all items are tied in every row: there is no order to test"};
   if (n < 2) {
-    // One row agrees with itself alone: its W is 1 and its p the same whatever it says.
+    // With a single row, W is 1 and p is constant whatever the data.
     findings.word("friedman.chisq", "", n == 0 ? "no_data" : "undefined_one_row",
                   n == 0 ? rows.none : rows.one, friedman);
     return;

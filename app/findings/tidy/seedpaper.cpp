@@ -1,5 +1,6 @@
-// The printed margins of a study with three experiments: which rendering was chosen, how many
-// matched and recognised, by sex. What they say, and between which bounds what they do not.
+// The printed margins of a study with three experiments: the choices among renderings, and the
+// numbers of correct matchings and recognitions, by sex. Reports the results that the margins
+// determine, and bounds for those that they do not.
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +31,11 @@ namespace {
 constexpr const char* kPooled = "POOLED";
 constexpr const char* kTarget = "image";
 constexpr double kConfidence = 0.95;
-constexpr std::size_t kTextures = 4;               ///< that were matched
-constexpr std::uint64_t kMostChoices = 1'000'000;  ///< in a cell; one by one they are put in rows
-constexpr std::size_t kPictures = 6;               ///< that were recognised among
+constexpr std::size_t kTextures = 4;               ///< in the matching experiment
+constexpr std::uint64_t kMostChoices = 1'000'000;  ///< in a cell; each becomes a row
+constexpr std::size_t kPictures = 6;               ///< in the recognition experiment
 
-/// Share with both intervals, in the names of a table.
+/// A proportion with both intervals, named as in a table.
 void add_share(const std::string& table, const std::string& key, const HitCount& count,
                FindingList& findings) {
   const ConfidenceInterval wilson = wilson_interval(count, kConfidence);
@@ -51,7 +52,7 @@ void add_share(const std::string& table, const std::string& key, const HitCount&
   findings.number(table + ".cp.upper", key, cp.high, of_cp);
 }
 
-/// Table 1: renderings down, experiments across.
+/// Table 1: renderings in rows, experiments in columns.
 struct ChoiceTable {
   std::vector<std::string> renderers{};
   std::vector<std::string> experiments{};
@@ -121,8 +122,8 @@ void add_choices(const ChoiceTable& table, const std::string& block,
   }
 }
 
-/// What the same participants' choices would say if each were as consistent as the margins allow:
-/// participants in a row, first those who choose the first rendering in every experiment.
+/// The results if each participant's choices were as consistent as the margins allow: participants
+/// in a row, first those who choose the first rendering in every experiment.
 void add_most_consistent(const ChoiceTable& table, FindingList& findings) {
   const Eigen::RowVectorX<std::int64_t> totals = table.counts.colwise().sum();
   if (totals.size() == 0 || totals.minCoeff() != totals.maxCoeff() || totals(0) == 0) return;
@@ -175,7 +176,7 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
       exact_independence_test(table.counts).value_or(std::numeric_limits<double>::quiet_NaN()),
       {.n = n, .method = "Freeman–Halton exact test, experiments treated as independent"});
   add_most_consistent(table, findings);
-  // The rendering that came nearest to the target.
+  // The rendering with the count closest to the target's.
   Eigen::Index rival = table.target == 0 ? 1 : 0;
   for (Eigen::Index other = 0; other < pooled.size(); ++other) {
     if (other != table.target && pooled(other) > pooled(rival)) rival = other;
@@ -193,12 +194,12 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
                  "test at the observed preference"});
 }
 
-/// Tables 2 and 3: right answers by experiment and sex.
+/// Tables 2 and 3: correct responses by experiment and sex.
 struct RightAnswers {
   std::vector<std::string> experiments{};
   std::map<std::pair<std::string, std::string>, HitCount> of{};  ///< (experiment, sex)
 
-  /// Of one experiment or all, of one sex or both where it is empty.
+  /// The count of one experiment or all, of one sex or both, where the name is empty.
   HitCount count(const std::string& experiment, const std::string& sex) const {
     HitCount sum{};
     for (const auto& [name, own] : of) {
@@ -321,7 +322,7 @@ void add_matching_against_recognition(const RightAnswers& matching, const RightA
 
 std::vector<Finding> seedpaper_findings(const TidyInput& input) {
   FindingList findings{};
-  input.table(2);  // all three, before anything is read of them
+  input.table(2);  // checks that all three exist before reading
   add_table_1(choice_table(input.table(0)), findings);
   const RightAnswers matching = read_right_answers(input.table(1));
   const RightAnswers recognition = read_right_answers(input.table(2));

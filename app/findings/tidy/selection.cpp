@@ -1,4 +1,4 @@
-// Each participant picks one of K alternatives for every sample.
+// Selection: each participant chooses one of K alternatives for every sample.
 
 #include <algorithm>
 #include <limits>
@@ -53,8 +53,8 @@ Choices choices_in(const TidyInput& input) {
 
 constexpr const char* kNothingChosen = "no choices were made: nothing can be estimated";
 
-/// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
-/// of the target.
+/// The choices of one sample, or of all, treated as independent. Returns the one-sided p of the
+/// target.
 double add_block(const Choices& read, const std::string& block,
                  const std::vector<std::uint64_t>& counts, bool pooled, FindingList& findings) {
   std::uint64_t n = 0;
@@ -177,7 +177,7 @@ CountMatrix counts_of_everyone(const Choices& read) {
   return all;
 }
 
-/// Of those who chose at all.
+/// Of the participants who chose at least once.
 CountMatrix counts_by_participant(const Choices& read) {
   CountMatrix all = counts_of_everyone(read);
   Eigen::Index kept = 0;
@@ -189,7 +189,7 @@ CountMatrix counts_by_participant(const Choices& read) {
   return all.topRows(kept);
 }
 
-/// The shares that participants have of one alternative.
+/// The participants' proportions of one alternative.
 void add_person_shares(const Choices& read, const CountMatrix& counts, std::size_t alternative,
                        FindingList& findings) {
   const std::string& target = read.renderers[alternative];
@@ -277,9 +277,10 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
   findings.number("signflip.d", key, d, basis);
 }
 
-/// How far the participants agree in the order of their counts.
+/// The agreement of the participants in the order of their counts.
 void add_concordance(const CountMatrix& counts, double confidence, FindingList& findings) {
-  // With fewer the jackknife covers too rarely: 75 to 98 % of six participants, 82 to 99 % of twelve and twenty.
+  // With fewer, the coverage of the jackknife is too low: 75 to 98 % with six participants, 82 to
+  // 99 % with twelve and twenty.
   constexpr Eigen::Index kFewest = 10;
   const Eigen::MatrixXd judgements = counts.cast<double>();
   Basis basis{.n = static_cast<std::size_t>(counts.rows()),
@@ -353,7 +354,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   add_concordance(counts, read.confidence, findings);
 }
 
-/// Where the counts of a sample hold several choices of one participant.
+/// Reports where the counts of a sample contain several choices of one participant.
 void add_repeated(const Choices& read, FindingList& findings) {
   const std::size_t samples = read.samples.names.size();
   std::vector<bool> seen(read.participants.names.size() * samples);
@@ -371,7 +372,7 @@ void add_repeated(const Choices& read, FindingList& findings) {
                             "sample treat them as independent, tests over participants do not"});
 }
 
-/// Whether choosing the target depends on the sample, among those who answered all samples.
+/// Whether choosing the target depends on the sample, among participants who answered all samples.
 void add_cochran(const Choices& read, FindingList& findings) {
   const std::size_t samples = read.samples.names.size();
   std::vector<std::vector<std::size_t>> first(
@@ -401,7 +402,8 @@ void add_cochran(const Choices& read, FindingList& findings) {
     }
   }
   const std::string& target = read.renderers[read.target];
-  // It takes one choice of everybody with each sample; a relabelling takes them all.
+  // Cochran's test uses one choice of every participant per sample; a relabelling test uses them
+  // all.
   const std::string first_only =
       repeated > 0 ? ", of several choices with a sample, only the first is used" : "";
   const Basis basis{

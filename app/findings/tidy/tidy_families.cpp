@@ -1,5 +1,3 @@
-// The table of families.
-
 #include "app/findings/tidy/tidy_families.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The analyses of tidy tables: a family's table and options in, findings out.
+// The registry of the analyses of tidy tables: a family maps a table and options to findings.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// What a family analyses: its tables, in the order that it declares, and its options.
+/// The input of a family: its tables, in the order that it declares, and its options.
 struct TidyInput {
   std::vector<TidyTable> tables{};
   FamilyOptions options{};
@@ -23,36 +23,37 @@ struct TidyInput {
   const TidyTable& table(std::size_t index = 0) const;
 };
 
-/// One way to analyse tables of one form. There is one per reference family, and whoever has such
-/// data goes through it: `analyze --case`, `analyze --table`, and the answers of a study once they
-/// are such a table. So each number has one home.
+/// One way to analyse tables of one form. There is one per reference family, and all such data are
+/// analysed by it: `analyze --case`, `analyze --table`, and the responses of a study once they are
+/// converted to such a table. Each number thus has one implementation.
 ///
 /// To add a family NAME:
 /// 1. In analysis/, under headers named after the subject: pure functions with typed input (structs,
-///    spans, Eigen) and typed results. They know no table, no JSON and no name of a quantity. Input
-///    without an answer is std::invalid_argument; an answer that good data can lack is a
-///    std::optional, NaN (a number undefined for these data), ±infinity, or an enum for the reasons.
-/// 2. `app/findings/tidy/NAME.cpp` with `std::vector<Finding> NAME_findings(const TidyInput&)`: asks
-///    TidyTable for its columns and FamilyOptions for its options (both refuse in sentences), calls
-///    1., and writes one finding per number with FindingList: `quantity` and `key` are the fixed
-///    names that scripts rest on, parts of a key joined by `|`; `n` counts independent units
-///    (participants, where there are any), `method` says what was computed in words; the main
-///    estimate has its interval as well. Word and status for what cannot be answered.
+///    spans, Eigen) and typed results, without tables, JSON or names of quantities. Input without an
+///    answer is std::invalid_argument; an answer that good data can lack is a std::optional, NaN (a
+///    number undefined for these data), ±infinity, or an enum for the reasons.
+/// 2. `app/findings/tidy/NAME.cpp` with `std::vector<Finding> NAME_findings(const TidyInput&)`:
+///    requests its columns from TidyTable and its options from FamilyOptions (both report problems
+///    in sentences), calls 1., and writes one finding per number with FindingList: `quantity` and
+///    `key` are the fixed names on which scripts depend, parts of a key joined by `|`; `n` counts
+///    independent units (participants, where there are any), `method` states what was computed in
+///    words; the main estimate has its interval as well. Word and status where there is no number.
 /// 3. Its declaration below, its line in the table of tidy_families.cpp, its file in CMakeLists.txt.
 /// 4. Cases of our own in tests/analysis/reference/NAME_NN/: gen.R, case.json, tables, expected.csv.
-///    tests/app/reference_cases_test.cpp walks over all that it finds there.
+///    tests/app/reference_cases_test.cpp runs all cases that it finds there.
 struct TidyFamily {
   std::string_view name{};
-  std::string_view tables{};   ///< which, with their columns; for people
-  std::string_view options{};  ///< with what they take; for people
+  std::string_view tables{};   ///< which, with their columns; for users
+  std::string_view options{};  ///< with their values; for users
   std::vector<Finding> (*findings)(const TidyInput&) = nullptr;
-  std::string_view option_names{};  ///< those names alone, a comma between
+  std::string_view option_names{};  ///< the names alone, separated by commas
   std::size_t most_tables = 1;
 };
 
-/// Throws std::runtime_error naming an option that the family does not have, and what may be meant.
+/// Throws std::runtime_error naming an option that the family does not have, and similar valid
+/// names.
 void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& options);
-/// Throws std::runtime_error naming the first of more tables than the family takes: nothing would come of it.
+/// Throws std::runtime_error naming the first table in excess of those that the family uses.
 void refuse_further_tables(const TidyFamily& family, const TidyInput& input);
 
 std::span<const TidyFamily> tidy_families();
@@ -60,7 +61,7 @@ std::span<const TidyFamily> tidy_families();
 /// "proportion, selection, …"
 std::string family_names();
 
-/// Throws std::runtime_error with the families that there are.
+/// Throws std::runtime_error with the list of families for an unknown name.
 const TidyFamily& tidy_family(const std::string& name);
 
 std::vector<Finding> equivalence_findings(const TidyInput& input);

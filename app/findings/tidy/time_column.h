@@ -1,4 +1,4 @@
-// The column `time_s` of a table of response times.
+// Reads the column `time_s` of a table of response times.
 
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// Natural logarithms of the seconds, by row; nothing where there is no time. Refuses a time that is not above 0.
+/// Natural logarithms of the seconds, by row; nothing where there is no time. Rejects a time that
+/// is not above 0.
 std::vector<std::optional<double>> logarithms_of_times(const TidyTable& table);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The analysis of the kind "magnitude".
+// Analyses the kind "magnitude".
 
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// How rough a surface feels, as a number: curves over spacings for each condition, their peaks, and the
+/// Perceived roughness as a number: curves over spacings for each condition, their peaks, and the
 /// analysis of variance of the logarithms. Each participant's scale is removed first.
 void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 

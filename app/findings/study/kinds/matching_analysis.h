@@ -1,4 +1,4 @@
-// The analysis of the kind "matching".
+// Analyses the kind "matching".
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// Which picture was assigned to which texture: whole permutations (chance 1/m!) and single items
-/// (chance 1/m, tested against random permutations, because the items of one trial depend on each other).
+/// Which picture was assigned to which texture: complete permutations (chance 1/m!) and single
+/// items (chance 1/m, tested by permutation, because the items of one trial depend on each other).
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 const StudyAnalysis& matching_analysis();

@@ -1,4 +1,4 @@
-// The analysis of the kind "recognition".
+// Analyses the kind "recognition".
 
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// Which picture was chosen for the texture felt: chance 1 of as many as were shown.
+/// Which picture was chosen for the texture felt: chance is 1 divided by the number of pictures
+/// shown.
 void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 const StudyAnalysis& recognition_analysis();

@@ -1,4 +1,4 @@
-// The analysis of the kind "selection".
+// Analyses the kind "selection".
 
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace asperity {
 
-/// Which rendering was chosen as the most realistic: counts and proportions of each item (chance 1 of as
-/// many as were felt), and each pair of items among the choices of either. "Cannot tell" is counted and
-/// is not part of the proportions.
+/// Which rendering was chosen as the most realistic: counts and proportions of each item (chance is
+/// 1 divided by the number felt), and each pair of items among the choices of either. "Cannot tell"
+/// is counted and is not part of the proportions.
 void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 const StudyAnalysis& selection_analysis();
