@@ -1,4 +1,4 @@
-// One attempt with everything that a person looks at afterwards.
+// Stores one attempt with everything that its detail page shows.
 
 #pragma once
 
@@ -20,26 +20,26 @@ struct AttemptDetail {
   std::string protocol_version{};
   PlannedTrialRow planned{};
   AttemptRow attempt{};
-  /// About this attempt or its whole session, in the order of deciding.
+  /// About this attempt or its whole session, in chronological order.
   std::vector<DecisionRow> decisions{};
   int ordinal = 0;  ///< among the attempts of the session, from 1
-  int count = 0;    ///< of them
-  // By trial and attempt, in the same session; absent at its ends.
+  int count = 0;    ///< the number of attempts of the session
+  // By trial and attempt, in the same session; absent for the first and last.
   std::optional<std::int64_t> previous_id{};
   std::optional<std::int64_t> next_id{};
 
-  /// By a decision about itself, whatever was decided about its session.
+  /// By a decision about the attempt, regardless of decisions about its session.
   bool is_excluded_itself() const noexcept;
 };
 
-/// Reads no recording. Errors: ResultsError, also when there is no such attempt.
+/// Does not read the recording. Errors: ResultsError, also when there is no such attempt.
 AttemptDetail attempt_detail(const Study& study, std::int64_t attempt_id);
 
-/// The recording that belongs to an attempt. Errors: ResultsError as read_recording's, and when the
-/// file is a sound recording but not the one that was stored.
+/// Reads the recording of an attempt. Errors: ResultsError as for read_recording, and when the file
+/// is a valid recording but not the one that was stored.
 Recording recording_of(const std::filesystem::path& study, const RecordingRow& row);
 
-/// A recording as it stands in its file: one row per tick, the columns by their names.
+/// A recording as a table: one row per tick, the columns by their names in the file.
 Table table_of(const Recording& recording);
 
 }  // namespace asperity

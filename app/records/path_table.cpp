@@ -143,8 +143,8 @@ std::string forces_tsv(std::span<const ProbeState> path, std::span<const Rendere
   table.rows.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Wrench& wrench = forces[i].wrench;
-    // Divided: the quotient of two whole numbers is the double next to the decimal that was meant, 1.198;
-    // a product with 1e-9, which is none, is off by a bit, 1.1980000000000002.
+    // Divided: the quotient of two integers is the double nearest to the intended decimal, 1.198; a
+    // product with the inexact 1e-9 is off by a bit, 1.1980000000000002.
     table.rows.push_back({static_cast<double>(path[i].time_ns) / kNanoseconds_per_s,
                           wrench.force_N.x, wrench.force_N.y, wrench.force_N.z, wrench.torque_N_m.x,
                           wrench.torque_N_m.y, wrench.torque_N_m.z, forces[i].penetration_m});

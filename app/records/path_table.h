@@ -1,4 +1,4 @@
-// Paths of a probe and forces along them, as tables.
+// Reads and writes paths of a probe and forces along them as tables.
 
 #pragma once
 
@@ -20,7 +20,8 @@ namespace asperity {
 /// unknown, a cell that is not a finite number, time that does not increase, fewer than two rows.
 std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_name);
 
-/// `time_s fx_N fy_N fz_N tx_N_m ty_N_m tz_N_m penetration_m`, shortest digits that read back.
+/// `time_s fx_N fy_N fz_N tx_N_m ty_N_m tz_N_m penetration_m`, in the fewest digits that give the
+/// same numbers when read.
 std::string forces_tsv(std::span<const ProbeState> path, std::span<const RenderedTick> forces);
 
 /// Samples per second of a path: the reciprocal of its median step.

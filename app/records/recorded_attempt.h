@@ -1,4 +1,4 @@
-// A recorded attempt, made ready to be rendered again.
+// Prepares a recorded attempt for rendering it again.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// One surface of a recorded attempt and the stimulus that was felt, as it was stored.
+/// One surface of a recorded attempt and its stimulus, as stored.
 struct RecordedSurface {
   PresentationRow row{};
   PreparedStimulus stimulus{};  ///< seed included
@@ -28,16 +28,16 @@ struct RecordedAttempt {
   std::vector<RecordedSurface> surfaces{};
 };
 
-/// The plans that the stored protocols, seeds and rows of sessions give; each protocol is read once.
+/// Makes plans from the stored protocols, seeds and rows of sessions; each protocol is read once.
 ///
-/// Threads: one at a time, as the study.
+/// Threads: one at a time, as for the study.
 class PlansOfSessions final {
  public:
-  /// Both are borrowed.
+  /// Both must outlive this object.
   PlansOfSessions(const Study& study, const ModelRegistry& models);
 
-  /// Errors: ProtocolError or std::runtime_error when this program does not make the plan that was
-  /// stored, in whatever column.
+  /// Errors: ProtocolError or std::runtime_error when the plan made by this program differs from
+  /// the stored one in any column.
   Plan of(const SessionRow& session);
 
  private:
@@ -46,11 +46,11 @@ class PlansOfSessions final {
   std::map<std::int64_t, Protocol> protocols_{};
 };
 
-/// Of one session.
+/// The plan of one session.
 Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models);
 
-/// Reads the recording of an attempt, and builds its stimuli with the parameters that are stored of
-/// it (completed and matched then, not anew).
+/// Reads the recording of an attempt, and builds its stimuli with the stored parameters (which were
+/// completed and matched at the time, and are not computed again).
 ///
 /// Errors: std::runtime_error or ResultsError naming what is missing.
 RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
@@ -59,10 +59,10 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
 /// "PARTICIPANT/SESSION/TRIAL/ATTEMPT".
 std::string natural_key(const SessionRow& session, const AttemptRow& attempt);
 
-/// The attempt that a person means: "PARTICIPANT/SESSION/TRIAL/ATTEMPT", or the number of its row
-/// in the exported attempts.tsv (counted from 1).
+/// The specified attempt: "PARTICIPANT/SESSION/TRIAL/ATTEMPT", or the number of its row in the
+/// exported attempts.tsv (counted from 1).
 ///
-/// Errors: std::runtime_error saying what is there.
+/// Errors: std::runtime_error that lists what is stored.
 AttemptRow find_attempt(const Study& study, const std::string& what);
 
 }  // namespace asperity

@@ -25,7 +25,7 @@ bool is_limited(const TickRecord& record) {
          record.has(TickFlag::limited_torque) || record.has(TickFlag::limited_slew);
 }
 
-/// Ticks in a row, but for short gaps: first and last tick.
+/// Consecutive ticks except for short gaps: first and last tick.
 struct Run {
   std::size_t first = 0;
   std::size_t last = 0;

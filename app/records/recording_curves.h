@@ -1,4 +1,4 @@
-// A recording as curves to look at: over time, from above, and as a spectrum.
+// Prepares a recording for display: over time, from above, and as a spectrum.
 
 #pragma once
 
@@ -25,26 +25,27 @@ struct PathPoint {
   bool touching = false;
 };
 
-/// What was felt of one surface of the attempt.
+/// The data of one surface of the attempt.
 struct SurfaceCurves {
   int position = 0;                   ///< in its trial, from 1
-  std::vector<TimeStretch> visits{};  ///< more than one where the hand came back to it
-  /// Of the tip from above, in the device frame; no two points nearer than 0.25 mm unless the
-  /// contact begins or ends between them.
+  std::vector<TimeStretch> visits{};  ///< more than one where the surface was felt again
+  /// The path of the tip from above, in the device frame; consecutive points are at least 0.25 mm
+  /// apart unless the contact begins or ends between them.
   std::vector<PathPoint> path{};
-  /// Of the normal force that the device got in the longest contact; absent when that is shorter
-  /// than a window of 256 ticks or holds a force that is no number. Where the device was sent no force
-  /// in all of it (a device without motors), of the force that the renderer computed.
+  /// Of the normal force that the device was sent in the longest contact; absent when that contact
+  /// is shorter than a window of 256 ticks or contains a force that is not a number. Where the
+  /// device was sent no force during the whole contact (a device without motors), of the force that
+  /// the renderer computed.
   std::optional<PowerSpectrum> spectrum{};
   bool is_spectrum_of_rendered = false;
   TimeStretch longest_contact{};
 };
 
-/// Times in seconds since the beginning of the attempt; the spans over ticks are of one length.
+/// Times in seconds since the beginning of the attempt; the spans over ticks have equal length.
 ///
-/// Force is the normal one, along z, and speed the one along the surface, as an attempt is judged
-/// by them. A contact lasts until the probe has been out of the surface for 20 ms: crests of a
-/// texture that let go of it for a tick do not end one.
+/// Force is the normal force, along z, and speed the one along the surface, as used to judge an
+/// attempt. A contact lasts until the probe has been out of the surface for 20 ms: it is not ended
+/// by the crests of a texture that release the probe for a tick.
 struct RecordingCurves {
   std::vector<double> time_s{};
   std::vector<double> rendered_N{};
@@ -57,7 +58,7 @@ struct RecordingCurves {
 
   std::vector<TimeStretch> contacts{};
   std::vector<double> missed_s{};   ///< ticks that began more than a period late
-  std::vector<double> limited_s{};  ///< ticks whose force was shortened, for whatever reason
+  std::vector<double> limited_s{};  ///< ticks whose force was reduced, for any reason
   std::vector<SurfaceCurves> surfaces{};
 
   TimeStretch whole() const noexcept {
@@ -75,12 +76,12 @@ struct CurvePoint {
   double value = 0.0;
 };
 
-/// What a line through the samples within `seen` looks like when it is `columns` wide: of as many
-/// equal groups of samples the lowest and the highest, in the order in which they came; every
-/// sample where there are no more than two per column. The next sample on either side is there too,
-/// so that the line leaves the picture. Values that are not finite are left out.
+/// A line through the samples within `seen`, reduced to `columns` points of width: the lowest and
+/// the highest of each of that many equal groups of samples, in chronological order; every sample
+/// where there are at most two per column. The next sample on either side is included, so that the
+/// line extends beyond the picture. Values that are not finite are omitted.
 ///
-/// `time_s` ascends and is as long as `values`; `columns` ≥ 1.
+/// `time_s` ascends and has the length of `values`; `columns` ≥ 1.
 std::vector<CurvePoint> envelope_of(std::span<const double> time_s, std::span<const double> values,
                                     const TimeStretch& seen, int columns);
 

@@ -31,7 +31,7 @@ std::optional<Value> stored_value(const nlohmann::json& object, const char* key)
   }
 }
 
-/// Of the event `masking_noise`.
+/// Reads the event `masking_noise`.
 RecordedNoise noise_of(const std::string& data_json) {
   const nlohmann::json data = object_of(data_json);
   RecordedNoise noise{};
@@ -61,7 +61,7 @@ RecordedProgram program_of(const SessionRow& session) {
           .pacing = session.pacing + ", scheduling " + session.scheduling};
 }
 
-/// Of the event with which a stretch begins; what it lacks is that of the session.
+/// From the event with which a stretch begins; missing members are taken from the session.
 RecordedProgram program_of(const SessionRow& session, const nlohmann::json& event) {
   const auto stored = [&event](const char* key, const std::string& of_session) {
     return stored_value<std::string>(event, key).value_or(of_session);
@@ -79,7 +79,7 @@ RecordedProgram program_of(const SessionRow& session, const nlohmann::json& even
   return program;
 }
 
-/// `device`, unless the session changed to another one with this event.
+/// `device`, unless this event changed the session's device.
 void follow_device(const EventRow& event, RecordedDevice& device) {
   if (event.kind == kDeviceChanged) device = recorded_device(event.text, event.data_json);
 }
@@ -142,7 +142,7 @@ std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
       stretch.program = program_of(session, data);
       stretch.judges_rendered_force =
           stored_value<std::string>(data, "judged_force") == std::string("rendered");
-      // asperity 0.1.0 stored the device of the beginning alone.
+      // asperity 0.1.0 stored only the first device of a session.
       if (event.kind == "session_began" || data.contains("device")) stretch.device = device;
     } else if (!stretches.empty()) {
       if (event.kind == "masking_noise") stretches.back().noise = noise_of(event.data_json);

@@ -1,4 +1,4 @@
-// Under which conditions a session ran: what its rows record of the device, the noise and the eye mask.
+// Conditions of a session: the device, the noise and the eye mask, as its rows record them.
 
 #pragma once
 
@@ -21,34 +21,34 @@ struct RecordedDevice {
   std::string serial{};
   std::optional<bool> has_motors{};  ///< absent where the store has no capability record
 
-  /// Which hand of the program moves it: "virtual" of the simulated device, "recorded" of a replayed
-  /// recording; empty: the participant's.
+  /// The simulated hand that moves it: "virtual" for the simulated device, "recorded" for a
+  /// replayed recording; empty: the participant's hand.
   std::string hand_of_program() const;
   /// "falcon Novint Falcon, serial number 042"
   std::string full_text() const;
-  /// Driver, model and serial number, as far as both are stored.
+  /// Compares driver, model and serial number, as far as both are stored.
   bool is_same_as(const RecordedDevice& other) const;
 };
 
-/// `record_json` as SessionRow::device_json; what it lacks stays empty.
+/// `record_json` as SessionRow::device_json; missing members stay empty.
 RecordedDevice recorded_device(const std::string& text, const std::string& record_json);
 RecordedDevice recorded_device(const DeviceCapability& device);
 
-/// What the rows support about the noise that covers the device.
+/// The noise that masks the sound of the device, as far as the rows document it.
 struct RecordedNoise {
   enum class Source {
-    not_played,    ///< the program played none, and nobody attested any
-    elsewhere,     ///< not played by the program; it was measured at the ear and attested
+    not_played,    ///< the program played none, and none was attested
+    elsewhere,     ///< played by another source; it was measured at the ear and attested
     program,       ///< played by the program; an attempt during which it failed does not count
     not_recorded,  ///< the stored description does not state it
-    not_stored,    ///< nothing is stored of it, as asperity 0.1.0 did at a terminal
+    not_stored,    ///< nothing is stored about it, as with asperity 0.1.0 at a terminal
   };
   Source source = Source::not_stored;
   std::optional<double> measured_dBA{};  ///< at the ear
   std::string verified_by{};
 };
 
-/// What ran a stretch of a session, in words.
+/// The program and pacing of a stretch of a session, as text.
 struct RecordedProgram {
   std::string program{};  ///< "asperity 0.1.0, commit 5979704d1215"
   std::string instruction_set{};
@@ -56,45 +56,48 @@ struct RecordedProgram {
   std::string pacing{};  ///< "real_time, scheduling none"
 };
 
-/// A stretch of uninterrupted running: its conditions do not change.
+/// A stretch of uninterrupted running: its conditions are constant.
 struct RecordedStretch {
   int segment = 1;  ///< as AttemptRow::segment
   std::optional<RecordedDevice>
-      device{};  ///< absent: asperity 0.1.0 resumed it and did not record it
+      device{};  ///< absent: the session was resumed by asperity 0.1.0, which did not record it
   RecordedProgram program{};
   RecordedNoise noise{};
-  bool eye_mask_confirmed = false;     ///< it was confirmed that it was put on
-  bool judges_rendered_force = false;  ///< the hand's normal force was that of the renderer
+  /// The participant or experimenter confirmed that it was put on.
+  bool eye_mask_confirmed = false;
+  /// The judged normal force was the one that the renderer computed.
+  bool judges_rendered_force = false;
 };
 
-/// Those in which an attempt was made, in order; all of them where none was. Never empty.
+/// The stretches in which an attempt was made, in order; all of them where none was. Never empty.
 std::vector<RecordedStretch> recorded_stretches(const SessionRow& session,
                                                 const std::vector<EventRow>& events,
                                                 const std::vector<AttemptRow>& attempts);
 
-/// That of the last stretch whose device is recorded.
+/// The device of the last stretch for which one is recorded.
 RecordedDevice last_recorded_device(const Study& study, const SessionRow& session);
 
-/// Why answers that a person gives on a device are no study data, and what to do about it: parts of sentences.
+/// Why the responses of a participant on a device are not study data, and what to do about it:
+/// parts of sentences.
 struct StudyDataBlocker {
   Phrase problem{};
   Phrase remedy{};
 };
-/// The participant does not hold the device, or it gives no force and the protocol does not declare `device.input_only`.
-/// Nothing where neither is so.
+/// The participant does not hold the device, or it gives no force and the protocol does not declare
+/// `device.input_only`. Nothing where neither applies.
 std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
                                                    const RecordedDevice& device);
-/// The same for a session that is begun or, with its row in the store, resumed. Asperity 0.1.0 began sessions on such
-/// devices: these are resumed on one.
+/// The same for a session that is begun or, with its row in the store, resumed. Sessions that
+/// asperity 0.1.0 began on such devices can be resumed on one.
 std::optional<StudyDataBlocker> study_data_blocker(const Protocol& protocol,
                                                    const RecordedDevice& device,
                                                    const std::optional<SessionRow>& unfinished);
 
-/// The event that a session which is resumed on another device stores before `session_resumed`: text as
-/// SessionRow::device, data the capability record.
+/// The event that a session which is resumed on another device stores before `session_resumed`:
+/// text as SessionRow::device, data the capability record.
 inline constexpr const char* kDeviceChanged = "device_changed";
-/// The event of a session that is resumed later than the protocol has it: text the reason, data `age_hours` since it last
-/// ran and `maximum_age_hours`. Before `session_resumed`.
+/// The event of a session that is resumed later than the protocol allows: text the reason, data
+/// `age_hours` since it last ran and `maximum_age_hours`. Before `session_resumed`.
 inline constexpr const char* kResumedLate = "resumed_late";
 
 }  // namespace asperity

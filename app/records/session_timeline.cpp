@@ -22,7 +22,8 @@ bool lasts(std::string_view kind) {
   return known != nullptr && !known->ended_by.empty();
 }
 
-/// The one under way. A break that begins when an attempt ends is not in it, nor one that ends when the next begins.
+/// The current attempt. A break that begins when an attempt ends is not part of it, nor one that
+/// ends when the next begins.
 const AttemptRow* attempt_at(const std::vector<AttemptRow>& attempts, std::int64_t time_ns) {
   const auto found =
       std::find_if(attempts.begin(), attempts.end(), [time_ns](const AttemptRow& attempt) {
@@ -50,7 +51,7 @@ std::vector<TimedEvent> session_timeline(const std::vector<EventRow>& events,
   std::vector<TimedEvent*> open{};
   for (TimedEvent& event : timeline) {
     event.number = static_cast<int>(&event - timeline.data()) + 1;
-    // What was under way when the program died has no recorded end.
+    // Events that were open when the program crashed have no recorded end.
     if (event.row.kind == "session_resumed") open.clear();
     std::erase_if(open, [&event](TimedEvent* begun) {
       if (!is_ended_by(begun->row.kind, event.row.kind)) return false;
