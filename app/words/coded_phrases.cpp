@@ -1,5 +1,3 @@
-// The one place where codes become phrases, and phrases what is stored.
-
 #include "app/words/coded_phrases.h"
 
 #include <algorithm>

@@ -16,34 +16,36 @@
 
 namespace asperity {
 
-/// Every phrase that has a code, by its code. A code stays for ever; its words may change.
+/// Every phrase that has a code, by its code. A code never changes; its words may change.
 const std::map<std::string, Phrase, std::less<>>& coded_phrases();
 
-/// Both, with a semicolon between; the second where the first is empty.
+/// Both, separated by a semicolon; the second where the first is empty.
 Phrase with_semicolon(const Phrase& first, const Phrase& second);
-/// Both, with a comma between; the second where the first is empty.
+/// Both, separated by a comma; the second where the first is empty.
 Phrase with_comma(const Phrase& first, const Phrase& second);
 
-/// As StoredWords::json and device profiles have it: typed text is a string, a coded phrase an object.
+/// The format of StoredWords::json and device profiles: typed text is a string, a coded phrase an
+/// object.
 nlohmann::ordered_json json_of(const Phrase& phrase);
-/// Of a code that this version does not know: the code, with its arguments.
+/// For a code that this version does not have: the code, with its arguments.
 Phrase phrase_from(const nlohmann::ordered_json& item);
 
 StoredWords stored(const Phrase& phrase);
-/// The program's own words can be translated; what was typed stays as it was.
+/// The program's words can be translated; typed text is unchanged.
 Phrase phrase_of(const StoredWords& words);
 /// Empty where nothing is stored.
 Phrase phrase_of(const std::optional<StoredWords>& words);
-/// The text of an event: words, or the names and data of its kind as they are.
+/// The text of an event: words, or the names and data of its kind unchanged.
 Phrase phrase_of(const EventRow& event);
 
 EventRow event_row(std::int64_t time_ns, const std::string& kind, const Phrase& text,
                    const std::string& data_json = "null");
 
-/// The codes of the reasons in it, one after the other: "force_limited; exploration_not_compliant". "typed" stands for
-/// what was typed.
+/// The codes of its reasons, in order: "force_limited; exploration_not_compliant". "typed"
+/// represents typed text.
 std::string codes_of(const StoredWords& words);
-/// For the public: what an experimenter chose may be about a person, and is "typed" as well.
+/// For publication: a reason that an experimenter chose may concern a participant, and is given as
+/// "typed" as well.
 std::string published_codes_of(const StoredWords& words);
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// Remarks on a device's profile: how the number of an item was measured, or why there is none, and the known traits.
+// Remarks in a device's profile: how the number of an item was measured, or why there is none, and
+// the known traits.
 
 #pragma once
 
@@ -9,7 +10,7 @@
 
 namespace asperity {
 
-/// Sentences, and the parts of one: "Not measured: along x the handle did not move; along y …".
+/// Sentences and parts of sentences: "Not measured: along x the handle did not move; along y …".
 enum class DeviceRemark {
   took_force_away,
   ran_away,
@@ -46,10 +47,10 @@ enum class DeviceRemark {
   share_reached,
   not_known,
 };
-/// The measurement fills its places.
+/// The phrase with placeholders, which the measurement fills.
 Phrase phrase_of(DeviceRemark remark);
 
-/// All of them, each with its code.
+/// All remarks, each with its code.
 std::vector<Phrase> coded_remarks();
 
 /// "moving mass"

@@ -1,4 +1,4 @@
-// Sentences of earlier versions: their wordings as they were, and what they meant.
+// Sentences of earlier versions, in their original wording, with their codes of today.
 
 #include "app/words/earlier_wordings.h"
 
@@ -14,26 +14,26 @@ namespace asperity {
 
 namespace {
 
-/// Where a sentence stood: the same words may mean something else elsewhere, or be somebody's own.
+/// The place of a sentence: the same words may have another meaning elsewhere, or be typed text.
 enum class Part {
-  typed,     ///< nothing of the program's: a name, a number
+  typed,     ///< not a text of the program: a name, a number
   reason,    ///< of an attempt, a decision or an event
-  measures,  ///< with commas between
+  measures,  ///< separated by commas
   measure,
   quantity,
   remark,  ///< of a device profile
-  axes,    ///< with semicolons between
+  axes,    ///< separated by semicolons
   axis,
 };
 
 struct EarlierWording {
   Part part{};
-  std::string_view sentence{};  ///< with places %1, %2, … in this order
+  std::string_view sentence{};  ///< with placeholders %1, %2, … in this order
   const char* code = nullptr;
-  Part places = Part::typed;  ///< what stood in them
+  Part places = Part::typed;  ///< the content of the placeholders
 };
 
-// As stored by Asperity 0.1.0 and until schema version 6. Nothing of it changes any more.
+// As stored by Asperity 0.1.0 and until schema version 6. These wordings never change.
 constexpr auto kEarlierWordings = std::to_array<EarlierWording>({
     {Part::reason, "as asked", "stop_requested"},
     {Part::reason, "as asked, after the trial", "stop_requested_after_trial"},
@@ -226,8 +226,8 @@ constexpr auto kEarlierWordings = std::to_array<EarlierWording>({
     {Part::remark, "the servo loop stood still for more than 50 ms", "standstill"},
 });
 
-/// What stands in the places where `text` was made with these words; nothing where it was not. A place takes as little as
-/// it can.
+/// The content of the placeholders where `text` was made with these words; nothing where it was
+/// not. Each placeholder matches the shortest possible text.
 std::optional<std::vector<std::string>> places_in(std::string_view text, std::string_view words) {
   std::vector<std::string> places{};
   for (;;) {
@@ -255,7 +255,7 @@ Phrase found_or_typed(Part part, const std::string& text) {
   return found_as(part, text).value_or(Phrase(text));
 }
 
-/// Of a list, if every part of it is known.
+/// For a list, if every part of it is known.
 std::optional<Phrase> found_list(Part part, const std::string& text, std::string_view between,
                                  std::size_t kept, Phrase (*join)(const Phrase&, const Phrase&)) {
   Phrase all{};

@@ -1,4 +1,4 @@
-// The kinds of a study's events: what each states, until when it lasts, and what of it may be published.
+// The kinds of a study's events: meaning, end, and which of their contents may be published.
 
 #pragma once
 
@@ -8,35 +8,36 @@
 
 namespace asperity {
 
-/// What is stored under one name in the table `event`. Exports, their codebook and the list in
-/// docs/formats/study.md are made from this.
+/// Describes the events stored under one name in the table `event`. Exports, their codebook and the
+/// list in docs/formats/study.md are made from this.
 struct EventKind {
   std::string_view name{};
-  /// What happened, and what the text and the data of such an event are.
+  /// What happened, and what the text and the data of such an event contain.
   std::string_view meaning{};
   /// Tags of HED 8.3.0 (www.hedtags.org); see `hed_tags`.
   std::string_view hed{};
-  /// The kinds of the events that end it. Empty: it happens at a moment.
+  /// The kinds of the events that end it. Empty: the event is instantaneous.
   std::vector<std::string_view> ended_by{};
-  /// The program or the protocol worded the text; otherwise a person or a driver did.
+  /// The text was worded by the program or the protocol; otherwise by a person or a driver.
   bool text_is_public = false;
-  /// The members of the data that identify neither a person nor a machine.
+  /// The members of the data that do not identify a person or a machine.
   std::vector<std::string_view> public_data{};
-  /// The text is words, which are stored with their codes (app/words/coded_phrases.h); otherwise it is a name or a number.
+  /// The text consists of words, which are stored with their codes (app/words/coded_phrases.h);
+  /// otherwise it is a name or a number.
   bool text_is_words = false;
 };
 
-/// In the order in which they are documented.
+/// In the order of the documentation.
 const std::vector<EventKind>& event_kinds();
-/// Null for a kind that this version does not store: of its text and its data nothing is known.
+/// Null for a kind that this version does not store: its text and its data have no known meaning.
 const EventKind* event_kind(std::string_view name);
-/// Whether it ends what is under way in a session, such as a pause.
+/// Whether it ends all open events of a session, such as a pause.
 bool ends_session(std::string_view kind) noexcept;
 
-/// As one group with the name and the number of the event, the column `event`: HED takes rows of the same onset
-/// together, and no two groups of them may be the same.
+/// The tags as one group with the name and the number of the event, the column `event`: HED
+/// combines rows of the same onset, and no two groups of them may be equal.
 std::string hed_tags(const EventKind& kind);
-/// The version of HED that `hed_tags` and the levels of protocols are written in.
+/// The version of HED used in `hed_tags` and the levels of protocols.
 inline constexpr const char* kHedVersion = "8.3.0";
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// One table of what is offered, with its codes.
+// The table of the offered reasons, with their codes.
 
 #include "app/words/offered_reasons.h"
 
@@ -11,7 +11,7 @@ namespace {
 struct OfferedReason {
   const char* code = nullptr;
   Phrase words{};
-  std::vector<ReasonFor> offered_for{};  ///< empty: nobody chooses it, the program states it
+  std::vector<ReasonFor> offered_for{};  ///< empty: not offered, stated by the program
 };
 
 const std::vector<OfferedReason>& offered_table() {

@@ -8,23 +8,23 @@
 
 namespace asperity {
 
-/// What a reason is asked for.
+/// The action for which a reason is requested.
 enum class ReasonFor {
   repeating,          ///< the last trial
-  skipping,           ///< the trial under way
+  skipping,           ///< the current trial
   aborting,           ///< the session
   unblinding,         ///< the experimenter
   flagging,           ///< an attempt
   excluding_attempt,  ///< from analyses
   excluding_session,
-  including,  ///< what was excluded
-  noting,     ///< a note of one click
+  including,  ///< what was excluded before
+  noting,     ///< a note made with one click
 };
 
-/// In the order in which they are offered. Each is stored by its code, whatever the language of the window.
+/// In the order of the windows. Each is stored by its code, in every language of the window.
 std::vector<Phrase> offered_reasons(ReasonFor what);
 
-/// All of them, and those that the program states for a participant who withdraws.
+/// All reasons, including those that the program states for a participant who withdraws.
 std::vector<Phrase> coded_offers();
 
 }  // namespace asperity

@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-/// "%3" at `at` is 2: the place in the arguments.
+/// The index of the argument of a placeholder at `at`: 2 for "%3".
 std::optional<std::size_t> place_at(const std::string& words, std::size_t at) {
   if (at >= words.size() || words[at] != '%' || at + 1 >= words.size()) return {};
   const char digit = words[at + 1];
@@ -16,7 +16,7 @@ std::optional<std::size_t> place_at(const std::string& words, std::size_t at) {
   return static_cast<std::size_t>(digit - '1');
 }
 
-/// Of ASCII and of the letters with accents that two bytes of UTF-8 hold in Latin-1 (ä, é, ø).
+/// For ASCII and for the accented letters of Latin-1, which have two bytes in UTF-8 (ä, é, ø).
 void make_capital(std::string& text) {
   if (text.front() >= 'a' && text.front() <= 'z') {
     text.front() = static_cast<char>(text.front() - 'a' + 'A');
@@ -63,7 +63,8 @@ std::string Phrase::translated(const LookUp& look_up) const {
   std::string text{};
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::optional<std::size_t> place = place_at(words, i);
-    // A label or message may have a per cent sign: it is no place where there is nothing for it.
+    // A label or message may contain a per cent sign: it is not a placeholder without an argument
+    // for it.
     if (place && *place < arguments_.size()) {
       const Phrase& argument = arguments_[*place];
       text += argument.is_verbatim() ? look_up(nullptr, argument.words_.c_str())

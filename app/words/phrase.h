@@ -1,4 +1,4 @@
-// Texts of the program, made where there is no Qt, that windows can show in another language.
+// Texts of the program, made without Qt, that windows can show in another language.
 
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace asperity {
 
-/// English words with places %1 … %9 for what varies.
+/// English words with placeholders %1 … %9 for the variable parts.
 ///
-/// The terminal is given `english()`; a window looks up the words before the places
-/// are filled (app/gui/look/words.h), and those of every argument as well. The words are in the
-/// source once, in `phrase("Context", "Words")`, from where scripts/translations takes them: both
-/// have to be literals there, with nothing after the second.
+/// The terminal receives `english()`; a window translates the words before the placeholders are
+/// filled (app/gui/look/words.h), including those of every argument. The words are in the source
+/// once, in `phrase("Context", "Words")`, from which scripts/translations extracts them: both have
+/// to be literals there, with nothing after the second.
 class Phrase final {
  public:
   Phrase() = default;
-  /// A text that is the same in every language: a label, a number, the message of a library. Implicit, so
-  /// that it can be used wherever a phrase can.
+  /// A text that is the same in every language: a label, a number, the message of a library.
+  /// Implicit, so that it can be used in place of a phrase.
   Phrase(std::string words) : words_(std::move(words)) {}
   Phrase(const char* words) : words_(words) {}
   /// See `phrase`.
@@ -34,8 +34,9 @@ class Phrase final {
     return filled({Phrase(arguments)...});
   }
   Phrase filled(std::vector<Phrase> arguments) const;
-  /// Standing by itself: with a full stop if it has none, and with a capital letter, unless it begins
-  /// with an argument that is the same in every language: that may be a name, which stays unchanged.
+  /// As a complete sentence: with a full stop if it has none, and with a capital letter, unless it
+  /// begins with an argument that is the same in every language: that may be a name, which is
+  /// unchanged.
   Phrase as_sentence() const;
 
   /// The same with the code under which it is stored (app/words/coded_phrases.h), a literal.
@@ -43,23 +44,24 @@ class Phrase final {
   /// Null where it has none.
   const char* code() const noexcept { return code_; }
   const std::vector<Phrase>& arguments() const noexcept { return arguments_; }
-  /// The same in every language: no words to look up, and nothing put into them.
+  /// The same in every language: without a translation or arguments.
   bool is_verbatim() const noexcept { return context_ == nullptr && arguments_.empty(); }
 
   bool empty() const noexcept { return words_.empty(); }
-  /// Whether there are words to look up; arguments may have some too.
+  /// Whether it has words to translate; its arguments may have some too.
   bool can_be_translated() const noexcept { return context_ != nullptr; }
   std::string english() const;
   bool operator==(const Phrase& other) const { return english() == other.english(); }
-  /// Gives the words that stand for `words` of `context`, UTF-8, or `words`. Without a context (null) it is an
-  /// argument that is the same in every language, but for the decimal point of a number.
+  /// Returns the translation of `words` of `context`, UTF-8, or `words`. Without a context (null)
+  /// it is an argument that is the same in every language, except for the decimal point of a
+  /// number.
   using LookUp = std::function<std::string(const char* context, const char* words)>;
   std::string translated(const LookUp& look_up) const;
 
  private:
   bool begins_with_a_name(const LookUp& look_up) const;
 
-  const char* context_ = nullptr;  // a literal; null: not to be looked up
+  const char* context_ = nullptr;  // a literal; null: not translated
   const char* code_ = nullptr;     // a literal; null: not stored by a code
   std::string words_{};
   std::vector<Phrase> arguments_{};
@@ -78,7 +80,7 @@ class PhrasedError : public std::runtime_error {
  private:
   Phrase said_;
 };
-/// Of a PhrasedError its phrase; of any other error its message.
+/// The phrase of a PhrasedError; the message of any other error.
 Phrase phrase_of(const std::exception& error);
 
 }  // namespace asperity

@@ -1,5 +1,3 @@
-// The words of reasons, faults and measures, with their codes.
-
 #include "app/words/reason.h"
 
 #include <algorithm>
@@ -83,7 +81,7 @@ const Phrase& quantity_of_surface() {
   return kWords;
 }
 
-/// Coded as ComplianceRow names them.
+/// Codes as in ComplianceRow.
 const std::vector<Phrase>& quantities() {
   static const std::vector<Phrase> kQuantities{
       phrase("Reasons", "normal force").coded("normal_force_N"),

@@ -1,4 +1,4 @@
-// Why an attempt does not count or is flagged, and why a session ended.
+// Reasons why an attempt does not count or is flagged, and why a session ended.
 
 #pragma once
 
@@ -38,28 +38,28 @@ enum class Reason {
   missed_deadlines,       ///< of version 0.1, in contact or not; how many, how many are allowed
   lost_records,           ///< how many, how many are allowed
   force_limited,          ///< in how many ticks
-  not_explored_as_asked,  ///< what failed: measures of surfaces
+  not_explored_as_asked,  ///< the measures that failed, by surface
   not_touched,            ///< which surface
   set_aside,              ///< why
-  // of a device: what is wrong with it
-  not_ready,  ///< what it does or does not
+  // of a device: its problem
+  not_ready,  ///< the action that is or is not taken
   does_not_tick,
   does_not_answer,
   sends_force,
   none_given,
   // of events
   nothing_to_repeat,
-  agreement_witnessed,  ///< by whom
+  agreement_witnessed,  ///< name of the witness
 };
 Phrase phrase_of(Reason reason);
 /// "the device does not respond"; its code is its name.
 Phrase phrase_of(Fault fault);
 
-/// "normal force of surface 2", for what was not explored as instructed; quantities as ComplianceRow
-/// names them.
+/// "normal force of surface 2", a measure that did not comply with the instructed exploration;
+/// quantities as in ComplianceRow.
 Phrase failed_measure(const std::string& quantity, int surface);
 
-/// All that is declared here, each with its code.
+/// All reasons declared here, each with its code.
 std::vector<Phrase> coded_reasons();
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// An argument of a command that is shown to the user.
+// Formats an argument of a command that is shown to the user.
 
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// As a shell takes it: in quotation marks where it needs them ("falcon:usb 1-2", a folder with blanks).
+/// In shell syntax: with quotation marks where they are required ("falcon:usb 1-2", a folder with
+/// blanks).
 inline std::string shell_word(const std::string& word) {
   const auto is_plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||

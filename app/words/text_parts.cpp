@@ -6,7 +6,8 @@ namespace asperity {
 
 std::size_t width_of(std::string_view utf8) {
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // no continuation of another
+    // counts all bytes except continuation bytes
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
   }));
 }
 
@@ -14,10 +15,10 @@ std::string wrapped_text(const std::string& text, std::size_t columns, const std
   const std::size_t indent = width_of(prefix);
   std::string lines{};
   std::string line = prefix;
-  std::size_t used = 0;  // of the line, without what stands before it
+  std::size_t used = 0;  // of the line, without its prefix
   std::string word{};
   const auto end_line = [&] {
-    if (used > 0 || lines.empty()) lines += line;  // no line is blanks alone
+    if (used > 0 || lines.empty()) lines += line;  // avoids lines of blanks only
     lines += '\n';
     line.assign(indent, ' ');
     used = 0;

@@ -1,4 +1,4 @@
-// A text taken apart: where a letter stands, or into lines.
+// Splits a text into parts or lines.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// What stands before, between and after the letters `between`, in order; empty parts are parts too, so
-/// that there is at least one. Keys of findings are joined by "|".
+/// The parts separated by the character `between`, in order; empty parts are included, so that
+/// there is at least one. Keys of findings are joined by "|".
 inline std::vector<std::string> parts_of(const std::string& text, char between = '|') {
   std::vector<std::string> parts(1);
   for (const char letter : text) {
@@ -23,11 +23,12 @@ inline std::vector<std::string> parts_of(const std::string& text, char between =
   return parts;
 }
 
-/// In characters, each one column of a terminal wide.
+/// In characters, each one terminal column wide.
 std::size_t width_of(std::string_view utf8);
 
-/// The text in lines of at most so many characters, broken between words; breaks of its own stay, and a word that is
-/// longer stays whole. `prefix` stands before the first line, as much room before the others.
+/// The text in lines of at most `columns` characters, broken between words; existing line breaks
+/// are kept, and a longer word is not broken. `prefix` precedes the first line, and the other lines
+/// are indented by its width.
 std::string wrapped_text(const std::string& text, std::size_t columns,
                          const std::string& prefix = {});
 

@@ -1,4 +1,4 @@
-// How long ago something happened, as people put it.
+// Describes how long ago something happened.
 
 #pragma once
 

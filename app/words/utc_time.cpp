@@ -37,7 +37,7 @@ double days_since_1970(const std::string& utc) {
     throw std::invalid_argument("\"" + utc + "\" is not a date; it must have the form " +
                                 "2026-01-01T00:00:00Z");
   }
-  // The calendar counts from March on, so that leap days come last in a year.
+  // The year is counted from March, so that leap days come last.
   const int shifted_year = month <= 2 ? year - 1 : year;
   const int shifted_month = month <= 2 ? month + 9 : month - 3;
   const int days = 365 * shifted_year + shifted_year / 4 - shifted_year / 100 + shifted_year / 400 +

@@ -1,4 +1,4 @@
-// Dates as they are stored: UTC, ISO 8601.
+// Formats dates for storage: UTC, ISO 8601.
 
 #pragma once
 
