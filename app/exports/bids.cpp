@@ -29,16 +29,16 @@ std::string two_digits(std::int64_t number) {
   return digits.size() < 2 ? "0" + digits : digits;
 }
 
-/// For each record the row of a regular stream that it is, counted from the first record: the one
-/// that is nearest in time. Rows rise, and no record is left out: where the nearest row is taken,
-/// the records just before it move up by one if a free row is there and none of them leaves its
-/// time by a period, which is how a tick that came late and one on time fit; else the record takes
-/// the next row, and the stream catches up where a tick is missing.
+/// Returns the row of a regular stream for each record, counted from the first record: the nearest
+/// in time. Rows increase, and no record is omitted: where the nearest row is taken, the records
+/// just before it move up by one if a free row is available and none of them is moved by a period
+/// or more, which accommodates a late tick followed by one on time; otherwise the record takes the
+/// next row, and the stream is in step again where a tick is missing.
 std::vector<std::int64_t> stream_rows(const std::vector<std::int64_t>& time_ns, double rate_Hz) {
   std::vector<std::int64_t> rows{};
   rows.reserve(time_ns.size());
   std::size_t block = 0;  // the first record after the last free row
-  bool may_move = false;  // every record of the block comes before its row's time
+  bool may_move = false;  // every record of the block is earlier than the time of its row
   for (std::size_t i = 0; i < time_ns.size(); ++i) {
     const double exact = static_cast<double>(time_ns[i] - time_ns.front()) * 1e-9 * rate_Hz;
     const std::int64_t nearest = std::llround(exact);
@@ -97,7 +97,7 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
   for (ExportColumn& column : columns) {
     if (column.name == "age_years") column.name = "age";
     if (column.name != "sex") continue;
-    // BIDS 1.10 takes F, M and O alone: an X is an error of its validator.
+    // BIDS 1.10 accepts only F, M and O: an X is an error of its validator.
     column.description = "reported sex";
     column.levels = {"F", "M", "O"};
     column.level_meanings = {
@@ -175,7 +175,7 @@ void BidsDataset::begin_session(const ExportPlace& at) {
 Json BidsDataset::session_sidecar(const ExportPlace& at,
                                   const std::vector<ExportColumn>& columns) const {
   Json sidecar{};
-  // The release of a kernel can identify a machine; the system's name cannot.
+  // The release of a kernel can identify a machine; the system's name does not.
   const std::string& os = at.session->os;
   sidecar["StimulusPresentation"] = Json{
       {"OperatingSystem", audience_ == ExportAudience::published ? os.substr(0, os.find(' ')) : os},
@@ -308,7 +308,7 @@ std::string BidsDataset::readme() const {
          "text that begins with an apostrophe. Remove one apostrophe to restore the text.\n";
 }
 
-/// In the form of CPAN changelogs, which BIDS asks for. Dates are not for the public.
+/// In the format of CPAN changelogs, which BIDS requires. Dates are not published.
 std::string BidsDataset::changes() const {
   const bool is_dated = audience_ == ExportAudience::own && !last_ended_utc_.empty();
   return "1.0.0" + (is_dated ? " " + last_ended_utc_.substr(0, 10) : "") +

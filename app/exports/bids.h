@@ -1,4 +1,5 @@
-// The answers of one kind of sessions as a dataset of the Brain Imaging Data Structure (BIDS 1.10.0).
+// Writes the responses of one kind of sessions as a dataset of the Brain Imaging Data Structure
+// (BIDS 1.10.0).
 
 #pragma once
 
@@ -18,28 +19,29 @@
 
 namespace asperity {
 
-/// Writes below `root` of an export: dataset_description.json, README, CHANGES, participants.tsv and .json,
-/// per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and `…_events.tsv`, each with its .json,
-/// and, where recordings are wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
+/// Writes below `root` of an export: dataset_description.json, README, CHANGES, participants.tsv
+/// and .json, per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and `…_events.tsv`, each
+/// with its .json, and, where recordings are requested, per recorded attempt
+/// `…_run-…_recording-haptic_physio.tsv.gz` and .json.
 ///
-/// BIDS wants one regular stream of a recording. An attempt is one, at the rate of the servo loop;
-/// between attempts there is none. So an attempt is a run. A tick is in the row nearest to its
-/// time, or in the next one to it where ticks came so unevenly that two would be in one; rows
-/// without a tick are n/a. The first column has the time of each tick as it was, since the session
-/// began: what StartTime, `_beh.tsv` and `_events.tsv` count from.
+/// BIDS requires a recording to be a single regular stream. This holds within an attempt, at the
+/// rate of the servo loop, but not between attempts; an attempt is therefore a run. A tick is in
+/// the row nearest to its time, or in the next one where ticks were so irregular that two would
+/// share a row; rows without a tick are n/a. The first column has the original time of each tick
+/// since the session began, the origin of StartTime, `_beh.tsv` and `_events.tsv`.
 ///
-/// The task is the protocol's name without what is no letter or digit.
+/// The task is the protocol's name without characters other than letters and digits.
 class BidsDataset final {
  public:
   enum class Recordings { left_out, written };
 
-  /// `made_by`: who gave the answers, where they do not count as people's.
+  /// `made_by`: the participants of the dataset, where they are not people whose responses count.
   BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
               const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
               ExportAudience audience, Recordings recordings, const MadeBy& made_by);
 
-  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, `response_time` as BIDS
-  /// names it, and `run`.
+  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, `response_time` under
+  /// its BIDS name, and `run`.
   static std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary,
                                                ExportAudience audience, Recordings recordings,
                                                std::vector<std::string>& left_out);
@@ -49,13 +51,13 @@ class BidsDataset final {
 
   void add_participant(const ExportPlace& at);
   void begin_session(const ExportPlace& at);
-  /// Everything that happened in the session.
+  /// Adds all events of the session.
   void add_events(const ExportPlace& at, const std::vector<PlannedTrialRow>& plan,
                   const std::vector<AttemptRow>& attempts, const std::vector<TimedEvent>& timeline);
-  /// The cells of answered_trial_columns, as this audience gets them; of an attempt without a response
-  /// there is one row as well.
+  /// Adds the cells of answered_trial_columns for this audience; an attempt without a response has
+  /// one row as well.
   void add_row(const std::vector<Cell>& row);
-  /// The recording of an attempt, if it has one; before its rows.
+  /// Adds the recording of an attempt, if it has one; called before its rows.
   void add_attempt(const Study& study, const ExportPlace& at);
   void end_session();
   void finish();
@@ -65,7 +67,7 @@ class BidsDataset final {
   nlohmann::ordered_json description() const;
   std::string readme() const;
   std::string changes() const;
-  /// How the session was presented, and every column.
+  /// Describes the presentation of the session, and every column.
   nlohmann::ordered_json session_sidecar(const ExportPlace& at,
                                          const std::vector<ExportColumn>& columns) const;
 
@@ -82,11 +84,12 @@ class BidsDataset final {
   std::vector<std::string> events_left_out_{};
   std::vector<ExportColumn> columns_{};
   std::vector<ExportColumn> event_columns_{};
-  std::size_t response_time_ = 0;  ///< which of the cells of an answered trial is the response time
+  /// The index of the response time among the cells of an answered trial.
+  std::size_t response_time_ = 0;
   std::vector<ExportColumn> participant_columns_{};
   std::vector<std::vector<Cell>> participants_{};
   std::map<std::string, std::string> tasks_{};  ///< protocol → label
-  std::string start_{};                         ///< of the names of this session's files
+  std::string start_{};                         ///< of the file names of this session
   std::string task_name_{};
   std::optional<TableFile> beh_{};
   std::int64_t run_ = 0;

@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kAttempt = "attempt";
 constexpr const char* kPresentation = "presentation";
 
-/// BIDS has its own names for what every table of events begins with.
+/// BIDS has specific names for the first columns of a table of events.
 ExportColumn renamed_column(const Columns& columns, const std::string& name, std::string bids_name,
                             std::function<Cell(const ExportPlace&)> otherwise) {
   ExportColumn made = *std::find_if(columns.begin(), columns.end(),
@@ -56,7 +56,7 @@ Cell response_time(const ExportPlace& at) {
   return optional_cell(last);
 }
 
-/// `factors`: the columns that have tags of their own, which belong to the attempt.
+/// `factors`: the columns that have separate tags, which belong to the attempt.
 ExportColumn type_column(const Columns& events, const std::string& factors) {
   ExportColumn type = renamed_column(events, "kind", "trial_type", [](const ExportPlace& at) {
     return at.presentation ? kPresentation : kAttempt;

@@ -1,4 +1,4 @@
-// A session's `_events.tsv` in a BIDS dataset: what was presented and what happened, by onset.
+// Makes a session's `_events.tsv` in a BIDS dataset: presentations and events, by onset.
 
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace asperity {
 
-/// `onset`, `duration`, `trial_type` and `response_time` as BIDS names them, then what the row is
-/// about. A row is an event of the study, an attempt, or a surface that was presented in one.
+/// `onset`, `duration`, `trial_type` and `response_time` under their BIDS names, then the subject
+/// of the row. A row is an event of the study, an attempt, or a surface that was presented in one.
 std::vector<ExportColumn> bids_event_columns(const StudyVocabulary& vocabulary,
                                              ExportAudience audience,
                                              std::vector<std::string>& left_out);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "MANIFEST.tsv";
 
-/// What an earlier export says that it wrote: the SHA-256 of each file.
+/// The files that an earlier export lists, with the SHA-256 of each.
 std::map<std::string, std::string> files_of_export_in(const fs::path& folder) {
   if (!fs::exists(folder / kManifest)) return {};
   const Table manifest = read_tsv(read_file(folder / kManifest), kManifest);
@@ -38,7 +38,7 @@ std::map<std::string, std::string> files_of_export_in(const fs::path& folder) {
   return files;
 }
 
-/// What stands in the way of writing into `folder`, as the end of a sentence.
+/// The reason why `folder` cannot be written, as the end of a sentence.
 std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwrite) {
   if (!fs::exists(folder)) return std::nullopt;
   if (!fs::is_directory(folder)) return "exists and is not a folder";
@@ -48,7 +48,7 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
   }
   const std::map<std::string, std::string> own_files = files_of_export_in(folder);
   std::set<std::string> others{};
-  std::set<std::string> unsure{};  // to be compared, once nothing else is in the way
+  std::set<std::string> unsure{};  // to be compared, once there is no other reason
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).generic_string();
     if (entry.is_directory() || (name == kManifest && !own_files.empty())) continue;
@@ -67,7 +67,7 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
   return std::nullopt;
 }
 
-/// On disk, all at once: one file after another would take a disk's time for each.
+/// Syncs all files at once: syncing them one by one would take much longer.
 void sync_file_system_of(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int result = descriptor < 0 ? -1 : ::syncfs(descriptor);
@@ -84,10 +84,10 @@ void sync_file_system_of(const fs::path& folder) {
       error.code().value());
 }
 
-/// The folder's absolute path, once nothing stands in the way.
+/// The folder's absolute path, once it can be written.
 fs::path free_target(const fs::path& folder, Overwrite overwrite) {
   fs::path target = fs::absolute(folder).lexically_normal();
-  if (!target.has_filename()) target = target.parent_path();  // a slash at the end
+  if (!target.has_filename()) target = target.parent_path();  // a trailing slash
   try {
     if (const auto obstacle = obstacle_in(target, overwrite)) {
       throw ResultsError("the folder " + target.string() + " " + *obstacle, target);
@@ -114,7 +114,7 @@ fs::path ExportFolder::path_of(const std::string& name) const {
 }
 
 void ExportFolder::write(const std::string& name, std::string_view text) {
-  // Neither synced nor renamed: the folder is, as a whole.
+  // Neither synced nor renamed: this is done for the complete folder.
   std::ofstream out(path_of(name), std::ios::binary);
   out << text;
   out.close();
@@ -154,7 +154,7 @@ std::vector<ExportedFile> ExportFolder::take_place() {
   files_.back().rows = manifest.rows.size();
   try {
     sync_file_system_of(part_.content());
-    part_.take_place(Overwrite::allow);  // what is there was looked at before
+    part_.take_place(Overwrite::allow);  // an existing folder was checked before
   } catch (const fs::filesystem_error& error) {
     fail(target_, error);
   }

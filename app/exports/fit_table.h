@@ -1,4 +1,5 @@
-// fit.tsv of an export: counts of responses at the levels of a numeric factor, as fits take them.
+// Makes fit.tsv of an export: counts of responses at the levels of a numeric factor, for fitting
+// programs.
 
 #pragma once
 
@@ -15,20 +16,22 @@
 
 namespace asperity {
 
-/// For each participant, protocol, question, numeric factor with several levels and combination of the
-/// levels of all other factors: `k` of `n` responses at `x`. `k` counts correct responses, or where
-/// none is correct or incorrect those of one answer, with rows for each answer.
+/// For each participant, protocol, question, numeric factor with several levels and combination of
+/// the levels of all other factors: `k` of `n` responses at `x`. `k` counts correct responses, or
+/// where responses are neither correct nor incorrect those with one answer, with rows for each
+/// answer.
 ///
-/// Counted are responses that analyses count, of completed sessions: those of a session that was not
-/// completed are a selection of its conditions. Answers that are numbers have no rows. The repetition (`kColumnFactor`)
-/// is neither a level nor a condition, whatever its levels are called: its responses are pooled.
+/// Responses count if analyses count them and their session is completed: those of an incomplete
+/// session are a selection of its conditions. Answers that are numbers have no rows. The repetition
+/// (`kColumnFactor`) is neither a level nor a condition, regardless of the names of its levels: its
+/// responses are pooled.
 class FitTable final {
  public:
   static std::vector<ExportColumn> columns();
 
   /// `at` with a session, a trial, an attempt and one of its responses.
   void add(const ExportPlace& at);
-  /// Why there is nothing to fit, of a file that would have this name; nothing where there is.
+  /// Why there are no data to fit, for a file of this name; nothing where there are.
   std::optional<Phrase> why_empty(const std::string& name) const;
   void write(ExportFolder& folder, const std::string& name) const;
 

@@ -1,4 +1,4 @@
-// The scripts that load an export into R and Python: import.R and import.py of this folder.
+// Embeds the scripts that load an export into R and Python: import.R and import.py of this folder.
 
 #pragma once
 

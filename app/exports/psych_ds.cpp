@@ -12,7 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Keywords and values of a file's name are letters and digits.
+/// Removes characters other than letters and digits, as required for keywords and values of file
+/// names.
 std::string plain(const std::string& text) {
   std::string label{};
   for (const char letter : text) {

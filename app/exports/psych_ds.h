@@ -1,4 +1,4 @@
-// The answers of one kind of sessions as a dataset of Psych-DS.
+// Writes the responses of one kind of sessions as a dataset of Psych-DS.
 
 #pragma once
 
@@ -21,7 +21,7 @@ class PsychDataset final {
                const StudyVocabulary& vocabulary, ExportAudience audience, const MadeBy& made_by);
 
   void begin_session(const ExportPlace& at);
-  /// The cells of answered_trial_columns, as this audience gets them.
+  /// Adds the cells of answered_trial_columns for this audience.
   void add_row(const std::vector<Cell>& row);
   void end_session();
   void finish();

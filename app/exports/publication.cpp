@@ -16,7 +16,7 @@ class ListedColumns final {
     if (columns.empty()) files_.push_back(file);
     columns += (columns.empty() ? "" : ", ") + column;
   }
-  /// A sentence that begins with `what`; none where there is no column.
+  /// A sentence that begins with `what`; empty where there is no column.
   std::string sentence(const std::string& what) const {
     std::string text{};
     for (const std::string& file : files_) {

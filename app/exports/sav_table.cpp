@@ -66,7 +66,7 @@ bool SavTable::is_coded(std::size_t column) const {
 
 void SavTable::add(std::vector<Cell> row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
-    // What a person was asked may be answered by a number here and by a word there.
+    // Answers to a question may be numbers in some protocols and words in others.
     if (is_text(columns_[i])) row[i] = as_text(row[i]);
     const char kind = static_cast<char>(row[i].index());
     put(&kind, 1);
@@ -137,7 +137,7 @@ WrittenTable SavTable::write(const std::filesystem::path& path, const std::strin
       variable.value_labels = {{0.0, "no"}, {1.0, "yes"}};
     } else if (is_coded(i)) {
       std::vector<std::string> levels = column.levels;
-      for (const std::string& text : seen_[i].texts) {  // what no declaration knows
+      for (const std::string& text : seen_[i].texts) {  // texts without a declaration
         if (std::find(levels.begin(), levels.end(), text) == levels.end()) levels.push_back(text);
       }
       for (std::size_t level = 0; level < levels.size(); ++level) {

@@ -1,4 +1,5 @@
-// Rows of exported columns as a file for SPSS, whose head has to say how long their texts are.
+// Writes rows of exported columns as a file for SPSS, whose header contains the lengths of their
+// texts.
 
 #pragma once
 
@@ -14,19 +15,19 @@
 
 namespace asperity {
 
-/// Keeps the rows in a file without a name until all of them are known.
+/// Keeps the rows in an unnamed file until all of them are known.
 ///
-/// A text with declared levels, and a truth, becomes a number with a label for each level, because
-/// that is what SPSS takes for a factor; where it is missing for a declared reason, the number -1 is
-/// that reason's and counts as missing. Other texts stay texts, as they were typed.
+/// A text with declared levels, and a truth value, becomes a number with a label for each level,
+/// which is the form of a factor in SPSS; where it is missing for a declared reason, the number -1
+/// represents that reason and counts as missing. Other texts are exported as typed.
 class SavTable final {
  public:
-  /// `spool_folder` is where the rows wait.
+  /// `spool_folder` temporarily stores the rows.
   SavTable(std::vector<ExportColumn> columns, const std::filesystem::path& spool_folder);
 
   void add(std::vector<Cell> row);
   std::size_t rows() const noexcept { return rows_; }
-  /// `names` are those of the columns in the file, for the codebook.
+  /// `names` are the names of the columns in the file, for the codebook.
   WrittenTable write(const std::filesystem::path& path, const std::string& title);
   std::vector<std::string> names() const;
 

@@ -1,4 +1,4 @@
-// What a JSON file next to a table states of its columns, as BIDS defines it.
+// Makes the JSON file that describes the columns of a table, as defined by BIDS.
 
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace asperity {
 
-/// Description, Units, Levels with their meanings, HED tags of levels that have any.
+/// Description, Units, Levels with their meanings, and HED tags of levels that have any.
 nlohmann::ordered_json sidecar_of(const ExportColumn& column);
 
-/// As BIDS spells units: a product with a point, a power with a caret.
+/// In BIDS notation: a product with a point, a power with a caret.
 std::string bids_unit(const std::string& unit);
 
 std::string indented_text(const nlohmann::ordered_json& json);

@@ -137,7 +137,7 @@ StimulusTable::Relief StimulusTable::relief_of(const std::string& sidecar_sha256
   try {
     loaded = load_height_field(png);
   } catch (const std::exception&) {
-    return {.state = FileState::changed};  // `asperity verify` states what is wrong with the file
+    return {.state = FileState::changed};  // `asperity verify` reports the problem of the file
   }
   if (loaded->sha256 != sidecar_sha256) return {.state = FileState::changed};
   const HeightField& field = *loaded->field;

@@ -1,4 +1,5 @@
-// stimuli.tsv and stimuli/ of an export: what was rendered, from which height field, with which force.
+// Makes stimuli.tsv and stimuli/ of an export: the rendered stimuli, their height fields and
+// forces.
 
 #pragma once
 
@@ -17,21 +18,21 @@
 namespace asperity {
 
 /// One row per surface that sessions of one protocol and kind presented: stimulus, model, texture,
-/// parameters; its height field with the features that analyses of a relief rest on; and the RMS of
-/// its texture force, as it was matched and as hands met it in the attempts that analyses count.
+/// parameters; its height field with the features used in analyses of a relief; and the RMS of its
+/// texture force, as matched and as achieved in the attempts that analyses count.
 class StimulusTable final {
  public:
-  /// Height fields are copied to `stimuli/` where that is wanted.
+  /// Height fields are copied to `stimuli/` where that is requested.
   StimulusTable(ExportFolder& folder, std::filesystem::path study, bool copies_height_fields);
 
   static std::vector<ExportColumn> columns();
 
-  /// `at` with a session: remembers where its files lie.
+  /// `at` with a session: stores the paths of its files.
   void begin_session(const ExportPlace& at);
   /// `at` with a presentation.
   void add(const ExportPlace& at);
-  /// Writes the table and copies the files. Returns a sentence for each height field that is no longer in the study as
-  /// the sessions used it, with the stimuli that it belongs to and what to do.
+  /// Writes the table and copies the files. Returns a sentence for each height field that is no
+  /// longer in the study as the sessions used it, with its stimuli and what to do.
   std::vector<Phrase> finish();
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kSourceDigits = 8;
 
-/// Columns of the table of participants that are of no use beside answers.
+/// Excludes columns of the table of participants that are not needed next to responses.
 bool is_about_the_person(const ExportColumn& column) { return column.type != "utc_time"; }
 
 ExportColumn number_column(std::string name, std::string type, std::string description,
@@ -35,8 +35,8 @@ ExportColumn number_column(std::string name, std::string type, std::string descr
 
 }  // namespace
 
-/// What the protocols of all columns are called: by their version only where there is more than one, by
-/// their file only where one version has two.
+/// The names of the protocols of all columns: with the version only where there is more than one,
+/// with the file only where one version has two.
 class WideTable::ProtocolNames final {
  public:
   explicit ProtocolNames(const std::set<Asked>& all) {
@@ -171,7 +171,7 @@ WideTable::Made WideTable::make() const {
         "conditions but not in fit.tsv",
         &Person::unfinished);
 
-  // Every condition that anybody met, and what its answers are.
+  // All conditions that occurred, with their responses.
   std::map<Asked, std::map<Condition, Tally>> met{};
   std::map<Asked, bool> said_is_number{};
   for (const Person& person : people_) {

@@ -1,4 +1,4 @@
-// One row per participant: what programs want that compare means of columns.
+// Makes the table with one row per participant, for programs that compare means of columns.
 
 #pragma once
 
@@ -14,19 +14,21 @@
 namespace asperity {
 
 /// A table of one row per participant with, for each condition of each version of each protocol and
-/// each question of a trial, one column for what can be averaged: the mean of answers that are numbers, else the
-/// proportion of right answers where answers are right or wrong, else for each option the
-/// proportion of answers that chose it; and how many answers those are of.
+/// each question of a trial, one column for the average: the mean of answers that are numbers,
+/// otherwise the proportion correct where responses are correct or incorrect, otherwise for each
+/// option the proportion of responses that chose it; and the number of responses averaged.
 ///
 /// A condition is a combination of levels of the factors that have more than one level in the main
-/// trials of the protocol. Counted are answers of the main phase that are valid and not excluded;
-/// how many were flagged, and how many were left out, are columns.
+/// trials of the protocol. Responses of the main phase that are valid and not excluded are
+/// averaged; the numbers of flagged and of omitted responses are columns.
 ///
-/// Answers to the questions of a session are columns too; of several sessions with one protocol the
-/// last one's.
+/// Answers to the questions of a session are columns too; of several sessions with one protocol,
+/// those of the last one.
 ///
-/// Versions of a protocol are never counted together, nor are two sources that call themselves the
-/// same version, unless they differ in nothing but texts: those of two languages. Descriptions name the version; names of columns do only where there is more than
+/// Versions of a protocol are never combined, nor are two sources with the same version, unless
+/// they differ only in texts: those of two languages. Descriptions name the version; names of
+/// columns do so only where there is more than one, and contain the beginning of the source's
+/// SHA-256 only where one version has two sources.
 /// one, and the beginning of the source's SHA-256 only where one version has two.
 class WideTable final {
  public:
@@ -38,7 +40,7 @@ class WideTable final {
   void begin_session(const ExportPlace& at);
   /// `at` with session, trial, attempt and one of its responses.
   void add_answer(const ExportPlace& at);
-  /// `at` with session and an answer to one of its own questions; the last one stays.
+  /// `at` with a session and an answer to one of its questions; the last one is kept.
   void add_session_answer(const ExportPlace& at);
 
   struct Made {
@@ -49,12 +51,13 @@ class WideTable final {
   Made make() const;
 
  private:
-  using Level = std::pair<double, std::string>;  ///< numbers in their order, names in theirs
+  /// Numbers in numerical order, names in alphabetical order.
+  using Level = std::pair<double, std::string>;
   using Condition = std::vector<std::pair<std::string, Level>>;  ///< by name of the factor
   struct Asked {
     std::string protocol{};
     std::string version{};
-    std::string source_sha256{};  ///< of the first that differs in nothing but texts
+    std::string source_sha256{};  ///< of the first of those that differ only in texts
     std::string question{};
     auto operator<=>(const Asked&) const = default;
   };
@@ -83,7 +86,7 @@ class WideTable final {
   std::vector<ExportColumn> about_{};
   std::vector<std::string> left_out_{};
   StudyVocabulary vocabulary_{};
-  std::set<std::string> withheld_{};  ///< questions of sessions that the public does not get
+  std::set<std::string> withheld_{};  ///< questions of sessions that are not published
   std::vector<Person> people_{};
 };
 
