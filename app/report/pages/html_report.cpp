@@ -57,7 +57,7 @@ footer { margin-top: 3rem; border-top: 1px solid #bbbbbb; padding-top: .8rem; fo
 }
 )";
 
-/// As text or as the value of an attribute, in HTML and in XML alike.
+/// As text or as the value of an attribute, in both HTML and XML.
 std::string escaped(std::string_view text) {
   std::string out{};
   for (const char letter : text) {
@@ -78,7 +78,7 @@ std::string escaped(std::string_view text) {
         out += "&#39;";
         break;
       default:
-        // XML knows no other control characters.
+        // XML permits no other control characters.
         out += static_cast<unsigned char>(letter) < 0x20 && letter != '\n' && letter != '\t'
                    ? ' '
                    : letter;
@@ -87,7 +87,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// With the line breaks that somebody typed.
+/// With the line breaks of the text.
 std::string with_breaks(const std::string& text) {
   std::string out{};
   for (const char letter : escaped(text)) {
@@ -105,7 +105,7 @@ std::string mark_of(const ReportChapter& chapter) {
   return " <span class=\"mark\">" + escaped(chapter.mark) + "</span>";
 }
 
-/// As the string of a style sheet, which is read as HTML and as XML.
+/// As a string of a style sheet that is valid in HTML and in XML.
 std::string css_string(const std::string& text) {
   std::string out = "\"";
   for (const char letter : text) {
@@ -142,7 +142,7 @@ class HtmlParts final {
   void operator()(const ReportTable& part) {
     const std::string title = "Table " + std::to_string(part.number) + ". " + part.title;
     out_ += part.is_reference ? "<div class=\"scroll reference\"" : "<div class=\"scroll\"";
-    // What scrolls has to be reachable by key.
+    // A scrollable region has to be reachable by keyboard.
     out_ += " role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(title) + "\">\n<table>\n";
     out_ += "<caption>" + escaped(title) + "</caption>\n<thead><tr>";
     for (const ReportColumn& column : part.columns) {
@@ -198,7 +198,7 @@ std::string anchor_of(std::size_t chapter, std::size_t section) {
   return anchor_of(chapter) + '-' + std::to_string(section + 1);
 }
 
-/// What stands on top of every page that is printed of a chapter.
+/// The heading of every printed page of a chapter.
 std::string page_rules_of(const Report& report) {
   std::string rules{};
   for (std::size_t i = 0; i < report.chapters.size(); ++i) {

@@ -1,4 +1,4 @@
-// A report as one HTML file.
+// Writes a report as one HTML file.
 
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace asperity {
 
-/// HTML5 that is well-formed XML as well, with its style sheet and its figures (SVG) in it: it needs
-/// no network, runs no script and prints as it reads. Tables have headings that a screen reader can
-/// follow, figures their words. The same report gives the same bytes.
+/// HTML5 that is also well-formed XML, with embedded style sheet and figures (SVG): it requires no
+/// network, runs no script and is printable. Tables have headings for screen readers, figures a
+/// text alternative. The same report gives the same bytes.
 ///
-/// Where there is an application of Qt (LettersWithoutWindows, where there is no other). When asked
-/// to stop, what there is by then.
+/// Requires a Qt application (LettersWithoutWindows, where there is no other). After a stop
+/// request, returns the part that is finished.
 std::string html_of(const Report& report, const std::stop_token& stop = {},
                     const std::function<void(double)>& progress = {});
 

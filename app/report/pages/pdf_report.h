@@ -1,4 +1,4 @@
-// A report as a PDF for print.
+// Writes a report as a PDF for print.
 
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace asperity {
 
-/// A4, with the pages of report_pages.h: letters as letters (the fonts are in it), figures as
-/// vectors. Where there is an application of Qt (LettersWithoutWindows, where there is no other).
-/// When asked to stop, what there is by then.
+/// A4, with the pages of report_pages.h: text as characters (with embedded fonts), figures as
+/// vectors. Requires a Qt application (LettersWithoutWindows, where there is no other). After a
+/// stop request, returns the part that is finished.
 std::string pdf_of(const Report& report, const std::stop_token& stop = {},
                    const std::function<void(double)>& progress = {});
 

@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-// Of the time that it takes with few answers and many pages.
+// The proportion of the total time with few responses and many pages.
 constexpr double kReadingShare = 0.5;
 
 bool is_pdf(const std::filesystem::path& path) {

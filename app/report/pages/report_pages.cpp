@@ -37,8 +37,9 @@ constexpr double kLeadingOfText = 1.38;
 
 constexpr double kLargestMovedTable = 0.45;  // of a page: smaller ones are kept in one piece
 constexpr std::size_t kLeastRows = 3;        // of a table at the end of a page
-constexpr double kLeastFigure = 0.7;  // of its width, where it then stands with what it belongs to
-constexpr double kHeadingsHeight = 1600.0;  // of a chapter and a section, which may stand above
+constexpr double kLeastFigure = 0.7;  // of its width, where it then stays on the page of its answer
+// of the headings of a chapter and a section, which may precede it
+constexpr double kHeadingsHeight = 1600.0;
 
 const QColor kInk(0x1a, 0x1a, 0x1a);
 const QColor kGrey(0x55, 0x55, 0x55);
@@ -61,7 +62,7 @@ double figure_width(const Figure& figure) {
   return whole;
 }
 
-/// Fills pages from the top down, block by block.
+/// Fills pages from top to bottom, block by block.
 class PageMaker final {
  public:
   PageMaker(const Report& report, std::vector<std::vector<PageMark>>& pages)
@@ -101,7 +102,7 @@ class PageMaker final {
     }
   }
 
-  /// When it is known how many pages there are.
+  /// Called once the number of pages is known.
   void number_pages() {
     const QFont small = font(kSmallPixels);
     for (std::size_t i = 0; i < pages_.size(); ++i) {
@@ -153,12 +154,12 @@ class PageMaker final {
     add_box({area_.left(), kHeadLine + 110.0, area_.width(), kHair}, kGrey);
   }
 
-  /// Begins a new page where so much does not fit any more.
+  /// Begins a new page where this height does not fit.
   void need(double height) {
     if (y_ + height > area_.bottom() && y_ > area_.top()) new_page();
   }
 
-  /// One line at the height reached; `indent` from the left.
+  /// Places one line at the current height, `indent` from the left.
   void place_line(const QString& line, const QFont& font, const QColor& color, double indent) {
     const double height = line_height(font);
     const double baseline = y_ + 0.5 * height + 0.36 * font.pixelSize();
@@ -166,8 +167,8 @@ class PageMaker final {
     y_ += height;
   }
 
-  /// All lines of a text; of one that does not fit, two at least on either page. Before the lines
-  /// of a page `before_lines` is told how many.
+  /// Places all lines of a text; if it does not fit, at least two on each page. Before the lines of
+  /// a page, `before_lines` receives their number.
   void place_lines(const QString& text, const QFont& font, const QColor& color, double indent,
                    const std::function<void(double height)>& before_lines = {}) {
     const QStringList lines = broken_lines(text, font, area_.width() - indent);
@@ -200,8 +201,9 @@ class PageMaker final {
     return static_cast<double>(lines.size()) * line_height(used) + 90.0;
   }
 
-  /// What the part `from` needs at least on one page with what belongs to it: an answer with how it was
-  /// computed and its figure, a line that announces a list or a table with the beginning of that.
+  /// The minimum height of the part `from` together with what belongs to it on the same page: an
+  /// answer with its method and its figure, a line that introduces a list or a table with the
+  /// beginning of that.
   double height_together(const ReportSection& section, std::size_t from) {
     const double alone = least_height(section.parts[from]);
     const auto* text = std::get_if<ReportText>(&section.parts[from]);
@@ -304,7 +306,7 @@ class PageMaker final {
     y_ += row.height;
   }
 
-  /// The first rows from `next` that stand on this page.
+  /// The number of rows from `next` that fit on this page.
   std::size_t rows_that_fit(const LaidOutTable& made, std::size_t next) const {
     double room = area_.bottom() - y_ - made.heading.height - 60.0;
     std::size_t fitting = 0;
@@ -312,7 +314,7 @@ class PageMaker final {
       room -= made.rows[next + fitting].height;
       ++fitting;
     }
-    // No row stands alone on the last page.
+    // The last page has at least two rows.
     const std::size_t left = made.rows.size() - next;
     if (left - fitting == 1 && fitting > kLeastRows) --fitting;
     return std::max<std::size_t>(fitting, 1);
@@ -370,8 +372,8 @@ class PageMaker final {
     return {width, std::min(height, 0.85 * area_.height())};
   }
 
-  /// The largest size at which it is no higher than `room`; the least one where none is. What is in rows is
-  /// as high as they are.
+  /// The largest size that is no higher than `room`; the minimum size where none is. A figure with
+  /// rows has the height of its rows.
   QSizeF size_within(const Figure& figure, double room) const {
     const QSizeF whole = size_of(figure);
     if (figure.shape == FigureShape::rows) return whole;
@@ -391,7 +393,7 @@ class PageMaker final {
     return lines * line_height(font(kCaptionPixels)) + 60.0;
   }
 
-  /// At its least size.
+  /// At its minimum size.
   double least_height_of(const ReportFigure& part) {
     const double caption = caption_height(part);
     return part.figure.is_drawn() ? 100.0 + size_within(part.figure, 0.0).height() + caption

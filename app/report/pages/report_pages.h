@@ -1,4 +1,4 @@
-// A report laid out on pages of A4: where every line, rule and figure stands.
+// Lays a report out on A4 pages: the positions of all lines, rules and figures.
 
 #pragma once
 
@@ -20,8 +20,8 @@ class QPainter;
 
 namespace asperity {
 
-/// All lengths are twentieths of a point (1/1440 inch): fine enough that letters stand where they
-/// would on paper.
+/// All lengths are in twentieths of a point (1/1440 inch): fine enough for the position of letters
+/// in print.
 inline constexpr int kReportUnitsPerInch = 1440;
 
 struct PageText {
@@ -41,12 +41,12 @@ struct PageFigure {
 };
 using PageMark = std::variant<PageText, PageBox, PageFigure>;
 
-/// Pages with a heading that says which chapter they belong to and whose data they show, and with
-/// their number. A heading stays with what follows it; a table that fits on a page is not cut where
-/// little of it would stay, and a longer one goes on under its headings; no line of a paragraph
-/// stands alone.
+/// Pages with a heading that names their chapter and the origin of its data, and with a page
+/// number. A heading stays with what follows it; a table that fits on a page is not split where
+/// only a small part would remain, and a longer one continues under repeated headings; no line of a
+/// paragraph is left alone.
 ///
-/// Needs an application of Qt. When asked to stop, the pages there are by then.
+/// Requires a Qt application. After a stop request, contains the pages that are finished.
 class ReportPages final {
  public:
   /// `report` outlives it.
@@ -55,11 +55,11 @@ class ReportPages final {
 
   std::size_t count() const noexcept { return pages_.size(); }
   const std::vector<PageMark>& marks(std::size_t page) const { return pages_.at(page); }
-  /// Of a page of A4.
+  /// The size of an A4 page.
   static QSizeF size();
-  /// Where all but heading and number stands.
+  /// The area of everything except heading and page number.
   static QRectF text_area();
-  /// The painter's units are those of the layout. Its state is left as it was.
+  /// The painter's units are those of the layout. Its state is restored.
   void draw(std::size_t page, QPainter& painter) const;
 
  private:

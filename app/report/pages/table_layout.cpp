@@ -12,8 +12,8 @@ namespace asperity {
 namespace {
 
 constexpr double kGap = 200.0;        // between columns: 10 points
-constexpr double kNarrowGap = 120.0;  // where that saves a line
-constexpr double kTolerance = 8.0;  // of a column: letters in a line are not as wide as one by one
+constexpr double kNarrowGap = 120.0;  // where that avoids a line break
+constexpr double kTolerance = 8.0;  // of a column: a line is not as wide as the sum of its letters
 constexpr double kLeadingOfTable = 1.3;
 
 struct Wish {
@@ -35,7 +35,7 @@ std::vector<Wish> wishes_of(const ReportTable& table, const QFont& font, const Q
     for (const std::vector<std::string>& row : table.rows) {
       const QString text = QString::fromStdString(row[i]);
       const double all = text_width(text, font);
-      // A number with its interval is read as one; a hash or a long name may break anywhere.
+      // A number and its interval stay on one line; a hash or a long name may break anywhere.
       const double least =
           table.columns[i].holds_numbers ? all : std::min(longest_word(text, font), 2400.0);
       wishes[i].least = std::max(wishes[i].least, least);
@@ -45,7 +45,7 @@ std::vector<Wish> wishes_of(const ReportTable& table, const QFont& font, const Q
   return wishes;
 }
 
-/// What each column gets; empty where not even the least of all fits.
+/// The width of each column; empty where even the minimum widths do not fit.
 std::vector<double> widths_for(const std::vector<Wish>& wishes, double room) {
   double least = 0.0;
   double most = 0.0;
@@ -82,7 +82,8 @@ namespace {
 
 constexpr QChar kJoiner(0x2060);
 
-/// No line ends within a unit (mm/s), before a per cent sign, or within "p = .031" and "n = 20".
+/// Prevents line breaks within a unit (mm/s), before a per cent sign, and within "p = .031" and "n
+/// = 20".
 QString with_numbers_whole(QString text) {
   text.replace(QLatin1String("/s"), QString('/') + kJoiner + 's');
   text.replace(QLatin1String(" %"), QString(QChar::Nbsp) + '%');
@@ -125,7 +126,7 @@ LaidOutTable lay_out(const ReportTable& table, const QString& family, double wid
   std::vector<double> widths{};
   const auto gaps = static_cast<double>(table.columns.size() - 1);
   double gap = kGap;
-  // 8, 7, 6 and, for what would not fit at all, 5 points.
+  // 8, 7, 6 and, as a last resort, 5 points.
   constexpr std::array<int, 4> kSizes{160, 140, 120, 100};
   for (std::size_t size = table.is_reference ? 1 : 0; size < kSizes.size(); ++size) {
     made.font.setFamily(family);
@@ -141,7 +142,7 @@ LaidOutTable lay_out(const ReportTable& table, const QString& family, double wid
     const double room = width - gaps * gap;
     widths = widths_for(wishes, room);
     if (!widths.empty()) break;
-    // Nothing fits: all columns break, each with its share of the room.
+    // Nothing fits: all columns break, each with a proportion of the room.
     const double least =
         std::accumulate(wishes.begin(), wishes.end(), 0.0,
                         [](double sum, const Wish& wish) { return sum + wish.least; });

@@ -1,4 +1,4 @@
-// A table of a report with the widths that its columns get and the lines that its cells break into.
+// Lays out a table of a report: the widths of its columns and the lines of its cells.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// Breaks a text into lines no wider than that: between words, and within one that is too long.
+/// Breaks a text into lines of at most this width: between words, and within a word that is longer.
 QStringList broken_lines(const QString& text, const QFont& font, double width);
 double text_width(const QString& text, const QFont& font);
 
@@ -28,13 +28,13 @@ struct LaidOutTable {
   double line_height = 0.0;
   double padding = 0.0;         ///< above and below the lines of a row
   std::vector<double> left{};   ///< of each column
-  std::vector<double> right{};  ///< of each column; a gap is between
+  std::vector<double> right{};  ///< of each column, with a gap to the next
   LaidOutRow heading{};
   std::vector<LaidOutRow> rows{};
 };
 
-/// No wider than `width`: columns get what they need where that fits; otherwise those of words break
-/// into lines, and at last the letters become smaller.
+/// At most `width` wide: columns have their natural width where that fits; otherwise columns of
+/// words are broken into lines, and finally the font size is reduced.
 LaidOutTable lay_out(const ReportTable& table, const QString& family, double width);
 
 }  // namespace asperity

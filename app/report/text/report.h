@@ -1,4 +1,4 @@
-// A report as a value: what it says, before anybody decides how it looks.
+// A report as a value: its content, independent of its layout.
 
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace asperity {
 
-/// A paragraph. All text of a report is plain, in English, and may hold any character.
+/// A paragraph. All text of a report is plain, in English, and may contain any character.
 struct ReportText {
   enum class Tone {
     plain,
-    lead,    ///< the sentence for a reader in a hurry
-    notice,  ///< to be read before believing a number
+    lead,    ///< the summary sentence
+    notice,  ///< qualifies the results
   };
   std::string text{};
   Tone tone = Tone::plain;
 };
 
-/// Sentences that stand beside each other.
+/// Parallel sentences.
 struct ReportList {
   std::vector<std::string> items{};
 };
@@ -36,9 +36,9 @@ struct ReportTable {
   int number = 0;  ///< in reading order, from 1
   std::string title{};
   std::vector<ReportColumn> columns{};
-  std::vector<std::vector<std::string>> rows{};  ///< as they are to be read
+  std::vector<std::vector<std::string>> rows{};  ///< as they are displayed
   std::string note{};
-  bool is_reference = false;  ///< to look something up in, not to be read
+  bool is_reference = false;  ///< for reference, not for continuous reading
 };
 
 struct ReportFigure {
@@ -53,21 +53,21 @@ struct ReportSection {
   std::vector<ReportPart> parts{};
 };
 
-/// What belongs to one version of one protocol and one group of participants, or to the study as a
-/// whole. No two chapters share a page.
+/// The content for one version of one protocol and one group of participants, or for the study as a
+/// whole. Every chapter begins on a new page.
 struct ReportChapter {
   std::string heading{};
-  /// Stands in the heading of every page: "SIMULATED: no human participant"; empty for what was measured with
-  /// people in sessions that count.
+  /// In the heading of every page: "SIMULATED: no human participant"; empty for data of people in
+  /// sessions that count.
   std::string mark{};
-  AnswerGroup group = AnswerGroup::people;  ///< whose mark it is
+  AnswerGroup group = AnswerGroup::people;  ///< the group that the mark refers to
   std::vector<ReportSection> sections{};
 };
 
 struct Report {
   std::string title{};
-  std::string subtitle{};  ///< from when the data are
-  std::string program{};   ///< which one made it
+  std::string subtitle{};  ///< the period of the data
+  std::string program{};   ///< the program that made the report
   std::vector<ReportChapter> chapters{};
 };
 

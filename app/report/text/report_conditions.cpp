@@ -1,5 +1,3 @@
-// The device, its force, the masking noise and what participants saw, as the sessions recorded them.
-
 #include <algorithm>
 #include <map>
 #include <set>

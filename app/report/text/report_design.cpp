@@ -1,5 +1,3 @@
-// Task, trials and order, as the protocol specifies them and the plans have them.
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -67,7 +65,7 @@ std::string until_text(const Protocol::Criterion& until) {
          " correct, at most " + std::to_string(until.maximum_trials) + " trials";
 }
 
-/// " The criterion was not met in either session."; nothing where it was met in all.
+/// " The criterion was not met in either session."; empty where it was met in all.
 std::string unmet_text(const std::string& block, const ReportFacts& facts) {
   const auto unmet = static_cast<std::size_t>(std::count_if(
       facts.sessions.begin(), facts.sessions.end(),
@@ -132,7 +130,7 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   bands.push_back(text);
 }
 
-/// "the force or the speed is outside its band", of what has a band.
+/// "the force or the speed is outside its band", for the quantities that have a band.
 std::string guided_by_tones(const Exploration& exploration) {
   const auto has_band = [](const Band& band) { return band.minimum || band.maximum; };
   const bool force = has_band(exploration.normal_force_N);
@@ -192,7 +190,7 @@ std::string repeats_text(int maximum) {
                       : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
 }
 
-/// Whatever the protocol makes of exploration outside its limits.
+/// Applies to every response of the protocol to exploration outside its limits.
 constexpr const char* kUntouched =
     "; an attempt in which a surface is not touched does not count and is repeated.";
 const std::string kLastRepeat =
@@ -242,7 +240,7 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
   return text;
 }
 
-/// Of the presentations stored, and the limits that the protocol sets.
+/// Of the stored presentations, and the limits of the protocol.
 std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
   std::string text{};
   if (!facts.models.empty()) {

@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-// No limit, but the ticks that those of a model are a part of.
+// Not a limit, but the number of ticks in contact, of which the limits of a model count a part.
 constexpr const char* kAllContact = "contact";
 
 void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
@@ -37,7 +37,7 @@ void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
   if (row.fault != "none") ++servo.faults[row.fault];
 }
 
-/// What the exploration of a trial asks for; nothing where the protocol cannot be read.
+/// The required fraction of the exploration of a trial; nothing where the protocol cannot be read.
 std::optional<double> required_fraction(const ReportFacts& facts, const PlannedTrialRow& planned) {
   if (!facts.file.protocol) return {};
   const Protocol& protocol = *facts.file.protocol;
@@ -56,14 +56,16 @@ std::optional<double> required_fraction(const ReportFacts& facts, const PlannedT
   return exploration->second.required_fraction_in_band;
 }
 
-/// Without contact there is no force, and without a stroke neither speed nor length: their mean is stored as zero,
-/// and no fraction is. A time in contact and a number of strokes of zero are measurements.
+/// Whether a measure has no data. Without contact there is no force, and without a stroke neither
+/// speed nor length: their mean is stored as zero, and their fraction is absent. A contact time and
+/// a number of strokes of zero are measurements.
 bool is_of_nothing(const ComplianceRow& row) {
   const bool is_counted = row.quantity == "contact_s" || row.quantity == "strokes";
   return !is_counted && row.mean == 0.0 && !row.fraction_in_band;
 }
 
-/// Every surface passes where no part of the contact or of the strokes has to lie in the band.
+/// Whether every surface passes because no part of the contact or of the strokes has to lie in the
+/// band.
 bool always_passes(const ComplianceRow& row, std::optional<double> required_fraction) {
   return (row.quantity == "normal_force_N" || row.quantity == "speed_m_per_s") &&
          required_fraction && *required_fraction <= 0.0;
@@ -79,7 +81,7 @@ void count_compliance(const ComplianceRow& row, std::optional<double> required_f
   if (*row.passed) ++band.passed;
 }
 
-/// What a trial belongs to that is in no result: "familiarisation", "practice", "anchors".
+/// The purpose of a trial outside the results: "familiarisation", "practice", "anchors".
 std::string other_kind(const PlannedTrialRow& planned, AnalysisUse use) {
   if (use == AnalysisUse::anchor) return "anchors";
   return planned.phase.empty() ? "unknown trials" : planned.phase;
@@ -109,7 +111,8 @@ void count_use(const AttemptRow& attempt, const PlannedTrialRow& planned, Analys
   ++facts.attempts;
 }
 
-/// A presentation names the texture that varies; the other body may have one of its own, always the same.
+/// A presentation names the texture that varies; the other body may have a separate, constant
+/// texture.
 void add_textures_of_bodies(const std::string& stimulus, ReportFacts& facts) {
   if (!facts.file.protocol) return;
   const Protocol& protocol = *facts.file.protocol;
@@ -152,12 +155,13 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   }
 }
 
-/// Whether the experimenter wrote the text of such an event. That of a late resume stands with the sessions.
+/// Whether the experimenter wrote the text of such an event. The reason for a late resume is
+/// reported with the sessions.
 bool is_in_own_words(const std::string& kind) {
   return kind == "note" || kind == "unblinded" || kind == "trial_repeated";
 }
 
-/// The trial that an event is about: the one that was repeated, or the one under way.
+/// The trial that an event refers to: the one that was repeated, or the current one.
 std::optional<int> trial_of(const TimedEvent& event) {
   const auto data = nlohmann::json::parse(event.row.data_json, nullptr, false);
   if (data.is_object() && data.contains("trial") && data["trial"].is_number_integer()) {
@@ -194,7 +198,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
   const std::size_t counted_before = facts.counted;
   for (const AttemptRow& attempt : attempts) {
-    // Of a trial that a damaged study lacks, nothing is known: it is not of the main phase.
+    // A trial that is missing in a damaged study is not counted in the main phase.
     count_attempt(attempt, plan[attempt.trial], facts);
   }
   if (facts.counted > counted_before) facts.counted_participants.insert(row.participant);

@@ -1,4 +1,4 @@
-// What a chapter of a report is written from, counted in one walk over the study.
+// Stores the counts and facts from which a chapter of a report is written.
 
 #pragma once
 
@@ -24,28 +24,30 @@ struct ReportedNote {
   std::string kind{};
   std::string text{};
   double time_s = 0.0;         ///< since the session began
-  std::optional<int> trial{};  ///< that was under way, or that it is about
+  std::optional<int> trial{};  ///< the current trial, or the one that it refers to
 };
 
 struct ReportedSession {
   SessionRow row{};
   int planned_trials = 0;
-  int done_trials = 0;  ///< as SessionOverview has them
+  int done_trials = 0;  ///< as in SessionOverview
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
-  bool is_unguided = false;  ///< the guidance that the protocol requests was neither seen nor heard
-  std::set<std::string> unmet_criteria{};  ///< the blocks that ended without their criterion
+  /// The participant neither saw nor heard the guidance that the protocol requests.
+  bool is_unguided = false;
+  /// The blocks that ended without meeting their criterion.
+  std::set<std::string> unmet_criteria{};
   std::vector<RecordedStretch> stretches{};
   std::vector<DecisionRow> decisions{};
   std::vector<EventRow> late_resumes{};  ///< see kResumedLate
-  std::vector<ReportedNote> notes{};     ///< by time
+  std::vector<ReportedNote> notes{};     ///< in chronological order
 };
 
-/// Something counted in ticks or records, over attempts or presentations.
+/// A count of ticks or records, over attempts or presentations.
 struct ReportedCount {
   std::int64_t total = 0;
-  std::int64_t worst = 0;    ///< of one
-  std::size_t affected = 0;  ///< of those, how many have any
+  std::int64_t worst = 0;    ///< the maximum of a single one
+  std::size_t affected = 0;  ///< the number of those with a count above 0
   std::size_t of = 0;
 
   void add(std::int64_t count);
@@ -54,13 +56,13 @@ struct ReportedCount {
 struct ReportedServo {
   std::size_t attempts = 0;
   std::int64_t ticks = 0;
-  std::vector<double> lateness_p50_s{};  ///< of each attempt, and so on
+  std::vector<double> lateness_p50_s{};  ///< of each attempt; the next ones accordingly
   std::vector<double> lateness_p99_s{};
   std::vector<double> lateness_maximum_s{};
   std::vector<double> period_p99_s{};
   std::vector<double> execution_p99_s{};
   ReportedCount missed_deadlines{};
-  ReportedCount missed_in_contact{};  ///< of the attempts in which they were counted apart
+  ReportedCount missed_in_contact{};  ///< of the attempts in which they were counted separately
   ReportedCount lost_records{};
   ReportedCount saturated{};
   ReportedCount slew_limited{};
@@ -68,35 +70,35 @@ struct ReportedServo {
   std::map<std::string, std::size_t> faults{};  ///< other than none
 };
 
-/// One quantity with one band, over all presentations that were held against it.
+/// One quantity with one band, over all presentations that were compared with it.
 struct ReportedBand {
-  std::vector<double> means{};      ///< of strokes: where there was one
+  std::vector<double> means{};      ///< of strokes: where there was at least one
   std::vector<double> fractions{};  ///< inside the band: of the contact time, or of the strokes
   std::size_t passed = 0;
-  std::size_t judged = 0;  ///< where the protocol requires something of it
+  std::size_t judged = 0;  ///< where the protocol sets a requirement for it
 };
 
-/// Attempts with the same fate, by their reasons.
+/// Attempts with the same outcome, by their reasons.
 using ReasonCounts = std::map<std::string, std::size_t>;
 
 struct ReportFacts {
   ProtocolRow protocol{};           ///< the first of its files
-  ProtocolCheck file{};             ///< the same as a value, or why it cannot be read
+  ProtocolCheck file{};             ///< the parsed protocol, or why it cannot be read
   std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
   bool are_translations = true;     ///< those files are one protocol in several languages
   AnswerGroup group = AnswerGroup::people;
   std::vector<ParticipantRow> participants{};  ///< by label
   std::vector<ReportedSession> sessions{};     ///< by participant, session
-  std::vector<WithdrawalRow> withdrawals{};    ///< from the whole study, those of this group
+  std::vector<WithdrawalRow> withdrawals{};    ///< in the whole study, of this group
 
   std::size_t attempts = 0;               ///< of the main phase
   std::size_t counted = 0;                ///< of those: answered, valid and not excluded
-  std::set<std::string> counted_participants{};  ///< who have any of them
+  std::set<std::string> counted_participants{};  ///< with at least one counted attempt
   std::size_t other_attempts = 0;         ///< of familiarisation and practice, and at anchors
-  std::set<std::string> other_kinds{};    ///< what those are of: "practice", "anchors"
-  std::set<std::string> other_planned{};  ///< the same of the plans
-  std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
-  ReasonCounts flagged{};                             ///< of those that count
+  std::set<std::string> other_kinds{};    ///< the purposes of those: "practice", "anchors"
+  std::set<std::string> other_planned{};  ///< the same in the plans
+  std::map<std::string, ReasonCounts> not_counted{};  ///< by outcome, then reason
+  ReasonCounts flagged{};                             ///< of the attempts that count
 
   ReportedServo servo{};  ///< of every attempt
   /// (model, kind, texture or else stimulus) → ticks
@@ -106,15 +108,15 @@ struct ReportFacts {
       bands{};
   std::set<std::string> models{};          ///< presented, with their versions: "height_map 1"
   std::set<std::string> height_fields{};   ///< textures that were rendered from one
-  std::set<std::string> body_textures{};   ///< textures of the bodies presented
-  bool has_equal_force = false;            ///< a presentation's texture force was solved for
-  std::set<std::size_t> surfaces{};        ///< how many were presented in an answered attempt
+  std::set<std::string> body_textures{};   ///< textures of the presented bodies
+  bool has_equal_force = false;            ///< the texture force of a presentation was matched
+  std::set<std::size_t> surfaces{};  ///< the numbers of surfaces presented in answered attempts
   std::set<std::string> answer_sources{};  ///< "keyboard"
 
   bool is_running() const;
 };
 
-/// By protocol, version and group, as `gather_answers` has them. Errors: ResultsError.
+/// By protocol, version and group, as in `gather_answers`. Errors: ResultsError.
 std::vector<ReportFacts> report_facts(const Study& study,
                                       const std::optional<std::string>& protocol,
                                       const std::stop_token& stop,

@@ -1,5 +1,3 @@
-// What somebody needs to do it again: program, device, files, seeds, session by session.
-
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -15,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-/// Different values in the order of the sessions' keys, each with how many sessions have it where
+/// Distinct values in the order of the sessions' keys, with the number of sessions of each where
 /// they differ.
 class Values final {
  public:
@@ -39,7 +37,7 @@ class Values final {
 
 using TextOfStretch = std::function<std::string(const RecordedStretch&)>;
 
-/// Different values, each with the sessions or the parts of sessions that have it where they differ.
+/// Distinct values, each with its sessions or parts of sessions where they differ.
 std::string values_of_stretches(const ReportFacts& facts, const TextOfStretch& text_of) {
   std::set<std::string> values{};
   for (const ReportedSession& session : facts.sessions) {
@@ -56,7 +54,7 @@ std::string values_of_stretches(const ReportFacts& facts, const TextOfStretch& t
   return text;
 }
 
-/// The first eight digits, as the windows show them.
+/// The first eight digits, as shown in windows.
 std::string seed_text(const SessionRow& session) {
   return session.seed.empty() ? "–" : session.seed;
 }
@@ -148,7 +146,7 @@ ReportSection making_section(const ReportFacts& facts) {
 
 ReportSection sessions_section(const ReportFacts& facts) {
   ReportSection section{"Every session", {}};
-  constexpr std::size_t kMostListed = 60;  // a page; more are looked up in a table of one's own
+  constexpr std::size_t kMostListed = 60;  // a page; more are in a separate table
   if (facts.sessions.size() > kMostListed) {
     section.parts.emplace_back(
         ReportText{reading_count(facts.sessions.size()) +

@@ -1,5 +1,3 @@
-// What the experimenter wrote down during sessions and decided about attempts afterwards.
-
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -38,7 +36,7 @@ std::string decision_text(Verdict verdict) {
     case Verdict::include:
       return "included again";
     case Verdict::set_aside:
-      break;  // the event "trial_repeated" has its time
+      break;  // the time is that of the event "trial_repeated"
   }
   return {};
 }

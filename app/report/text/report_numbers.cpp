@@ -23,8 +23,8 @@ struct NumberWords {
   NumberForm form = NumberForm::number;
 };
 
-/// By quantity. What is not among them is in a table, is the end of an interval, is a listing, or
-/// needs more words than a row has.
+/// By quantity. Others are in a table, are the limits of an interval, are lists, or require more
+/// words than a row has.
 const std::map<std::string, NumberWords>& known_numbers() {
   using enum NumberForm;
   static const std::map<std::string, NumberWords> kKnown{
@@ -82,7 +82,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
   return kKnown;
 }
 
-/// Alternatives of a test that is listed as well.
+/// Alternatives of a test that is also listed.
 bool is_another_form(const std::string& quantity) {
   static const std::set<std::string> kAlternatives{"G.p",
                                                    "exact.midp.greater",
@@ -104,7 +104,7 @@ bool is_another_form(const std::string& quantity) {
   return kAlternatives.contains(quantity);
 }
 
-/// What a part of the analysis is about; its own name where the program has no words.
+/// The subject of a part of the analysis; its name where there is no text for it.
 std::string words_of_analysis(const std::string& analysis) {
   static const std::map<std::string, std::string> kWords{{"anova", "analysis of variance"},
                                                          {"choice", "models"},
@@ -139,19 +139,19 @@ std::string number_in_form(double value, NumberForm form) {
       break;
   }
   const double size = std::abs(value);
-  constexpr double kRounding = 1e-12;  // sums that are nothing but for it
+  constexpr double kRounding = 1e-12;  // of sums
   if (size < kRounding) return fixed(0.0, 2);
   if (size >= 0.095) return reading_signed(value, 2);
   return size >= 0.0095 ? reading_signed(value, 3) : reading_number(value);
 }
 
-/// " (90 %)"; nothing of the usual 95 %.
+/// " (90 %)"; empty for the usual 95 %.
 std::string other_confidence(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
   return confidence == 0.95 ? "" : " (" + reading_percent(confidence) + ')';
 }
 
-/// Without the first column, where all rows have the same in it.
+/// Removes the first column, where all rows have the same value in it.
 void drop_lone_part(ReportTable& table) {
   std::set<std::string> parts{};
   for (const std::vector<std::string>& row : table.rows) parts.insert(row.front());
@@ -160,7 +160,7 @@ void drop_lone_part(ReportTable& table) {
   for (std::vector<std::string>& row : table.rows) row.erase(row.begin());
 }
 
-/// Without the columns, but for the first, that hold nothing in any row.
+/// Removes the columns, except the first, that are empty in every row.
 void drop_columns_of_dashes(ReportTable& table) {
   for (std::size_t i = table.columns.size(); i-- > 1;) {
     const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(),
@@ -223,7 +223,7 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
   for (const Finding& finding : findings) {
     const auto known = known_numbers().find(finding.quantity);
     if (known == known_numbers().end() || !finding.value) continue;
-    if (finding.analysis == kSexesEquivalence) continue;  // its answer has them
+    if (finding.analysis == kSexesEquivalence) continue;  // reported in its answer
     const auto& [words, form] = known->second;
     std::string value = number_in_form(*finding.value, form);
     if (!finding.unit.empty() && finding.unit != "1") value += ' ' + finding.unit;

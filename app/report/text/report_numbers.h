@@ -1,4 +1,4 @@
-// What an analysis has found besides its answers and tables, to look up.
+// Makes the tables of further findings of an analysis, for reference.
 
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace asperity {
 
-/// Tests that no table of the analysis has, a row each. Those of single participants and those that
-/// only repeat another in a different form are left out. Without rows where there are none.
+/// Tests that are in no table of the analysis, one row each. Those of single participants and those
+/// that repeat another in a different form are omitted. Without rows where there are none.
 ReportTable further_tests_table(std::span<const ReportedTest> tests);
 
-/// What a number is called in `further_numbers_table`; empty for those that it leaves out.
+/// The text for a number in `further_numbers_table`; empty for those that it omits.
 std::string words_of_number(const std::string& quantity);
 
-/// Numbers that no table of the analysis has, in words, counts as counts, each with its interval.
-/// Without rows where there are none.
+/// Numbers that are in no table of the analysis, as text, counts as integers, each with its
+/// interval. Without rows where there are none.
 ReportTable further_numbers_table(std::span<const Finding> findings);
 
 }  // namespace asperity

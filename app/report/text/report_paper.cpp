@@ -1,5 +1,3 @@
-// Methods and results as a paper prints them, each sentence from what is stored.
-
 #include "app/report/text/report_paper.h"
 
 #include <algorithm>
@@ -18,11 +16,11 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kMostExploratory = 24;  // more are read in the table of tests
+constexpr std::size_t kMostExploratory = 24;  // the table of tests lists more
 
 bool is_of_family(const TestSentence& each) { return each.role != TestRole::exploratory; }
 
-/// Those of the family first, without further ones that could not be made.
+/// Those of the family first, without others that could not be made.
 std::vector<TestSentence> printed_sentences(const AnalysisOutcome& outcome) {
   std::vector<TestSentence> printed{};
   std::copy_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
@@ -102,7 +100,7 @@ std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
            (made < family ? "; a test that could not be computed counts as p = 1." : ".")});
 }
 
-/// A name with what it is cited for behind it: "Cohen’s d (Cohen, 1988)".
+/// A name followed by its citation: "Cohen’s d (Cohen, 1988)".
 std::string cited_name(const Phrase& name, std::string_view source, Sources& sources) {
   return name.english() + (source.empty() ? "" : cited(std::string(source), sources));
 }
@@ -164,7 +162,7 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
 std::string results_paragraph(const AnalysisOutcome& outcome,
                               std::span<const TestSentence> printed) {
   std::vector<std::string> sentences{estimate_sentence(outcome).text};
-  // Without a declaration all tests are exploratory, which the methods state.
+  // Without a declaration all tests are exploratory, as the methods section states.
   bool follows_confirmatory = false;
   for (const TestSentence& each : printed) {
     const bool is_confirmatory = each.role == TestRole::confirmatory;

@@ -1,4 +1,4 @@
-// The parts of a text for a paper.
+// Makes the parts of a text for a paper.
 
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace asperity {
 
-/// The keys of what is cited.
+/// The keys of the cited publications.
 using Sources = std::set<std::string>;
-/// " (Holm, 1979)"; from now on among the sources.
+/// " (Holm, 1979)"; adds the key to the sources.
 std::string cited(const std::string& key, Sources& sources);
 
-/// With blanks between, without empty ones.
+/// Separated by blanks, without empty ones.
 std::string with_sentences(const std::vector<std::string>& sentences);
 
-/// Participants, apparatus, conditions and procedure, each sentence from what is stored.
+/// Participants, apparatus, conditions and procedure, each sentence derived from stored data.
 std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMetadata& metadata,
                                          Sources& sources);
 

@@ -1,4 +1,4 @@
-// How a study was made, as the methods section of a paper states it.
+// The methods section of a text for a paper.
 
 #include <algorithm>
 #include <map>
@@ -166,7 +166,8 @@ std::string factors_sentence(const Protocol& protocol) {
   return (factors.size() == 1 ? "The factor was " : "The factors were ") + listed(factors) + '.';
 }
 
-/// The factor whose levels are presented together in every trial of the main phase, each once; null where none is.
+/// The factor whose levels are presented together in every trial of the main phase, each once; null
+/// where there is none.
 const Factor* factor_within_trials(const Protocol& protocol) {
   const Factor* within = nullptr;
   for (const auto& [block_name, block] : protocol.blocks) {
@@ -192,8 +193,8 @@ const Factor* factor_within_trials(const Protocol& protocol) {
   return within;
 }
 
-/// "In each trial, three stimuli were presented, one for each level of model"; the number only where every answered trial
-/// had the same.
+/// "In each trial, three stimuli were presented, one for each level of model"; the number only
+/// where every answered trial had the same.
 std::string presented_text(const ReportFacts& facts) {
   const bool is_one = facts.surfaces == std::set<std::size_t>{1};
   const std::string number =
@@ -207,7 +208,7 @@ std::string presented_text(const ReportFacts& facts) {
   return text;
 }
 
-/// " among six"; of pictures whose number differs between the blocks " among several".
+/// " among six"; where the number of pictures differs between the blocks, " among several".
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
   return presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);
@@ -267,7 +268,7 @@ std::string paper_order(const ReportFacts& facts, Sources& sources) {
   return text;
 }
 
-/// When the program counts an attempt as invalid, whatever became of it.
+/// When the program counts an attempt as invalid, regardless of later decisions.
 std::string invalid_attempts(const Protocol& protocol) {
   const auto more_than = [](int count, const std::string& one, const std::string& several) {
     return count == 0 ? "any " + one + " was"

@@ -1,5 +1,3 @@
-// Who took part, and what became of their sessions and attempts.
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -18,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-/// "10 female", with those who have not told left out; nothing where nobody has.
+/// "10 female", without participants for whom nothing is stored; empty where this applies to all.
 std::string counts_of(const std::map<std::string, std::size_t>& counts,
                       const std::vector<std::pair<std::string, std::string>>& words,
                       std::size_t told, std::size_t all) {
@@ -52,7 +50,7 @@ std::string ages_text(const ReportFacts& facts) {
   return text;
 }
 
-/// What excludes a session now, if anything does.
+/// The decision by which a session is excluded, if any.
 std::optional<DecisionRow> exclusion_of(const ReportedSession& session) {
   std::optional<DecisionRow> standing{};
   for (const DecisionRow& decision : session.decisions) {
@@ -86,7 +84,7 @@ std::string state_text(const ReportedSession& session) {
   return {};
 }
 
-/// Where participants did not move a device, that they did not.
+/// That participants did not move a device, where this is the case.
 std::string hands_text(const ReportFacts& facts) {
   const SessionShare held = share_of_sessions(facts, is_moved_by_program);
   if (!held.is_any()) return {};
@@ -94,7 +92,7 @@ std::string hands_text(const ReportFacts& facts) {
          (facts.participants.size() == 1 ? "participant." : "participants.");
 }
 
-/// What became of attempts that do not count, in words of their own.
+/// The text for an outcome of attempts that do not count.
 std::string fate_text(const std::string& fate) {
   static const std::map<std::string, std::string> kWords{
       {"aborted", "interrupted"},
@@ -135,7 +133,8 @@ std::size_t sum_of(const ReasonCounts& reasons) {
   return sum;
 }
 
-/// ", none of which was completed"; of one session ", which was not completed"; and what still runs.
+/// ", none of which was completed"; for one session ", which was not completed"; and the number of
+/// running sessions.
 std::string completed_text(std::size_t completed, std::size_t running, std::size_t sessions) {
   if (sessions == 1) {
     return completed == 1 ? ", which was completed"
@@ -169,7 +168,7 @@ ReportText sessions_text(const ReportFacts& facts) {
           completed_text(completed, running, facts.sessions.size()) + '.'};
 }
 
-/// ", of which 2 count"; of one attempt ", which counts".
+/// ", of which 2 count"; for one attempt ", which counts".
 std::string counted_text(std::size_t counted, std::size_t attempts) {
   if (attempts == 1) return counted == 1 ? ", which counts" : ", which does not count";
   if (counted == attempts) return attempts == 2 ? ", both of which count" : ", all of which count";

@@ -1,5 +1,3 @@
-// Whether the forces came in time and as they were meant, and whether hands did what they were asked.
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -17,7 +15,7 @@ constexpr const char* kStepped = "stepped";  // by a simulated clock
 
 using QualityRow = std::vector<std::string>;
 
-/// Median over the attempts, and the worst of them.
+/// The median over the attempts, and the maximum.
 QualityRow time_row(const std::string& what, const std::vector<double>& values_s) {
   const std::optional<Summary> summary = summary_of(values_s);
   if (!summary) return {what, "–", "–"};
@@ -34,7 +32,7 @@ QualityRow count_row(const std::string& what, const ReportedCount& count, const 
           reading_count(unsigned_count(count.worst))};
 }
 
-/// The end of a quantity's name is its unit: "speed_m_per_s" → "speed", "m/s".
+/// The name of a quantity ends in its unit: "speed_m_per_s" → "speed", "m/s".
 struct NamedQuantity {
   std::string name{};
   std::string unit{};
@@ -192,7 +190,7 @@ ReportTable counts_table(const ReportFacts& facts) {
     table.rows.push_back(
         count_row("beyond a limit of " + model + ": " + kind + ", " + felt, count, "surfaces"));
   }
-  // What never happened has been said.
+  // Counts of zero are already reported in the text.
   std::erase_if(table.rows, [](const QualityRow& row) { return row[1] == "0"; });
   return table;
 }
@@ -222,7 +220,7 @@ constexpr const char* kNoFractionRequired =
     "The protocol requires no minimum proportion of the contact time or of the strokes to be "
     "within these bands.";
 
-/// Whose hand it was, and what its force is where no device could be pressed against.
+/// Which hand explored, and how its force was measured on a device without motors.
 std::string explored_by_text(const ReportFacts& facts) {
   if (facts.group == AnswerGroup::virtual_participants) return {};
   std::string text{};

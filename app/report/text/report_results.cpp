@@ -1,5 +1,3 @@
-// The results of a chapter: whatever tables, figures and findings the analysis has, in its order.
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -22,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kMostSentences = 16;  // more are read in a table
+constexpr std::size_t kMostSentences = 16;  // the table lists more
 constexpr std::size_t kMostKeys = 6;        // of one refusal
 
 std::string printed_cell(const Cell& cell) {
@@ -32,10 +30,10 @@ std::string printed_cell(const Cell& cell) {
   return "–";
 }
 
-/// The same estimate and p can be told once.
+/// Reports the same estimate and p only once.
 using Told = std::set<std::pair<double, double>>;
 
-/// Of a table of counted shares with intervals, the rows that are about everything, in words.
+/// The rows for all data of a table of counted proportions with intervals, as text.
 std::vector<std::string> answers_in(const Table& table, Told& told) {
   const auto share = column_of(table, "share");
   const auto of = column_of(table, "of");
@@ -44,7 +42,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
   const auto p = column_of(table, "p");
   const auto persons = column_of(table, "persons");
   if (!share || !of || !low || *of == 0) return {};
-  const std::size_t hits = *of - 1;  // what is counted; before it stand the keys
+  const std::size_t hits = *of - 1;  // the counted column; the keys precede it
   struct Answer {
     std::vector<std::string> keys{};
     std::string text{};
@@ -63,7 +61,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
       key += (key.empty() ? "" : " ") + table.columns[i] + '=' + answer.keys.back();
     }
     const std::string about = words_of_key(key);
-    // Names stay as the study has them.
+    // Names from the study are unchanged.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
                   printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
                   printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI [" +
@@ -96,7 +94,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
   return sentences;
 }
 
-/// The tests that no table of the outcome has.
+/// The tests that are in no table of the outcome.
 std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
   std::vector<ReportedTest> others = tests_among(outcome.findings);
   std::erase_if(others, [&outcome](const ReportedTest& test) {
@@ -105,8 +103,8 @@ std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
   return others;
 }
 
-/// Where an analysis has not gathered its tests and asked its questions: what is adjusted for its
-/// family, or about everything.
+/// For an analysis without a table of tests and questions: the tests that are adjusted for their
+/// family, or that concern all data.
 std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const Told& told) {
   std::vector<std::string> sentences{};
   for (const ReportedTest& test : tests_among(outcome.findings)) {
@@ -152,12 +150,12 @@ std::string heading_of(const std::string& column) {
   if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
   if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
-  constexpr std::string_view kColumn = "column_";  // and the level of the factor
+  constexpr std::string_view kColumn = "column_";  // followed by the level of the factor
   if (column.starts_with(kColumn)) return "repetition " + column.substr(kColumn.size());
   return words_of_quantity(column);
 }
 
-/// A cell as a person reads it: the program's names in words.
+/// A cell for display: the program's names as text.
 std::string words_in(const std::string& column, const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return printed_cell(cell);
@@ -171,7 +169,7 @@ ReportTable report_table(const NamedTable& named) {
   table.title = named.title.english();
   table.note = named.note.english();
   for (const std::string& column : reading.columns) {
-    // Names and levels are text before they are shortened for reading; quantities are not.
+    // Names and levels are texts before numbers are rounded for display; quantities are not.
     const auto at = column_of(named.table, column);
     const bool holds_words =
         at && std::any_of(named.table.rows.begin(), named.table.rows.end(),
@@ -192,7 +190,7 @@ ReportTable report_table(const NamedTable& named) {
   return table;
 }
 
-/// What a finding is about that can have no answer; the words of its name where it has no others.
+/// The subject of a finding that can lack a number; its name as text where there is no other.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
       {"bt.cluster.status", "the CIs of the preference scale"},
@@ -247,7 +245,7 @@ std::string words_of_unanswered(const std::string& quantity) {
   return words_of_number(quantity);
 }
 
-/// What has no other words; both ends of an interval are one thing that is missing.
+/// The subject of other findings; the two limits of an interval count as one.
 std::string refused_quantity(std::string quantity) {
   bool is_end = false;
   for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
@@ -260,13 +258,13 @@ std::string refused_quantity(std::string quantity) {
   return (is_end ? "the CI of " : "") + words;
 }
 
-/// A whole analysis that could not be made.
+/// The subject of a complete analysis that could not be made.
 std::string words_of_analysis_without_numbers(const std::string& analysis) {
   if (analysis == "anova") return "the analysis of variance";
   return analysis == "roughness" ? "the curves of roughness" : "a part of the analysis";
 }
 
-/// "the test of the mean proportion of height_map", or nothing for what is only a step of a computation.
+/// "the test of the mean proportion of height_map", or empty for an intermediate result.
 std::string subject_of(const Finding& finding) {
   std::string words = finding.quantity == "status"
                           ? words_of_analysis_without_numbers(finding.analysis)
@@ -278,26 +276,26 @@ std::string subject_of(const Finding& finding) {
   return about.empty() || says_whole ? words : words + " of " + about;
 }
 
-/// Whether a remark has said it: something was left out or averaged, and nothing is unanswered.
+/// Whether a remark reports it: rows were omitted or averaged, and no number is missing.
 bool is_said_in_remarks(const Finding& finding) {
   return finding.quantity == "replicates" || finding.quantity == "subjects.incomplete" ||
          finding.quantity == "subjects.dropped";
 }
 
-/// What the analysis could not answer, a sentence for each reason.
+/// The numbers that the analysis could not compute, one sentence for each reason.
 std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
   std::vector<std::string> reasons{};
   std::map<std::string, std::vector<std::string>> subjects{};
   std::size_t further = 0;
   for (const Finding& finding : outcome.findings) {
     if (finding.status == "ok" || is_said_in_remarks(finding)) continue;
-    if (finding.analysis == StudyTests::kTable) continue;  // the table of tests has its reason
+    if (finding.analysis == StudyTests::kTable) continue;  // the table of tests contains the reason
     std::string subject = subject_of(finding);
     if (subject.empty() && finding.status == kNotDefined) {
       ++further;
       continue;
     }
-    if (subject.empty()) {  // a reason of its own is told whatever it is about
+    if (subject.empty()) {  // a specific reason is reported regardless of its subject
       const std::string about = words_of_key(finding.key);
       subject = refused_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
     }
@@ -335,7 +333,7 @@ bool is_of_question(const Figure& figure, const AnalysisOutcome& outcome) {
                      });
 }
 
-/// The tables of the body: what was counted, and what was tested.
+/// The tables of the main text: counts and tests.
 bool is_in_body(const NamedTable& table, const AnalysisOutcome& outcome) {
   return &table == &outcome.tables.front() || table.name == StudyTests::kTable;
 }
@@ -370,7 +368,7 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
       for (const std::string& answer : answers) {
         section.parts.emplace_back(ReportText{answer, ReportText::Tone::lead});
       }
-      break;  // the first table is the one that the experiment is about
+      break;  // the first table is that of the main question
     }
     std::vector<std::string> sentences = tests_in_words(outcome, told);
     if (!sentences.empty()) section.parts.emplace_back(ReportList{std::move(sentences)});
@@ -405,7 +403,7 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
   add_figures_of(nullptr);
   for (const NamedTable& named : outcome.tables) {
     add_figures_of(&named);
-    // What a figure with numbers in its cells has said stands once.
+    // Numbers that a figure shows in its cells are not repeated.
     const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
       return one.table == named.name && !one.cells.empty();
     });

@@ -1,4 +1,4 @@
-// The sections of a chapter of a report, one function each: counted facts in, words and tables out.
+// Writes the sections of a chapter of a report, one function each, from the counted facts.
 
 #pragma once
 
@@ -15,44 +15,47 @@
 
 namespace asperity {
 
-/// Task, trials and order, as the protocol specifies them and the plans have them.
+/// Task, trials and order, as specified by the protocol and as planned.
 ReportSection design_section(const ReportFacts& facts);
-/// The device, its force, the masking noise and what participants saw, as the sessions recorded them.
+/// The device, its force, the masking noise and what participants saw, as the sessions recorded
+/// them.
 ReportSection conditions_section(const ReportFacts& facts);
-/// How many, age, sex, handedness as stored.
+/// Number, age, sex and handedness as stored.
 ReportSection participants_section(const ReportFacts& facts);
-/// What was left out and why, what was kept although something was noticed.
+/// What was omitted and why, and what was kept despite a warning.
 ReportSection exclusions_section(const ReportFacts& facts);
-/// What became of the attempts that do not count: "three were not explored as instructed", one for each outcome.
+/// The attempts that do not count: "three were not explored as instructed", one text for each outcome.
 std::vector<std::string> fates_of_attempts(const ReportFacts& facts);
-/// Of those whose rows are in no number; of the study, since a deletion keeps no protocol either. One whose data were
-/// kept first and deleted later has withdrawn twice.
+/// The withdrawals of participants whose rows are excluded from all numbers; for the whole study,
+/// since a deletion keeps no protocol either. A participant whose data were first kept and later
+/// deleted is counted twice.
 ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals);
-/// Whether the forces came in time and as they were meant.
+/// Whether the forces were rendered on time and as intended.
 ReportSection presentation_section(const ReportFacts& facts);
-/// Whether hands did what they were asked to.
+/// Whether participants complied with the instructed exploration.
 ReportSection exploration_section(const ReportFacts& facts);
-/// Each question with its answer, method and figure; what was counted and tested; refusals.
+/// Each question with its answer, method and figure; counts and tests; numbers that could not be
+/// computed.
 ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
-/// Program, device, files, seeds: what a replication needs.
+/// Program, device, files, seeds: the requirements of a replication.
 ReportSection making_section(const ReportFacts& facts);
-/// To look up: every session.
+/// For reference: every session.
 ReportSection sessions_section(const ReportFacts& facts);
-/// To look up: notes, reasons of unblinding, of repeated trials and of decisions. Without parts where
-/// there are none.
+/// For reference: notes, reasons of unblinding, of repeated trials and of decisions. Without parts
+/// where there are none.
 ReportSection notes_section(const ReportFacts& facts);
-/// To look up: the other tables of the analysis with their figures.
+/// For reference: the other tables of the analysis with their figures.
 ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
-/// To look up: tests and numbers that no table has, and where the rest is.
+/// For reference: tests and numbers that are in no table, and where to find the rest.
 ReportSection numbers_section(const AnalysisOutcome& outcome);
 
-/// Methods and results in paragraphs that a paper can print, with the publications that they cite. `outcome`: null where
-/// the results are held back or there are none.
+/// Methods and results in paragraphs for a paper, with the publications that they cite. `outcome`:
+/// null where the results are withheld or there are none.
 ReportSection paper_section(const ReportFacts& facts, const AnalysisOutcome* outcome,
                             const StudyMetadata& metadata);
 
-/// What is stored of the participants, each empty where nothing is: "3 female and 3 male", "M = 22.3 years, SD = 2.0,
-/// range 20 to 25", "6 right-handed".
+/// The stored sample, each text empty where nothing is stored: "3 female and 3 male", "M = 22.3
+/// years, SD = 2.0, range 20 to 25", "6 right-handed".
 struct SampleTexts {
   std::string sexes{};
   std::string ages{};
@@ -62,26 +65,27 @@ SampleTexts sample_texts(const ReportFacts& facts);
 /// "falcon Novint Falcon (in 2 of 3 sessions); mouse pointer of a window (in 1 of 3 sessions)"; empty where none is
 /// recorded.
 std::string devices_in(const ReportFacts& facts);
-/// In which sessions participants moved no device or felt no force; empty where there are none.
+/// The sessions in which participants moved no device or felt no force; empty where there are none.
 std::string unfelt_force_text(const ReportFacts& facts);
-/// What the rows support about masking noise, without what the protocol requests.
+/// The masking noise as recorded, without the protocol's requests.
 std::string recorded_noise_text(const ReportFacts& facts);
 /// "speed (slow and fast)", "spacing (500 µm and 1 mm)": a factor by its name without the unit, with its levels.
 std::string factor_text(const std::string& name, const Factor& factor);
-/// "A session was planned with 42 experimental trials, and with 54 in total including anchors and practice."; empty where
-/// no session has a plan.
+/// "A session was planned with 42 experimental trials, and with 54 in total including anchors and
+/// practice."; empty where no session has a plan.
 std::string planned_trials_text(const ReportFacts& facts);
 /// "in random order within each repetition, 3 repetitions, once for each level of speed"
 std::string order_of_run(const Protocol::Block& block, const Protocol::Run& run);
-/// "attempts outside these limits were flagged and included": what the protocol makes of them.
+/// "attempts outside these limits were flagged and included": the consequence that the protocol
+/// specifies.
 std::string after_failure(const Exploration& exploration);
 /// "for 2 s to 15 s, with normal force from 0.3 N to 2.5 N (target 1 N)"
 std::string instructed_exploration(const Exploration& exploration);
 
-/// In how many sessions something is so.
+/// The number of sessions with a property.
 struct SessionShare {
   std::size_t whole = 0;  ///< in all of their stretches
-  std::size_t part = 0;   ///< in some of them
+  std::size_t part = 0;   ///< in some of their stretches
   std::size_t all = 0;
 
   bool is_any() const noexcept { return whole + part > 0; }
@@ -92,17 +96,17 @@ struct SessionShare {
 };
 SessionShare share_of_sessions(const ReportFacts& facts,
                                const std::function<bool(const RecordedStretch&)>& is_so);
-/// A virtual or recorded hand explored, not that of the participant who answered.
+/// Whether a virtual or recorded hand explored, and not that of the participant who responded.
 bool is_moved_by_program(const RecordedStretch& stretch);
-/// The device has no motors: it is known to have given no force.
+/// Whether the device has no motors, and therefore gave no force.
 bool gives_no_force(const RecordedStretch& stretch);
 
 /// "24 participants", "one virtual participant": the members of a group.
 std::string participants_text(AnswerGroup group, std::size_t count);
 
-/// With a capital letter. Not for what a study has named.
+/// With a capital letter. Not for names from a study.
 std::string capitalised(std::string text);
-/// With a full stop, unless it has one.
+/// With a full stop at the end.
 std::string stopped(std::string text);
 
 }  // namespace asperity

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kSexes = kSexesTest;  // and, for their equivalence, kSexesEquivalence
+constexpr std::string_view kSexes = kSexesTest;  // and kSexesEquivalence for their equivalence
 constexpr std::string_view kEveryone = "Total";
 
 bool is_of_one_sex(const Finding& finding) {
@@ -27,7 +27,8 @@ bool compares_sexes(const Finding& finding) {
          finding.key.starts_with("test=sexes") || is_of_one_sex(finding);
 }
 
-/// Leaves the rows of everyone in a table that has rows by sex; in others the column names participants.
+/// Keeps the rows of all participants in a table that has rows by sex; in other tables the column
+/// names participants.
 void keep_everyone(Table& table) {
   const std::optional<std::size_t> person = column_of(table, "person");
   if (!person) return;

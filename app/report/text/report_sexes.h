@@ -1,4 +1,4 @@
-// Which results of an analysis compare women and men.
+// Removes the results that compare women and men from an analysis.
 
 #pragma once
 
@@ -6,8 +6,9 @@
 
 namespace asperity {
 
-/// Without what is about women or men: their test and question, their findings, and their rows in tables that also
-/// have a row of all participants. A report compares sexes only where the protocol declares it.
+/// Without the test, the question and the findings on women and men, and without their rows in
+/// tables that also have a row of all participants. A report compares sexes only where the protocol
+/// declares it.
 AnalysisOutcome without_sexes(AnalysisOutcome outcome);
 
 }  // namespace asperity

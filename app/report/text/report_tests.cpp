@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::string_view kHolm = ".holm";
 
-/// The name before the part "p": "subj.t" of "subj.t.p.two", "" of "p.GG"; nothing of what is no p.
+/// The name before the part "p": "subj.t" for "subj.t.p.two", "" for "p.GG"; nothing for a quantity
+/// that is not a p.
 std::optional<std::string> before_p(const std::string& quantity) {
   std::string before{};
   for (const std::string& part : parts_of(quantity, '.')) {
@@ -52,7 +53,7 @@ std::vector<KeyPart> key_parts(const std::string& key) {
     if (equals != std::string::npos) {
       parts.push_back({word.substr(0, equals), word.substr(equals + 1)});
     } else if (!parts.empty()) {
-      parts.back().value += ' ' + word;  // of a value with blanks
+      parts.back().value += ' ' + word;  // of a value that contains blanks
     }
   }
   return parts;
@@ -70,7 +71,7 @@ class FindingPlaces final {
       places_.emplace(std::tuple(finding.quantity, finding.key, finding.analysis), &finding);
     }
   }
-  /// That stands beside `other`, with a value; or null.
+  /// The finding of `quantity` next to `other`, if it has a value; otherwise null.
   const Finding* beside(const Finding& other, const std::string& quantity) const {
     const auto found = places_.find(std::tuple(quantity, other.key, other.analysis));
     return found != places_.end() && found->second->value ? found->second : nullptr;
@@ -84,7 +85,7 @@ std::string joined(const std::string& prefix, std::string_view name) {
   return prefix.empty() ? std::string(name) : prefix + '.' + std::string(name);
 }
 
-/// What a statistic is called in print; empty for a name that is none.
+/// The printed symbol of a statistic; empty for other names.
 std::string symbol_of(const std::string& quantity) {
   static const std::map<std::string, std::string> kSymbols{
       {"t", "t"}, {"F", "F"},      {"z", "z"},   {"Q", "Q"},   {"U", "U"},  {"W", "W"},
@@ -93,7 +94,7 @@ std::string symbol_of(const std::string& quantity) {
   return found == kSymbols.end() ? std::string() : found->second;
 }
 
-/// A permutation test of one participant, whose p says nothing.
+/// A permutation test of one participant, whose p can only be 1.
 bool can_only_be_one(const Finding& p, const FindingPlaces& places) {
   const TestMethod* method = test_method(p.quantity);
   if (method == nullptr || method->smallest.empty() || p.n > 1) return false;
@@ -125,7 +126,7 @@ std::vector<const Finding*> degrees_for(const std::string& prefix, const Finding
   return {};
 }
 
-/// The same number as `finding`, each with its own interval.
+/// All findings of the same number as `finding`, with different intervals.
 std::vector<const Finding*> all_intervals_of(const Finding& finding,
                                              std::span<const Finding> findings) {
   std::vector<const Finding*> same{};
@@ -143,7 +144,7 @@ std::vector<const Finding*> estimates_for(const std::string& prefix, std::size_t
                                           const FindingPlaces& places) {
   const std::string& key = findings[at].key;
   if (prefix.empty()) {
-    // The nearest run of the same estimate, in the order of the findings.
+    // The nearest sequence of the same estimate, in the order of the findings.
     for (std::size_t i = at; i-- > 0 && findings[i].key == key;) {
       if (!findings[i].value || !findings[i].low) continue;
       std::size_t first = i;
@@ -164,14 +165,15 @@ std::vector<const Finding*> estimates_for(const std::string& prefix, std::size_t
   return {};
 }
 
-/// Where a whole and its parts are tested, which of a test's parts of the key is the whole.
+/// Where a whole and its parts are tested, determines which of a test's parts of the key is the
+/// whole.
 void find_wholes(std::vector<ReportedTest>& tests) {
   const auto kind_of = [](const Finding& p) {
     std::string kind = p.quantity + '|' + std::to_string(key_parts(p.key).size());
     for (const KeyPart& part : key_parts(p.key)) kind += '|' + part.name;
     return kind;
   };
-  // By kind of test: the places of its key that are "all" in some of them.
+  // By kind of test: the positions of its key that are "all" in some of the tests.
   std::map<std::string, std::set<std::size_t>> places{};
   for (const ReportedTest& test : tests) {
     const std::vector<KeyPart> parts = key_parts(test.p->key);
@@ -187,20 +189,20 @@ void find_wholes(std::vector<ReportedTest>& tests) {
   }
 }
 
-/// What a part of a key is called in text.
+/// The text for a part of a key.
 std::string word_of_factor(const std::string& name) {
   if (name == "column") return "repetition";
   return name == "person" ? "participant" : name;
 }
 
-/// As it stands in a sentence: two digits after the point, or as many as a small one needs.
+/// For running text: two decimals, or as many as a small number requires.
 std::string said_number(double value) {
   const double size = std::abs(value);
   if (size >= 0.095 && size < 1000.0) return reading_signed(value, 2);
   return size >= 0.0095 && size < 0.095 ? reading_signed(value, 3) : reading_number(value);
 }
 
-/// "0.0005" of the level "5e-04"; a number that could not be read stays.
+/// "0.0005" for the level "5e-04"; a text that is not a number is unchanged.
 std::string without_power(const std::string& level) {
   if (level.find('e') == std::string::npos) return level;
   double value = 0.0;
@@ -209,7 +211,7 @@ std::string without_power(const std::string& level) {
   return read.ec == std::errc() && read.ptr == end ? reading_number(value) : level;
 }
 
-/// What the program calls an effect or a coefficient, in words.
+/// The text for the program's name of an effect or a coefficient.
 std::string words_of_value(const std::string& value) {
   static const std::map<std::string, std::string> kWords{
       {"condition:spacing", "spacing by condition"},
@@ -288,7 +290,7 @@ std::string sentence_of(const ReportedTest& test) {
   std::string method =
       test.p->method.empty() ? words_of_quantity(test.p->quantity) : test.p->method;
   if (!test.estimates.empty()) {
-    // A method may name the estimate as programs do.
+    // A method may contain the program's name of the estimate.
     const std::string& name = test.estimates.front()->quantity;
     const std::size_t at = method.find(name);
     if (at != std::string::npos) method.replace(at, name.size(), words_of_quantity(name));

@@ -1,4 +1,4 @@
-// The tests among the findings of an analysis, each put together from the findings that belong to it.
+// Combines the findings of an analysis into tests.
 
 #pragma once
 
@@ -11,23 +11,22 @@
 
 namespace asperity {
 
-/// One p with the statistic, its degrees of freedom, the estimate and the adjusted p that go with it,
-/// where there are such findings. They are found by name and place, whatever the analysis: beside
-/// "chisq.p" of a key stand "chisq" and "chisq.df" of the same key; beside "pair.p" "pair.t" and
-/// "pair.diff"; beside a bare "p" the last estimate with an interval before it; Holm's is the name
-/// with ".holm" after it.
+/// One p with its statistic, degrees of freedom, estimate and adjusted p, where there are such
+/// findings. They are found by name and place, for every analysis: "chisq.p" of a key belongs to
+/// "chisq" and "chisq.df" of the same key; "pair.p" to "pair.t" and "pair.diff"; a bare "p" to the
+/// last estimate with an interval before it; Holm's adjusted p has the name followed by ".holm".
 struct ReportedTest {
   const Finding* p = nullptr;
   const Finding* statistic = nullptr;
   std::vector<const Finding*> degrees{};  ///< one, or two of an F
-  /// The same estimate, perhaps with more than one interval.
+  /// The same estimate, which may have several intervals.
   std::vector<const Finding*> estimates{};
   const Finding* holm = nullptr;
-  /// About everything, where others of the same kind are about parts, and not about a part.
+  /// A test of all data, where others of the same kind test parts.
   bool is_of_whole = true;
 };
 
-/// In the order of the findings, which have to outlive them. A p without a value is none.
+/// In the order of the findings, which have to outlive them. A p without a value is not a test.
 std::vector<ReportedTest> tests_among(std::span<const Finding> findings);
 
 /// "For height_map (all repetitions), proportion chosen was 0.78 (95 % CI [0.66, 0.87]); exact

@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-// Of the time that a report takes; the rest is looking once more at every answer.
+// The proportion of a report's total time; the rest is a second pass over all responses.
 constexpr double kFactsShare = 0.6;
 
 std::string mark_of(AnswerGroup group) {
@@ -48,7 +48,7 @@ std::string chapter_heading(const ReportFacts& facts) {
   return facts.protocol.name + ' ' + facts.protocol.version + ": " + group_text(facts.group);
 }
 
-/// "Data of 2026-03-02 to 2026-04-17 (UTC)". A simulated clock has no date.
+/// "Data of 2026-03-02 to 2026-04-17 (UTC)". Sessions on a simulated clock have no date.
 std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals) {
   std::set<std::string> days{};
   bool made_up = false;
@@ -116,7 +116,8 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));
   if (groups.contains(AnswerGroup::virtual_participants)) {
-    // The page names them, so it says so as well, even beside people.
+    // The page names virtual participants, and is therefore marked as theirs, even if it also
+    // includes people.
     chapter.group = AnswerGroup::virtual_participants;
     chapter.mark = groups.size() == 1 ? mark_of(chapter.group) : "includes SIMULATED data";
   } else if (groups.contains(AnswerGroup::pilot)) {
@@ -136,7 +137,7 @@ const AnalysisOutcome* outcome_of(const std::vector<AnalysisOutcome>& outcomes,
   return found == outcomes.end() ? nullptr : &*found;
 }
 
-/// Whoever runs a session is blind.
+/// The experimenter who runs a session is blind.
 bool is_held_back(const ReportFacts& facts) {
   return facts.group == AnswerGroup::people && facts.is_running();
 }
@@ -221,7 +222,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   }
   report.subtitle = dates_text(all, !withdrawals.empty());
   report.chapters.push_back(overview_chapter(all, withdrawals));
-  // What is read comes first, what is looked up behind it.
+  // The main text comes first, reference material after it.
   std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {
     if (stop.stop_requested()) return report;

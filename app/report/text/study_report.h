@@ -1,4 +1,4 @@
-// A study in words, tables and figures: for a methods section and a lab meeting.
+// Makes the report of a study in text, tables and figures, for a methods section or for discussion.
 
 #pragma once
 
@@ -14,16 +14,17 @@
 
 namespace asperity {
 
-/// What draws on an outcome: app/figures/figures_of.h, or nothing where there is no Qt.
+/// Makes the figures of an outcome: app/figures/figures_of.h, or none without Qt.
 using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome&)>;
 
 /// A chapter about the study, then one per protocol, version and group of participants: design,
-/// participants, sessions and exclusions, results, exploration, presentation and what it was made
-/// with; then an appendix to each: further tables and figures, tests and numbers, and every session.
-/// With a `protocol` only the chapters of that name. Of a protocol that is running with a person now, the results are held back: whoever runs it is blind.
+/// participants, sessions and exclusions, results, exploration, presentation, and program and
+/// files; then an appendix to each: further tables and figures, tests and numbers, and every
+/// session. With a `protocol` only the chapters of that name. The results of a protocol that is
+/// currently running with a person are withheld: the experimenter is blind.
 ///
-/// The same study gives the same report. When asked to stop, what there is by then; `progress` is
-/// told 0 to 1.
+/// The same study gives the same report. After a stop request, returns the part that is finished;
+/// `progress` receives 0 to 1.
 ///
 /// Errors: ResultsError, also when the study has no session of the named protocol.
 Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
