@@ -59,7 +59,7 @@ void refuse_name_of_another_format(const std::filesystem::path& out) {
   }
 }
 
-/// See BakeOrder::role. What was done is said in the provenance.
+/// See BakeOrder::role. Records the movement in the provenance.
 void place_for_role(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance) {
   glm::dvec3 low_m = mesh.vertices_m.front();
   glm::dvec3 high_m = low_m;
@@ -82,7 +82,7 @@ void place_for_role(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& p
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress) {
   refuse_name_of_another_format(order.out);
   refuse_existing({order.out}, order.overwrite);
-  // Said now and not after the work.
+  // Checked before the work begins.
   if (const auto folder = order.out.parent_path();
       !folder.empty() && !std::filesystem::is_directory(folder)) {
     throw ResultsError("the file " + order.out.string() +

@@ -1,4 +1,4 @@
-// A mesh file becomes a simple mesh with a haptic texture.
+// Converts a mesh file to a simplified mesh with a haptic texture.
 
 #pragma once
 
@@ -21,26 +21,28 @@ struct BakeOrder {
   std::filesystem::path out{};
   std::size_t triangles = 0;
   MeshReading reading{};
-  std::optional<double> widest_hole_m{};  ///< of what is closed; a tenth of the diagonal by default
-  /// What the mesh is for: it is moved so that the middle of its box lies over the origin and its
-  /// highest (a surface) or lowest point (a tool) in the plane z = 0. Not given: it keeps its frame.
+  /// Of the holes to close; a tenth of the diagonal by default.
+  std::optional<double> widest_hole_m{};
+  /// The role of the mesh: it is moved so that the centre of its bounding box lies over the origin
+  /// and its highest (a surface) or lowest point (a tool) in the plane z = 0. Absent: it keeps its
+  /// frame.
   std::optional<BodyRole> role{};
   unsigned jobs = 1;
   Overwrite overwrite = Overwrite::refuse;
 };
 
 struct BakeOutcome {
-  std::size_t triangles_in = 0;  ///< of the file
+  std::size_t triangles_in = 0;  ///< in the file
   std::size_t triangles_out = 0;
   double diagonal_m = 0.0;  ///< of the original's bounding box
   std::size_t atlas_rows = 0;
   std::size_t atlas_columns = 0;
-  double step_m = 0.0;  ///< of the displacements
+  double step_m = 0.0;  ///< resolution of the displacements
   BakeReport report{};
-  std::vector<std::string> findings{};  ///< what was found in the file and done about it
+  std::vector<std::string> findings{};  ///< defects found in the file and their repairs
 };
 
-/// Reads, repairs, simplifies, bakes and writes. `progress` receives fractions of the whole.
+/// Reads, repairs, simplifies, bakes and writes. `progress` receives the completed fraction.
 ///
 /// Errors: ResultsError or std::invalid_argument, naming the file; nothing is written then.
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress);

@@ -14,7 +14,7 @@ bool is_broken_off(const Study& study, const SessionRow& row) {
   if (row.state == SessionState::crashed) return true;
   if (row.state != SessionState::open) return false;
   if (is_running(study, row)) return false;
-  // It may have ended, and let go of the lock, since it was read.
+  // It may have ended, and released the lock, since it was read.
   return study.session(row.id).state == SessionState::open;
 }
 

@@ -1,4 +1,4 @@
-// Sessions whose program crashed, which a user who returns to the study is shown first.
+// Lists sessions whose program crashed, which are shown first to a user who returns to the study.
 
 #pragma once
 
@@ -16,18 +16,19 @@ struct BrokenOffSession {
   SessionRow row{};
   std::string protocol_name{};
   std::string protocol_version{};
-  /// The file of the study's `protocols/` with the very text that the session began with; without
-  /// one it cannot go on.
+  /// The file of the study's `protocols/` with exactly the text with which the session began;
+  /// without one it cannot be resumed.
   std::optional<std::filesystem::path> protocol_file{};
   int trials_done = 0;
   int trials = 0;
 };
 
-/// Sessions that crashed, or are open without a process that holds them; people's before virtual participants',
-/// each the latest first. Excluded sessions are left out: the experimenter has seen them.
+/// Sessions that crashed, or are open without a process that holds them; people's before virtual
+/// participants', each in descending order of time. Excluded sessions are omitted: the experimenter
+/// has already seen them.
 ///
-/// Reads, and writes nothing. Ends early, with what it has, when it is asked to stop. Errors:
-/// ResultsError as Study's.
+/// Only reads. Ends early, with a partial result, when a stop is requested. Errors: ResultsError as
+/// for Study.
 std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std::stop_token& stop);
 
 }  // namespace asperity

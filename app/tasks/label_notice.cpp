@@ -45,7 +45,7 @@ Phrase data_of(SessionMode mode) {
   return phrase("LabelNotice", "simulated data");
 }
 
-/// Of a label that is not in the study.
+/// The notice for a label that is not in the study.
 std::optional<LabelNotice> notice_of_new_label(const Study& study, const std::string& label) {
   for (const ParticipantRow& person : study.participants()) {
     if (!differs_in_case_at_most(person.label, label)) continue;
@@ -60,7 +60,7 @@ std::optional<LabelNotice> notice_of_new_label(const Study& study, const std::st
   return {};
 }
 
-/// With what the participant can be mistaken, or the session.
+/// The notice that the participant, or the session, may be a mistake.
 LabelNotice notice_of(const Study& study, const Protocol& protocol, const SessionRow& latest) {
   const ProtocolRow row = study.protocol(latest.protocol_id);
   const Phrase circumstances = phrase("LabelNotice", "%1, version %2, %3")

@@ -1,4 +1,4 @@
-// What a study holds of a participant's label before a session begins under it.
+// Checks the data that a study already has under a participant's label before a session begins.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// The sessions of one mode that a participant has with the very text of a protocol.
+/// The sessions of one mode that a participant has with exactly the text of a protocol.
 struct ParticipantSessions {
   int ended = 0;                           ///< completed, or ended by a rule of the protocol
   std::optional<SessionRow> unfinished{};  ///< the latest of the others
@@ -23,13 +23,14 @@ ParticipantSessions sessions_of_participant(const Study& study, const Protocol& 
 /// A fact about the label of a new session that may show that another label, or no new session, was intended.
 struct LabelNotice {
   Phrase text{};                 ///< a sentence without its full stop
-  Phrase remedy{};               ///< for windows; empty where nothing is unexpected
+  Phrase remedy{};               ///< for windows; empty where this is expected
   std::string command_remedy{};  ///< for the command line
   bool is_planned = false;       ///< the protocol plans a further session
 };
-/// For a session that begins; not for one that is resumed. Nothing where the label is new and unlike all others, or
-/// has no session of a protocol of this name: in any version and mode, because a participant who knows the task from a
-/// pilot session is not new to it. Labels that differ only in letter case are alike.
+/// For a session that begins; not for one that is resumed. Nothing where the label is new and
+/// unlike all others, or has no session of a protocol of this name, in any version and mode,
+/// because a participant who knows the task from a pilot session is not naive. Labels that differ
+/// only in letter case are alike.
 ///
 /// Errors: ResultsError.
 std::optional<LabelNotice> label_notice(const Study& study, const Protocol& protocol,

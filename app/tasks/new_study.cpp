@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-/// A texture of the demonstration. What is seen only, as a distractor, has no rendered counterpart.
+/// A texture of the demonstration. A distractor, which is only seen, has no rendered counterpart.
 struct DemoTexture {
   std::string_view name{};
   std::string_view kind{};
@@ -28,7 +28,8 @@ struct DemoTexture {
   ParameterValues parameters{};
 };
 
-/// Pebbles are made as grains are, close together, but of 4 mm: a stroke along any line meets them.
+/// Pebbles are made like grains, close together, but 4 mm in size: a stroke along any line meets
+/// them.
 std::vector<DemoTexture> demo_textures() {
   return {
       {"metal", "metal", true, 11, {}},
@@ -39,8 +40,8 @@ std::vector<DemoTexture> demo_textures() {
       {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
 }
 
-/// A relief of `tools_matching` or of the protocols of roughness: felt as it is, on a tool or the plate, and seen
-/// where it has a picture.
+/// A relief of `tools_matching` or of the roughness protocols: felt unchanged, on a tool or the
+/// plate, and seen where it has a picture.
 struct BodyRelief {
   std::string_view name{};
   std::string_view kind{};
@@ -50,7 +51,8 @@ struct BodyRelief {
   double width_m = 0.024;
 };
 
-/// Of `tools_matching`: all 24 mm wide, which holds whole ridges of each and goes once around a tool.
+/// Of `tools_matching`: all 24 mm wide, which is a whole number of ridges of each and fits once
+/// around a tool.
 std::vector<BodyRelief> body_reliefs() {
   const auto ridges = [](double spacing_m) {
     return ParameterValues{{"spacing_m", spacing_m},
@@ -64,15 +66,15 @@ std::vector<BodyRelief> body_reliefs() {
           {"file_plate",
            "cones",
            false,
-           128,  // of coarse features, on a large plate
+           128,  // for coarse features on a large plate
            {{"spacing_m", 0.003},
             {"height_m", 2e-4},
             {"top_diameter_m", 6e-4},
             {"base_diameter_m", 0.0018}}}};
 }
 
-/// Of the protocols of roughness: 28 mm hold whole waves of each, every wave eight pixels long. More would only
-/// cost: a body has four texels a pixel.
+/// Of the roughness protocols: 28 mm is a whole number of waves of each, every wave eight pixels
+/// long. A higher resolution would only be slower: a body has four texels per pixel.
 std::vector<BodyRelief> waves() {
   const auto wave = [](std::string_view name, double spacing_m, std::size_t pixels) {
     return BodyRelief{
@@ -117,8 +119,8 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
   save_picture(photograph_file, synthetic_photograph(surface, settings), Overwrite::refuse);
   if (!texture.is_rendered) return;
 
-  // From here on only the picture is known, but for its width and the amplitude of the relief,
-  // which no photograph can tell.
+  // From here on only the picture is used, except for its width and the amplitude of the relief,
+  // which cannot be determined from a photograph.
   const LoadedPhotograph loaded = load_photograph(photograph_file);
   TextureRecipe recipe{};
   recipe.width_m = kWidth_m;
@@ -136,8 +138,8 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
 void fill_demo_study(const std::filesystem::path& folder,
                      const std::function<void(double)>& progress) {
   for (const LibraryProtocol& protocol : library_protocols()) {
-    // What the demo data come from, a session that shows what goes without sight, one with tools in six
-    // degrees of freedom, and those of numbers.
+    // The protocols of the demo data: one session without sight, one with tools in six degrees of
+    // freedom, and those of numbers.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
         protocol.name != "tools_matching" && !protocol.name.starts_with("roughness_")) {
       continue;
@@ -145,7 +147,7 @@ void fill_demo_study(const std::filesystem::path& folder,
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
                Overwrite::refuse);
   }
-  // First: whether the study is whole is seen by what is made last.
+  // First: the last files made indicate whether the study is complete.
   for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");
   for (const BodyRelief& relief : waves()) make_body_relief(relief, folder / "stimuli");
   const std::vector<DemoTexture> textures = demo_textures();

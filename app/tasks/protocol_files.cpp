@@ -1,5 +1,3 @@
-
-
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
@@ -48,14 +46,14 @@ std::filesystem::path found_file(const std::filesystem::path& file,
   return file;
 }
 
-/// Whether the file lies below the study, whatever links lead to it.
+/// Whether the file lies below the study, with links resolved.
 bool lies_in(const std::filesystem::path& study, const std::filesystem::path& file) {
   const std::filesystem::path relative =
       std::filesystem::canonical(file).lexically_relative(std::filesystem::canonical(study));
   return !relative.empty() && *relative.begin() != "..";
 }
 
-/// Whether the content begins as a WAV file does. How it is coded matters to who plays it.
+/// Whether the content begins as a WAV file does. Its encoding is checked when it is played.
 bool is_wav(const std::string& content) {
   return content.starts_with("RIFF") && content.size() > 12 && content.compare(8, 4, "WAVE") == 0;
 }
@@ -106,7 +104,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
   return {};
 }
 
-/// Shapes with a relief: whether they can be made depends on the pitch of its file.
+/// Checks shapes with a relief: whether they can be made depends on the pitch of its file.
 std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::string& file_name,
                                            StimulusBuilder& builder) {
   std::map<std::pair<std::string, std::string>, const BodyDescription*> bodies{};
@@ -132,7 +130,7 @@ std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::
   return problems;
 }
 
-/// Everything that a stimulus of two bodies is rendered from, as a name.
+/// A key of everything from which a stimulus of two bodies is rendered.
 std::string name_of_making(const StimulusDescription& stimulus) {
   std::string name = stimulus.model + json_text_of(stimulus.parameters);
   for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
@@ -143,9 +141,10 @@ std::string name_of_making(const StimulusDescription& stimulus) {
 
 enum class FirstTouch { from_outside, never, never_outside };
 
-/// How the simulated device's hand, which strokes to and fro, comes upon the surface. Nothing pushes
-/// it until then, so that no servo loop is needed. As in a session a tool that begins inside has to
-/// come out first. Then it strokes on for `beyond_s`, for what the model counts there.
+/// Finds the first contact of the simulated device's hand, which strokes to and fro, with the
+/// surface. It meets no force before, so that no servo loop is required. As in a session, a tool
+/// that begins inside the surface has to leave it first. The stroke then continues for `beyond_s`,
+/// to evaluate the model's limits.
 FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double rate_Hz,
                        double beyond_s) {
   constexpr double kSeveralStrokes_s = 10.0;
@@ -172,7 +171,7 @@ std::string in_mm(double from_m, double to_m) {
   return fixed(1e3 * from_m, 1) + " to " + fixed(1e3 * to_m, 1) + " mm";
 }
 
-/// Where the hand strokes, where the surface lies, and what would be right.
+/// The positions of the strokes and of the surface, and the correction.
 std::string never_touched(const StimulusDescription& stimulus, const TexturedMesh& surface,
                           const HandHabits& habits, FirstTouch touch) {
   glm::dvec3 low_m = surface.vertices_m.front();
@@ -219,16 +218,16 @@ std::string micrometres_text(double length_m) {
   return fixed(kMicrometres_per_m * length_m, 0) + " µm";
 }
 
-/// To whole micrometres: a cell of this width holds the waves of which it was computed.
+/// To whole micrometres: a cell of this width contains the waves from which it was computed.
 double rounded_down_m(double cell_m) {
   constexpr double kMicrometre_m = 1e-6;
   return cell_m > kMicrometre_m ? kMicrometre_m * std::floor(cell_m / kMicrometre_m) : cell_m;
 }
 
-/// Both numbers of a texture that is finer than the samples of a contact, and what would be right;
-/// nothing where the cause is another one, such as a contact that is too wide.
+/// Both numbers of a texture that is finer than the samples of a contact, and the correction;
+/// nothing where the cause is a different one, such as a contact that is too wide.
 std::string why_too_fine(const PreparedStimulus& stimulus) {
-  constexpr double kSamplesPerWave = 8.0;  // as pd_gradient counts
+  constexpr double kSamplesPerWave = 8.0;  // as in pd_gradient
   const ParameterValues& own = stimulus.inputs.parameters;
   const double finest_m =
       std::min(finest_wave_m(*stimulus.inputs.tool, number_of(own, "tool_texture_gain")),
@@ -249,7 +248,8 @@ struct LimitBeyond {
   std::string sentence{};
 };
 
-/// What the model counted in half of the contact or more; the first count is the contact.
+/// The limits that the model counted in at least half of the contact; the first count is the
+/// contact.
 std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
                                        const PreparedStimulus& stimulus,
                                        const ForceRenderer& renderer) {
@@ -275,7 +275,7 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
   return doubts;
 }
 
-/// Of the files that a protocol names. `is_looked_at` says of which, by their place.
+/// Problems of the files that a protocol names. `is_looked_at` selects the files, by their place.
 std::vector<Diagnostic> problems_of_named_files(
     const Protocol& protocol, const std::string& file_name, const std::filesystem::path& study,
     StimulusBuilder& builder, const std::function<bool(const Diagnostic& place)>& is_looked_at) {
@@ -323,7 +323,7 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 
 namespace {
 
-/// `beyond_s` of contact are watched for doubts.
+/// `beyond_s` of contact are checked for warnings.
 RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& file_name,
                                    StimulusBuilder& builder, double beyond_s) {
   std::set<std::string> made{};
@@ -344,12 +344,13 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
         const PreparedStimulus prepared = builder.unmatched(stimulus);
         const HandHabits habits = habits_for(exploration, stimulus.patch);
         const auto renderer = make_renderer(*prepared.model, prepared.inputs);
-        if (untouched.contains(stimulus.surface->name)) continue;  // said, with another tool
+        // already reported with another tool
+        if (untouched.contains(stimulus.surface->name)) continue;
         const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz, beyond_s);
         if (touch == FirstTouch::from_outside) {
           if (beyond_s <= 0.0) continue;
           for (LimitBeyond& beyond : limits_beyond(stimulus, prepared, *renderer)) {
-            // As the tool comes down on it by another exploration, some ticks more or fewer.
+            // The same contact with another exploration, a few ticks longer or shorter.
             const std::string what = name_of_making(stimulus) + ' ' + beyond.limit;
             if (said.insert(what).second) add(found.doubts, std::move(beyond.sentence));
           }
@@ -391,7 +392,7 @@ void require_driver(const std::string& device) {
   throw std::runtime_error("there is no device \"" + device + "\"; this program has: " + names);
 }
 
-/// Of a protocol with other problems: those of files that are named where nothing else is wrong.
+/// For a protocol with other problems: the problems of files that are named in valid places.
 void add_problems_of_files(const ProtocolReading& reading, const std::filesystem::path& study,
                            const ModelRegistry& models, ProtocolCheck& check) {
   StimulusBuilder builder(models, study);
@@ -465,7 +466,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
           whole_file(complaint.english());
         }
       } else {
-        require_driver(*device);  // the device itself is not opened: it may be somewhere else
+        require_driver(*device);  // the device is not opened: it may be on another machine
       }
     } catch (const std::exception& error) {
       whole_file(error.what());
@@ -501,7 +502,8 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,
                                             const DeviceCapability& device) {
   std::vector<Phrase> complaints{};
-  // One without motors gives none of it, whatever the protocol asks for: whoever chooses it knows.
+  // A device without motors gives no force, regardless of the protocol: the user has chosen it
+  // knowingly.
   const bool has_motors = device.actuated_degrees_of_freedom > 0;
   if (has_motors && protocol.force_limit_N > device.peak_force_N) {
     complaints.push_back(phrase("ProtocolFiles",

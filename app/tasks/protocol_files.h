@@ -1,4 +1,4 @@
-// Protocol files as the program meets them: on disk, against the force models that there are.
+// Reads protocol files and checks them against the force models, the study's files and a device.
 
 #pragma once
 
@@ -19,31 +19,34 @@ namespace asperity {
 
 class Study;
 
-/// Reads and checks a protocol file. A name without a file is looked for in the study's
+/// Reads and checks a protocol file. A name without a file is looked up in the study's
 /// `protocols/`.
 ///
 /// Errors: ProtocolError; ResultsError when there is no such file.
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study);
 
-/// The same for a protocol that is about to run: the files that it names are looked at as well, and
+/// The same for a protocol that is about to run: the files that it names are checked as well, and
 /// its stimuli are rehearsed.
 ///
-/// Errors: ProtocolError with every file that is not there, not in the study (a link may lead out
-/// of it), no height field, no picture or no WAV, or else with what `rehearse` finds; otherwise as
-/// above. What `memory` (null: none) has found without problems is not rehearsed again.
+/// Errors: ProtocolError with every file that does not exist, is not in the study (through a link),
+/// or is not a height field, picture or WAV as required, or otherwise with the problems found by
+/// `rehearse`; other errors as for `load_protocol`. Stimuli that `memory` (null: none) has as free
+/// of problems are not rehearsed again.
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder, RehearsalMemory* memory = nullptr);
 
-/// What a session would fail at in a trial: every stimulus of two bodies is made once as in a
-/// session, and the simulated device's hand strokes where it should be until it touches it. A second
-/// or two. The files have been looked at.
+/// Finds the problems at which a session would fail in a trial: every stimulus of two bodies is
+/// made once as in a session, and the simulated device's hand strokes at its place until it touches
+/// it. Takes a second or two. The files have been checked before.
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder);
 
-/// The same, and what is rendered otherwise than the model promises: of every stimulus that the hand
-/// touches, a doubt for each limit of the model that counts half of the contact or more, with the
-/// texture and, of `fine_detail`, both numbers. The hand strokes on for 20 ms: what a stimulus is beyond
+/// The same, with the stimuli whose rendering exceeds the model's limits: for every stimulus that
+/// the hand touches, a warning for each limit of the model that is exceeded in at least half of the
+/// contact, with the texture and, for `fine_detail`, both numbers. The stroke continues for 20 ms
+/// after the first contact: limits exceeded in other places or under a pressing hand are not
+/// reported.
 /// in other places or under a hand that presses is not reported.
 struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
@@ -55,15 +58,15 @@ RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::strin
 /// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
   std::string file{};
-  std::vector<Diagnostic> diagnostics{};  ///< of all layers, in the order of lines
+  std::vector<Diagnostic> diagnostics{};  ///< from all layers, in the order of lines
   std::vector<Diagnostic>
-      warnings{};  ///< of what has the form of a protocol (`doubts_about`), in the order of lines
+      warnings{};  ///< about content that is formally valid (`doubts_about`), in the order of lines
   std::optional<Protocol> protocol{};
   PlanCost cost{};
 };
 
-/// Never throws because of the file's content. With a study, the files that the protocol names are looked
-/// for and the height fields read; with a device, its capability is compared.
+/// Never throws because of the file's content. With a study, the files that the protocol names are
+/// looked up and the height fields read; with a device, its capability is compared.
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);
@@ -78,16 +81,16 @@ struct VersionUse {
   std::string version{};
   int sessions = 0;
 };
-/// Nothing where there are none, or the text says no name and version. Errors: ResultsError as
-/// Study's.
+/// Nothing where there are none, or where the text contains no name and version. Errors:
+/// ResultsError as for Study.
 std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text);
 
-/// What a protocol asks for that a device cannot do, a sentence each.
+/// The requirements of a protocol that a device does not meet, a sentence each.
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,
                                             const DeviceCapability& device);
 
-/// What is wrong with a label that is to become part of file names; nothing when it is acceptable.
-/// Labels that begin with "virtual" are kept for virtual participants.
+/// The problem of a label that is to become part of file names; nothing when it is acceptable.
+/// Labels that begin with "virtual" are reserved for virtual participants.
 std::optional<Phrase> complaint_about_label(const std::string& label, bool is_virtual);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// A protocol of the study that begins as one of the library.
+// Copies a protocol of the library into a study, as a starting point.
 
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace asperity {
 
-/// Writes the library's protocol, in the language "en" or "de", into the study's `protocols/` and returns the file. Where the
-/// study has a file of that name, the new one, and the protocol in it, is called NAME_2, NAME_3, …,
-/// so that sessions of the two are not mixed up.
+/// Writes the library's protocol, in the language "en" or "de", into the study's `protocols/` and
+/// returns the file. Where the study has a file of that name, the new one, and the protocol in it,
+/// is named NAME_2, NAME_3, …, so that sessions of the two are not mixed up.
 ///
 /// Errors: std::invalid_argument for a name that is not in the library or not in this language; ResultsError when the file
 /// cannot be written.

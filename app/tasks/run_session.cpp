@@ -1,5 +1,3 @@
-// One session of one participant.
-
 #include "app/tasks/run_session.h"
 
 #include <algorithm>
@@ -28,8 +26,8 @@ namespace {
 
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 
-/// Before the session there is no servo to go on ticking. Who is to stop stops within a few
-/// hundredths of a second; then there is no session yet.
+/// Waits before a session, where no servo is ticking. A stop request takes effect within a few
+/// hundredths of a second; there is then no session yet.
 Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links) {
   return [stop, links](double duration_s) {
     constexpr double kSleep_s = 0.02;
@@ -47,7 +45,7 @@ Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links)
   };
 }
 
-/// Asks a person to agree to the protocol's statement; nothing is stored of one who does not.
+/// Asks a participant to agree to the protocol's statement; without agreement nothing is stored.
 void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonitor* monitor,
                  const Wait& wait) {
   const Question question{.name = "consent",
@@ -93,8 +91,9 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   return person;
 }
 
-/// A person's device: what the study knows of it, and what of the plan is beyond it.
-/// Errors: PhrasedError where the protocol does not take it; RespondentGone where a stop came before that was known.
+/// Opens a participant's device and compares it with its profile and the plan.
+/// Errors: PhrasedError where the protocol does not accept it; RespondentGone where a stop was
+/// requested before the comparison was complete.
 RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
                              const DeviceCapability& capability, const std::string& now_utc,
                              StimulusBuilder& builder, const std::stop_token& stop) {
@@ -108,7 +107,7 @@ RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
       return rehearse_once(inputs.rehearsal.get(), protocol, profile, inputs.study, builder,
                            {.stop = stop, .progress = inputs.comparing});
     });
-    // What was compared until then would pass for all there is.
+    // An incomplete comparison would be mistaken for a complete one.
     if (device.profile && stop.stop_requested()) {
       throw RespondentGone(phrase_of(Reason::stopped_as_asked));
     }
@@ -118,7 +117,7 @@ RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
   return device;
 }
 
-/// The first hour of the simulated calendar that no session lies in.
+/// The first hour of the simulated calendar without a session.
 std::int64_t free_hour(const Study& study) {
   std::int64_t hour = 0;
   for (const SessionRow& row : study.sessions()) {
@@ -162,7 +161,7 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
   return row;
 }
 
-/// A session that is older than the protocol has it is resumed with a reason.
+/// A session that is older than the protocol's maximum requires a reason to be resumed.
 void require_late_reason(const Sitting& sitting) {
   if (!sitting.late || !sitting.late_reason.empty()) return;
   throw PhrasedError(phrase("RunSession",

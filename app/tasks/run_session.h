@@ -1,4 +1,4 @@
-// One session of one participant.
+// Runs one session of one participant.
 
 #pragma once
 
@@ -29,52 +29,54 @@ struct RunInputs {
   std::string participant{};
   std::uint64_t seed = 0;
   SessionMode mode = SessionMode::run;
-  bool resume = false;  ///< an unfinished session goes on
-  /// Which one, by its id in the store; otherwise the participant's latest.
+  bool resume = false;  ///< resumes an unfinished session
+  /// The session to resume, by its id in the store; otherwise the participant's latest.
   std::optional<std::int64_t> resumed_session{};
-  /// Why it is resumed although it is older than the protocol has it (`resume.maximum_age_hours`).
+  /// Why it is resumed although it is older than the protocol's maximum
+  /// (`resume.maximum_age_hours`).
   std::string late_reason{};
   bool is_virtual = false;
   RunPacing pacing = RunPacing::real_time;
-  /// What to run on, as DriverRegistry::open names it; a virtual participant has the simulated one.
+  /// The device, as DriverRegistry::open names it; a virtual participant has the simulated one.
   std::string device = "simulated";
   DriverOptions driver_options{};       ///< options of that device's driver
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
   /// As ServoSettings; a test on a busy machine sets a longer time.
   double standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
-  /// The workspace and the strokes are mirrored left to right, for a left hand.
+  /// Mirrors the workspace and the strokes left to right, for a left hand.
   bool mirrored = false;
-  /// A new participant who was already asked the protocol's questions (the label is
+  /// A new participant who has already answered the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
-  /// What was found when the plan was compared with this device before; null: nothing.
+  /// Results of earlier comparisons of the plan with this device; null: none.
   std::shared_ptr<RehearsalMemory> rehearsal{};
-  /// Told how far that comparison is, 0 to 1, where it has to be made.
+  /// Receives the progress of that comparison, 0 to 1, where it has to be made.
   std::function<void(double)> comparing{};
-  /// Told what of the plan is beyond a person's device, before the session is refused for it.
+  /// Receives the parts of the plan that exceed a participant's device, before the session is
+  /// rejected for them.
   std::function<void(const RehearsedDevice&)> rehearsed{};
-  /// Told once the device is there and the protocol takes it, before anybody is asked anything.
+  /// Called once the device is open and the protocol accepts it, before any question is asked.
   std::function<void(const Protocol&)> ready{};
-  /// Called before `ready` with each circumstance of a resumed session that its report will state: another device than
-  /// before, a device without force that asperity 0.1.0 accepted.
+  /// Called before `ready` with each circumstance of a resumed session that its report will state:
+  /// a different device than before, a device without force that asperity 0.1.0 accepted.
   std::function<void(const Phrase& circumstance)> resumed{};
-  /// Called before `ready` with what the study holds of the label of a new session. Nothing is stored before it returns;
-  /// it can wait for a confirmation, and throw RespondentGone.
+  /// Called before `ready` with what the study has under the label of a new session. Nothing is
+  /// stored before it returns; it can wait for a confirmation, and throw RespondentGone.
   std::function<void(const LabelNotice&, const Wait&)> noticed{};
-  /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
+  /// The participant has agreed to the protocol's statement; otherwise the respondent is asked.
   bool has_consented = false;
 };
 
-/// Runs it. `respondent` is null for a virtual participant.
+/// Runs the session. `respondent` is null for a virtual participant.
 ///
-/// The device comes first: it is opened, and compared with the protocol and with the study's profile of it, so that
-/// no question is asked for a session that is refused. Then the participant is added when new: a person is asked to
-/// agree to the protocol's statement and then its questions, before anything is stored. `stop` asks the session to end after the trial
-/// under way.
+/// The device comes first: it is opened, and compared with the protocol and with the study's
+/// profile of it, so that no question is asked for a session that is rejected. A new participant is
+/// then added: a person is asked to agree to the protocol's statement and then its questions,
+/// before anything is stored. `stop` requests the end of the session after the current trial.
 ///
-/// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable, no
-/// consent, a session that cannot be gone on with, one that is too old without a `late_reason`, a device that cannot be opened or that the protocol does not take
-/// (rehearsed_device.h).
+/// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable,
+/// missing consent, a session that cannot be resumed, one that is too old without a `late_reason`,
+/// a device that cannot be opened or that the protocol does not accept (rehearsed_device.h).
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
                        const std::function<void(const AttemptDone&)>& done,

@@ -1,5 +1,3 @@
-// Many virtual participants through a study.
-
 #include "app/tasks/simulation.h"
 
 #include <algorithm>
@@ -26,8 +24,8 @@ namespace {
 
 constexpr std::string_view kLabel = "virtual";
 
-/// Which participants belong together; stored with each of them, so that an interrupted simulation
-/// can be recognised.
+/// Identifies the participants of one simulation; stored with each of them, so that an interrupted
+/// simulation can be recognised.
 struct Batch {
   std::uint64_t seed = 0;
   int first = 1;
@@ -58,12 +56,12 @@ int number_in_label(const std::string& label) {
   return number;
 }
 
-/// The virtual participants that a study has, and had.
+/// The virtual participants in a study, including deleted ones.
 struct Batches {
   std::optional<Batch> begun{};  ///< the latest of the same seed and number of participants
   int of_seed = 0;               ///< participants of simulations with the same seed
   int largest_number = 0;    ///< at least that of every virtual participant, deleted ones included
-  int deleted = 0;           ///< virtual participants, of which nothing else is known
+  int deleted = 0;           ///< virtual participants of whom only the deletion is recorded
   bool any_virtual = false;  ///< deleted ones included
   bool any_deleted_before_a_session = false;
 };
@@ -85,10 +83,11 @@ Batches batches_in(const Study& study, const SimulationInputs& inputs) {
     there.largest_number = std::max(there.largest_number, batch->first + batch->participants - 1);
     if (batch->seed != inputs.seed) continue;
     ++there.of_seed;
-    if (batch->participants == inputs.participants) there.begun = batch;  // labels come in order
+    if (batch->participants == inputs.participants) there.begun = batch;  // labels are in order
   }
-  // Numbers are given in order from 1, so that none is larger than the number of those who were added. A number that is
-  // given twice would make the participant again who was deleted: with the same seed, the same responses.
+  // Numbers are assigned in order from 1, so that none is larger than the number of participants
+  // added. Assigning a number twice would recreate the deleted participant: with the same seed, the
+  // same responses.
   there.largest_number = std::max(there.largest_number, virtual_people + there.deleted);
   there.any_virtual = virtual_people + there.deleted > 0;
   return there;
@@ -113,7 +112,7 @@ Batch choose_batch(const Batches& there, const SimulationInputs& inputs) {
                            "; leave out --resume to add one");
 }
 
-/// Sessions of a participant with this very protocol, in order.
+/// Sessions of a participant with exactly this protocol, in order.
 std::vector<SessionRow> sessions_with(const Study& study, const std::string& participant,
                                       const Protocol& protocol) {
   std::vector<SessionRow> found{};
@@ -126,13 +125,13 @@ std::vector<SessionRow> sessions_with(const Study& study, const std::string& par
   return found;
 }
 
-/// In the study, and not withdrawn.
+/// Whether the participant is in the study, and not withdrawn.
 bool takes_part(const Study& study, const std::string& label) {
   const std::optional<ParticipantRow> person = study.participant(label);
   return person && !person->withdrawn;
 }
 
-/// What all jobs share.
+/// The state shared by all jobs.
 class Simulation final {
  public:
   Simulation(const SimulationInputs& inputs, const ModelRegistry& models, std::stop_token stop,
@@ -175,7 +174,7 @@ class Simulation final {
   const std::function<void(double)>& progress_;
   const std::function<void(const AttemptDone&)>& done_;
   std::atomic<int> next_{0};
-  std::mutex mutex_{};  // of what follows
+  std::mutex mutex_{};  // guards the following members
   SimulationResult result_{};
   int sessions_seen_ = 0;
   std::exception_ptr failure_{};
@@ -188,7 +187,7 @@ std::uint64_t Simulation::seed_of(int number, int sitting) const {
       .bits();
 }
 
-/// Before anything is written: every session that is there has to be one of this simulation.
+/// Before anything is written: every existing session has to belong to this simulation.
 void Simulation::check_sessions(const Study& study) const {
   for (std::size_t i = 0; i < protocols_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -220,12 +219,13 @@ void Simulation::check_sessions(const Study& study) const {
   }
 }
 
-/// Whether asperity 0.1.0 was interrupted while it added the batch: one by one, in order, and before the first session.
-/// Now they are added in one transaction, and one who is missing was deleted.
+/// Whether asperity 0.1.0 was interrupted while it added the batch: one by one, in order, and
+/// before the first session. Participants are now added in one transaction, and a missing one was
+/// deleted.
 bool Simulation::is_half_added(const Study& study, const Batches& there) const {
   if (there.any_deleted_before_a_session) return false;
   const std::vector<SessionRow> sessions = study.sessions();
-  bool is_end = false;  // all participants up to here are there, and this one is not
+  bool is_end = false;  // all participants up to here exist, and this one does not
   for (int i = 0; i < batch_.participants; ++i) {
     const std::string label = virtual_person(batch_.first + i, random_, "").label;
     const bool is_there = study.participant(label).has_value();
@@ -239,8 +239,8 @@ bool Simulation::is_half_added(const Study& study, const Batches& there) const {
   return is_end;
 }
 
-/// Whether a batch has begun with these protocols, or with nothing, and has not done all of their sessions. Who has
-/// withdrawn has nothing left to do.
+/// Whether a batch has begun with these protocols, or with none, and has not completed all of their
+/// sessions. A withdrawn participant has nothing left to do.
 bool Simulation::is_interrupted(const Study& study, const Batch& batch) const {
   const std::vector<SessionRow> sessions = study.sessions();
   bool has_begun = false;

@@ -1,4 +1,4 @@
-// Many virtual participants through a study.
+// Runs many virtual participants through a study.
 
 #pragma once
 
@@ -16,10 +16,10 @@ namespace asperity {
 
 enum class Recordings { all, first, none };
 
-/// Participants with the same seed that a study has when others are added.
+/// Participants with the same seed that a study already has when others are added.
 struct SameSeed {
   int there = 0;
-  std::string first{};  ///< label of those who are added
+  std::string first{};  ///< label of the first added participant
   std::string last{};
 };
 
@@ -30,14 +30,14 @@ struct SimulationInputs {
   std::uint64_t seed = 1;
   int jobs = 1;
   Recordings recordings = Recordings::first;
-  /// Resume the interrupted simulation of the same seed and number of participants, or begin it
-  /// in a study that has no virtual participants yet. Without it such a simulation is refused.
+  /// Resume the interrupted simulation of the same seed and number of participants, or begin it in
+  /// a study that has no virtual participants yet. Otherwise such a simulation is rejected.
   bool resume = false;
   /// Called before participants are added to others with the same seed; may be empty.
   std::function<void(const SameSeed&)> noticed{};
 };
 
-/// Of the sessions that were begun or resumed now.
+/// Of the sessions that were begun or resumed in this run.
 struct SimulationResult {
   int sessions = 0;
   int attempts = 0;
@@ -45,18 +45,18 @@ struct SimulationResult {
   double wall_s = 0.0;
 };
 
-/// Adds virtual participants to a study (created if it does not exist), each doing every protocol
-/// in the given order, once per session that the protocol declares.
+/// Adds virtual participants to a study (created if it does not exist), each completing every
+/// protocol in the given order, once per session that the protocol declares.
 ///
-/// Deterministic in the seed, whatever `jobs`: labels, seeds, counterbalance rows and clocks are
-/// dealt out before the first session begins. When it is stopped, sessions under way end after
-/// their trial and can be resumed; each participant's row states which simulation it belongs to.
+/// Deterministic in the seed, independent of `jobs`: labels, seeds, counterbalance rows and clocks
+/// are assigned before the first session begins. When it is stopped, current sessions end after
+/// their trial and can be resumed; each participant's row states the simulation that it belongs to.
 ///
 /// `progress` and `done` may be empty. Both are called from the jobs' threads.
 ///
 /// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
-/// nothing to resume; an interrupted simulation of the same seed, number of participants and protocols, without
-/// `resume`).
+/// nothing to resume; an interrupted simulation of the same seed, number of participants and
+/// protocols, without `resume`).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
                           const std::stop_token& stop, const std::function<void(double)>& progress,
                           const std::function<void(const AttemptDone&)>& done);

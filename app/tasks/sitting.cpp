@@ -1,5 +1,3 @@
-// One session on a rig.
-
 #include "app/tasks/sitting.h"
 
 #include <algorithm>
@@ -57,7 +55,7 @@ std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
       .dump();
 }
 
-/// What the session's device was measured to be, and what of the plan is beyond it.
+/// Stores the profile of the session's device, and the parts of the plan that exceed it.
 void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
            std::int64_t now_ns) {
   if (!device.profile) return;
@@ -78,7 +76,7 @@ void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
   }
 }
 
-/// Before the session's device becomes that of its new stretch.
+/// Stores a change of device, before the new device becomes that of the new stretch.
 void store_changed_device(const DeviceCapability& device, Study& study, const SessionRow& session,
                           std::int64_t now_ns) {
   if (last_recorded_device(study, session).is_same_as(recorded_device(device))) return;

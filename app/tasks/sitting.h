@@ -1,4 +1,4 @@
-// One session on a rig: begun or gone on with, a person's or a virtual participant's.
+// Runs one session on a rig, new or resumed, of a person or a virtual participant.
 
 #pragma once
 
@@ -14,28 +14,29 @@
 
 namespace asperity {
 
-/// What a session needs beside its rig.
+/// The settings of a session, apart from its rig.
 struct Sitting {
   ParticipantRow participant{};
-  std::optional<SessionRow> unfinished{};  ///< to go on with; otherwise a new one is begun
-  std::optional<LateResume> late{};        ///< it is older than the protocol has it
-  std::string late_reason{};               ///< why it is resumed although it is
+  std::optional<SessionRow> unfinished{};  ///< the session to resume; otherwise a new one is begun
+  std::optional<LateResume> late{};        ///< it is older than the protocol's maximum
+  std::string late_reason{};               ///< why it is resumed nevertheless
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};
   std::optional<std::string> consent_utc{};
   bool mirrored = false;  ///< of a new session
-  /// What the study knows of a person's device, and what of the plan is beyond it: stored with the session.
+  /// The profile of a participant's device, and the parts of the plan that exceed it: stored with
+  /// the session.
   RehearsedDevice device{};
   bool record = true;
 };
 
-/// The latest time that is stored of a session, on its clock; a session goes on after it.
+/// The latest time that is stored of a session, on its clock; a resumed session continues after it.
 std::int64_t last_time_ns(const Study& study, const SessionRow& session);
 
 /// Runs the session. `person` is null for a virtual participant, who then answers as the protocol's
-/// observer does. The caller holds the participant's lock. `stop` asks for the end after the trial
-/// under way.
+/// observer does. The caller holds the participant's lock. `stop` requests the end after the
+/// current trial.
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,

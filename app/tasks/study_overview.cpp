@@ -66,7 +66,7 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   return overview;
 }
 
-/// A made-up date says nothing about when.
+/// A simulated date is not comparable.
 bool began_before(const SessionRow& a, const SessionRow& b) {
   const bool made_up = has_made_up_dates(a);
   if (made_up != has_made_up_dates(b)) return made_up;
@@ -109,7 +109,7 @@ struct ProtocolFile {
   Protocol protocol{};
 };
 
-/// Those without a fault: what is wrong with the others is said where protocols are listed.
+/// Those without a problem: the problems of the others are reported where protocols are listed.
 std::vector<ProtocolFile> sound_protocols(const std::filesystem::path& study,
                                           const ModelRegistry& models) {
   std::vector<ProtocolFile> protocols{};
@@ -154,10 +154,10 @@ std::string lower_ending(const std::filesystem::path& file) {
   return ending;
 }
 
-/// By its name, or by how it begins.
+/// By its name, or by the beginning of its content.
 bool is_textured_mesh(const std::filesystem::path& file) {
   if (lower_ending(file) == ".mesh") return true;
-  if (!std::filesystem::is_regular_file(file)) return false;  // to read a pipe would wait
+  if (!std::filesystem::is_regular_file(file)) return false;  // reading a pipe would block
   std::array<char, 64> begin{};
   std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
   return std::string_view(begin.data(), begin.size()).find("asperity.textured_mesh/") !=
@@ -213,7 +213,7 @@ void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
   stimulus.relief = side_by_side(std::span(&relief, 1), relief_rows);
 }
 
-/// What tells a height field from a picture of a surface.
+/// Distinguishes a height field from a picture of a surface.
 bool has_sidecar(const std::filesystem::path& picture) {
   std::error_code ignored{};
   return std::filesystem::exists(sidecar_of(picture), ignored);
@@ -238,7 +238,7 @@ std::map<std::string, std::filesystem::path> protocol_files_by_text(
     try {
       files.emplace(read_file(file, kProtocolFile), file);
     } catch (const std::exception&) {
-      // What is wrong with it is said where protocols are listed.
+      // Its problem is reported where protocols are listed.
     }
   }
   return files;
@@ -256,7 +256,8 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
   for (const SessionRow& row : study.sessions()) {
     if (stop.stop_requested()) break;
     const auto counted = counts.find(row.id);
-    if (counted == counts.end()) continue;  // it began a moment ago: the next reading has it
+    // it began after the counts were read: the next call includes it
+    if (counted == counts.end()) continue;
     const ProtocolRow& protocol = protocols.at(row.protocol_id);
     overviews.push_back(overview_of(study, row, protocol, counted->second));
     if (const auto file = files.find(protocol.source); file != files.end()) {
@@ -376,7 +377,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
   const std::vector<ProtocolFile> protocols = sound_protocols(study, models);
   const auto users = users_of_files(protocols);
   std::vector<StimulusOverview> overviews{};
-  // `look` answers the body, where it is one.
+  // `look` returns the body, where it is one.
   const auto add = [&](StimulusOverview stimulus, auto look) {
     try {
       const std::shared_ptr<const TexturedMesh> body = look(stimulus);

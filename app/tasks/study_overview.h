@@ -1,4 +1,4 @@
-// What is in a study, as the pages of a window list it.
+// Lists the contents of a study for the pages of a window.
 
 #pragma once
 
@@ -24,41 +24,42 @@
 
 namespace asperity {
 
-// All of these read and write nothing. What takes long ends early, with what it has, when it is
-// asked to stop. Errors: ResultsError as Study's; what is wrong with a single file is a value.
+// All of these only read. Long operations end early, with a partial result, when a stop is
+// requested. Errors: ResultsError as for Study; the problem of a single file is a value.
 
-/// It ran on a simulated clock: its dates are no dates of the calendar.
+/// Whether it ran on a simulated clock: its dates are not calendar dates.
 bool has_made_up_dates(const SessionRow& session);
 
-/// Open, and some process holds it.
+/// Whether it is open and held by a process.
 bool is_running(const Study& study, const SessionRow& row);
-/// Whoever runs it may not know yet what was felt and whether it was right: a run that is running.
+/// Whether the stimuli and the correctness of responses are still concealed from the experimenter:
+/// a running session of mode `run`.
 bool is_blind(const Study& study, const SessionRow& row);
 
 /// The files of the study's `protocols/` by their texts; of equal ones the first by name.
 std::map<std::string, std::filesystem::path> protocol_files_by_text(
     const std::filesystem::path& study);
 
-/// A session in one line.
+/// A summary of a session.
 struct SessionOverview {
   SessionRow row{};
   std::string protocol_name{};
   std::string protocol_version{};
   int planned_trials = 0;
-  int done_trials = 0;  ///< as SessionCounts'
+  int done_trials = 0;  ///< as in SessionCounts
   int attempts = 0;
   int notes = 0;
   /// From the first to the last trial of each stretch of uninterrupted running.
   double duration_s = 0.0;
   bool is_running = false;     ///< see the function
   bool ended_by_rule = false;  ///< see `has_ended_by_rule`
-  /// The file of the study's `protocols/` with the very text that the session began with; looked
-  /// for by `session_overviews` only.
+  /// The file of the study's `protocols/` with exactly the text with which the session began; set
+  /// only by `session_overviews`.
   std::optional<std::filesystem::path> protocol_file{};
 
   /// See the function.
   bool is_blind() const noexcept { return is_running && row.mode == SessionMode::run; }
-  /// It could go on: neither completed, nor ended by a rule, nor running.
+  /// It can be resumed: neither completed, nor ended by a rule, nor running.
   bool is_unfinished() const noexcept {
     return !row.withdrawn && row.state != SessionState::completed && !ended_by_rule && !is_running;
   }
@@ -66,14 +67,16 @@ struct SessionOverview {
 /// By participant, then session.
 std::vector<SessionOverview> session_overviews(const Study& study, const std::stop_token& stop);
 
-/// A protocol file of the study's `protocols/`, and how far it has come.
+/// A protocol file of the study's `protocols/`, and the progress of its sessions.
 struct ProtocolOverview {
   ProtocolCheck check{};
   int blocks = 0;  ///< of an example plan
-  /// Who has completed as many sessions as the protocol asks for; people in mode `run`.
+  /// The number of participants who have completed as many sessions as the protocol specifies;
+  /// people in mode `run`.
   int people_done = 0;
   int virtual_done = 0;
-  /// The one that was started last, of any mode; one with a made-up date only if all have one.
+  /// The session that was started last, of any mode; one with a simulated date only if all have
+  /// one.
   std::optional<SessionRow> last_session{};
 
   bool is_valid() const noexcept { return check.protocol && check.diagnostics.empty(); }
@@ -86,34 +89,34 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
 
 struct ParticipantOverview {
   ParticipantRow row{};
-  int completed = 0;   ///< sessions that count as data: not pilots; of virtual ones all
+  int completed = 0;   ///< sessions that count as data: no pilots; of virtual participants all
   int unfinished = 0;  ///< of any mode
-  int withdrawn = 0;   ///< kept and never used: in neither of the others
-  std::optional<SessionRow> last_session{};  ///< as ProtocolOverview's
+  int withdrawn = 0;   ///< kept and never used: not counted in the others
+  std::optional<SessionRow> last_session{};  ///< as ProtocolOverview::last_session
 };
 /// By label.
 std::vector<ParticipantOverview> participant_overviews(const Study& study);
 
-/// One go at a trial, or a trial that is still to come.
+/// One attempt at a trial, or a trial without an attempt yet.
 struct TrialOverview {
   PlannedTrialRow planned{};
   std::optional<AttemptRow> attempt{};
 
-  /// What was answered, in order: "metal", or "1 brick, 2 wood".
+  /// The answers in order: "metal", or "1 brick, 2 wood".
   std::string answer() const;
-  /// Whether all answers were right, where any can be.
+  /// Whether all responses were correct, where there are correct ones.
   std::optional<bool> correct() const;
 };
 
-/// A session with everything that happened in it.
+/// A session with all its trials and events.
 struct SessionDetail {
   SessionOverview overview{};
   std::vector<TrialOverview> trials{};  ///< by trial, attempt
-  std::vector<EventRow> events{};       ///< those of attempts too, by time
+  std::vector<EventRow> events{};       ///< including those of attempts, by time
 };
 SessionDetail session_detail(const Study& study, std::int64_t session_id);
 
-/// A file of the study's `stimuli/`, or a body that a protocol makes of a shape.
+/// A file of the study's `stimuli/`, or a body that a protocol makes from a shape.
 struct StimulusOverview {
   enum class Kind {
     picture,
@@ -121,7 +124,7 @@ struct StimulusOverview {
     textured_mesh,
     shape,
   };
-  /// Study-relative; of a shape the protocol's name and the body's, "tools_matching/fine".
+  /// Study-relative; for a shape the protocol's name and the body's, "tools_matching/fine".
   std::string path{};
   Kind kind = Kind::picture;
   std::size_t rows = 0;  ///< of a picture, a height field or the texture of a mesh
@@ -134,29 +137,29 @@ struct StimulusOverview {
   double rms_m = 0.0;
   double range_m = 0.0;
   GreyImage relief{};  ///< small, lit from the upper left
-  // Of a textured mesh and a shape:
+  // For a textured mesh and a shape:
   std::size_t triangles = 0;
   glm::dvec3 size_m{0.0};     ///< of the box around it
-  std::string source_name{};  ///< of a mesh: the file that it was baked from
+  std::string source_name{};  ///< for a mesh: the file from which it was baked
   std::optional<Shape> shape{};
 
   std::vector<std::string> used_by{};  ///< names of protocols
   std::string problem{};               ///< why it cannot be used; empty when it can
 };
-/// Told of every body while it is in memory, and its place in the list: textures of many bodies are too
-/// much to be kept.
+/// Receives every body while it is in memory, with its index in the list: the textures of many
+/// bodies would need too much memory.
 using BodySeen = std::function<void(std::size_t, const std::shared_ptr<const TexturedMesh>&)>;
-/// How many surfaces there are, without the pictures of them; looks into no picture and makes no body.
+/// The number of surfaces, without their pictures; reads no picture and makes no body.
 int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models);
-/// Files by path, then shapes by protocol and name, of protocols without a fault. Files that are
-/// neither pictures nor height fields nor textured meshes are left out.
+/// Files by path, then shapes by protocol and name, of protocols without a problem. Files that are
+/// neither pictures nor height fields nor textured meshes are omitted.
 std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
                                                  const ModelRegistry& models,
                                                  std::size_t relief_rows,
                                                  const std::stop_token& stop,
                                                  const BodySeen& see = {});
 
-/// The devices that this program can run a session on.
+/// The devices on which this program can run a session.
 std::vector<DeviceCapability> device_overviews();
 
 }  // namespace asperity

@@ -23,14 +23,15 @@ namespace {
 
 constexpr double kSameSpacing = 0.01;
 
-/// How a texture is felt.
+/// The use of a texture in a stimulus.
 struct TextureUse {
   std::string height_field{};
   std::set<std::string> stimuli{};
-  glm::dvec2 widest_m{0.0};  ///< what one surface shows of it
+  glm::dvec2 widest_m{0.0};  ///< the part of it that one surface shows
 };
 
-/// How much of a field a body shows along x and y; without end around a cylinder or a sphere.
+/// The size of the part of a field that a body shows along x and y; infinite around a cylinder or a
+/// sphere.
 glm::dvec2 shown_m(const Shape& shape) {
   constexpr double kWithoutEnd_m = 1e3;
   if (const auto* const plate = std::get_if<PlateShape>(&shape)) return glm::dvec2(plate->size_m);
@@ -94,7 +95,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
                                               const std::filesystem::path& study) {
   const JsonDocument document(protocol.source, file_name);
   std::vector<Diagnostic> doubts{};
-  const double motion_scale = protocol.patch.motion_scale;  // one for all textures
+  const double motion_scale = protocol.patch.motion_scale;  // the same for all textures
   for (const auto& [name, use] : uses_of(protocol)) {
     const std::filesystem::path file = study / use.height_field;
     const HeightFieldProvenance made = provenance_of(file);

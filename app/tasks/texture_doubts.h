@@ -1,4 +1,4 @@
-// What a protocol's height fields are, against what the protocol takes them for.
+// Compares a protocol's height fields with the protocol's statements about them.
 
 #pragma once
 
@@ -11,16 +11,17 @@
 
 namespace asperity {
 
-/// Warnings about the textures that a stimulus of the plan has as a height field, each with the stimuli
-/// it is felt in, by what the files' sidecars say (docs/formats/height_field.md):
+/// Warnings about the textures that a stimulus of the plan has as a height field, each with its
+/// stimuli, from the files' sidecars (docs/formats/height_field.md):
 ///
-///   spacing_m    the protocol's is another than that of the surface that was made, by 1 % or more, both on
-///                the device (over the motion scale). Not of a sinusoid at an angle, whose distance along
-///                a stroke is another one
-///   a seam       a tile that holds no whole number of spacings (seam_of) and is repeated under the hand
-///   few samples  fewer than eight for a spacing (coarse_samples_of)
+///   spacing_m    the protocol's differs from that of the surface that was made by 1 % or more, both on the
+///                device (divided by the motion scale). Not for a sinusoid at an angle, whose period
+///                along a stroke is different
+///   a seam       a tile that does not contain a whole number of spacings (seam_of) and is repeated under
+///                the hand
+///   few samples  fewer than eight per spacing (coarse_samples_of)
 ///
-/// Nothing of what was not made by a formula. The files have been looked at.
+/// None for surfaces that were not made by a formula. The files have been checked before.
 ///
 /// Errors: as `load_height_field`.
 std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,

@@ -18,7 +18,7 @@ double hours_since_it_ran(const Study& study, const SessionRow& session) {
   if (session.ended_utc) {
     return kHoursADay * (days_since_1970(now_utc) - days_since_1970(*session.ended_utc));
   }
-  // It was broken off. Only within a stretch does its clock keep the time of day.
+  // The session was interrupted. Only within a stretch does its clock follow the time of day.
   std::string began_utc = session.started_utc;
   std::int64_t began_ns = session.clock_zero_ns;
   for (const EventRow& event : study.events(session.id)) {
@@ -54,7 +54,7 @@ Phrase complaint_about(const LateResume& late) {
 }
 
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {
-  std::set<std::int64_t> ids{};  // of this text
+  std::set<std::int64_t> ids{};  // of the sessions with this text
   for (const ProtocolRow& row : study.protocols()) {
     if (row.source == protocol.source) ids.insert(row.id);
   }

@@ -1,4 +1,4 @@
-// The sessions of a protocol that could go on.
+// Lists the sessions of a protocol that can be resumed.
 
 #pragma once
 
@@ -14,18 +14,19 @@
 
 namespace asperity {
 
-/// How long ago a session in real time last ran. h. Errors: ResultsError.
+/// The time since a session in real time last ran, in hours. Errors: ResultsError.
 double hours_since_it_ran(const Study& study, const SessionRow& session);
 
-/// How long ago a session last ran that is older than its protocol has sessions resumed.
+/// The age of a session that is older than its protocol's maximum for resuming.
 struct LateResume {
   double age_hours = 0.0;
   double maximum_age_hours = 0.0;
 };
-/// Nothing where the protocol declares no maximum, on a simulated clock, and in time. Errors: ResultsError.
+/// Nothing where the protocol declares no maximum, on a simulated clock, and within the maximum.
+/// Errors: ResultsError.
 std::optional<LateResume> late_resume(const Study& study, const Protocol& protocol,
                                       const SessionRow& session);
-/// Why it needs a reason to be resumed.
+/// Why a reason is required to resume it.
 Phrase complaint_about(const LateResume& late);
 
 struct UnfinishedSession {
@@ -36,11 +37,11 @@ struct UnfinishedSession {
   RecordedNoise noise{};             ///< of its last stretch
 };
 
-/// Those of this very protocol, by participant, session.
+/// The sessions of exactly this protocol, by participant, session.
 std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol);
 
-/// The one of this participant that `RunInputs::resume` goes on with: the one with this id, or
-/// without an id the latest. As `unfinished_row` finds it.
+/// The session of this participant that `RunInputs::resume` resumes: the one with this id, or
+/// without an id the latest. As found by `unfinished_row`.
 std::optional<UnfinishedSession> unfinished_of(const std::vector<UnfinishedSession>& sessions,
                                                const std::string& participant,
                                                std::optional<std::int64_t> id);

@@ -27,8 +27,7 @@ namespace asperity {
 
 namespace {
 
-// A recording keeps floats; two forces that are nearly equal may fall on neighbouring ones (at 8
-// N).
+// A recording stores floats; two nearly equal forces may be rounded to adjacent ones (at 8 N).
 constexpr double kFloatStep_N = 1e-6;
 
 glm::dvec3 as_float(const glm::dvec3& v) {
@@ -41,7 +40,7 @@ double largest_difference(const glm::dvec3& a, const glm::dvec3& b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
-/// The largest difference between the recorded forces of one surface and those rendered again.
+/// The largest difference between the recorded and the replayed forces of one surface.
 double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface& surface) {
   std::vector<TickRecord> felt{};
   for (const TickRecord& record : attempt.records) {
@@ -60,8 +59,8 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
   return difference_N;
 }
 
-/// The segments of a session that this very program ran on a system like this one. What
-/// ran a segment is stored with its beginning.
+/// The segments of a session that were run by exactly this build on a system like this one. The
+/// program of a segment is stored with its beginning.
 std::set<int> segments_of_this_program(const Study& study, const SessionRow& session,
                                        const ProgramIdentity& program) {
   std::set<int> same{};
@@ -77,20 +76,21 @@ std::set<int> segments_of_this_program(const Study& study, const SessionRow& ses
   return same;
 }
 
-/// What is wrong with one session.
+/// The problems of one session.
 struct SessionFaults {
   struct Failure {
-    std::string before{};  ///< what it is about, for the sentence
+    std::string before{};  ///< the beginning of the sentence, which names its subject
     std::string what{};
   };
-  std::vector<Failure> failures{};  ///< of reading: another check may have told of the same
+  std::vector<Failure> failures{};  ///< of reading: another check may have reported the same one
   std::vector<std::string> problems{};
   int recordings_replayed = 0;
   bool exact_used = false;
   bool tolerance_used = false;
 };
 
-/// Surfaces are felt in the planned order, and all of them unless the attempt was broken off.
+/// Whether surfaces were felt in the planned order, and all of them unless the attempt was
+/// interrupted.
 bool are_as_planned(std::span<const SessionAnswers::Surface> felt,
                     const std::vector<std::string>& words, const Trial& planned) {
   const auto is_as_planned = [&words](const SessionAnswers::Surface& surface,
@@ -103,11 +103,11 @@ bool are_as_planned(std::span<const SessionAnswers::Surface> felt,
          std::equal(felt.begin(), felt.end(), planned.presentations.begin(), is_as_planned);
 }
 
-/// Every answer has to be one of the options of the planned question, beside all of them, and to be marked
-/// as it says.
+/// Checks that every answer is one of the options of the planned question and agrees with it in the mark of
+/// correctness, and that the options stored with it are those of the question.
 void check_answers(const SessionRow& session, const Plan& plan, const SessionAnswers& answers,
                    std::vector<std::string>& problems) {
-  AttemptRow at{};  // for the sentences: those of a trial stand in order, numbered from 1
+  AttemptRow at{};  // for the sentences: the attempts of a trial are in order, numbered from 1
   for (const SessionAnswers::Attempt& attempt : answers.attempts) {
     at.attempt = attempt.trial == at.trial ? at.attempt + 1 : 1;
     at.trial = attempt.trial;
@@ -139,7 +139,7 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
   }
 }
 
-/// Whether every recorded hand of a session is given its forces again.
+/// Checks whether every recorded hand of a session receives the same forces again.
 void replay_session(const Study& study, const SessionRow& session, const Plan& plan,
                     const ProgramIdentity& program, StimulusBuilder& builder,
                     const std::stop_token& stop, SessionFaults& faults) {
@@ -176,8 +176,8 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
   }
 }
 
-/// A file in protocols/ may be changed by anybody at any time, and what sessions ran is in the
-/// database. But nobody changes a single byte on purpose.
+/// A file in protocols/ may be changed at any time, and the protocols that sessions ran are in the
+/// database. A change of a single byte, however, is unlikely to be intentional.
 void check_protocol_files(const Study& study, VerifyResult& result) {
   const std::vector<ProtocolRow> stored = study.protocols();
   std::error_code none{};
@@ -208,8 +208,8 @@ void check_protocol_files(const Study& study, VerifyResult& result) {
   }
 }
 
-/// Unless it is told already: what is so broken that one check cannot read it is as broken for the
-/// next, and what a recording says of its damage stands in what is said of its checksum.
+/// Unless it is already reported: data that one check cannot read are also unreadable for the next,
+/// and the damage of a recording is part of the report on its checksum.
 void add_unless_told(const std::string& what, const std::string& before,
                      std::vector<std::string>& problems) {
   const auto tells = [&what](const std::string& told) {
@@ -224,12 +224,12 @@ void add_once(const std::string& problem, std::vector<std::string>& problems) {
   }
 }
 
-/// Parts of the store that another thread takes before any session, while the caller has SQLite look at
-/// the file, which takes longest.
+/// Parts of the store that another thread checks before any session, while the caller lets SQLite
+/// check the file, which takes longest.
 constexpr std::array kBeside{StudyPart::checksum, StudyPart::rows};
 
-/// A replay has bodies in memory; a writer's process has no readers that the caller does not know of; an
-/// older schema is a copy in memory for every reader.
+/// A replay keeps bodies in memory; in a process that writes there are no readers unknown to the
+/// caller; an older schema is copied into memory for every reader.
 std::size_t threads_for(const Study& study, bool replay_too, std::size_t sessions) {
   constexpr unsigned kMost = 8;
   if (replay_too || study.access() != Access::read_only ||
@@ -240,8 +240,8 @@ std::size_t threads_for(const Study& study, bool replay_too, std::size_t session
                                kBeside.size() + sessions);
 }
 
-/// Passes progress on until that throws, which is then what ends the work: nothing that it stands in takes
-/// it for a fault of the study.
+/// Passes progress on. An exception from it ends the work and is not mistaken for a problem of the
+/// study by the checks around it.
 class ProgressToCaller final {
  public:
   ProgressToCaller(const std::function<void(double)>& progress, std::stop_source& end)
@@ -265,7 +265,7 @@ class ProgressToCaller final {
   std::exception_ptr failure_{};
 };
 
-/// Adds what `check` throws to the problems.
+/// Adds an exception of `check` to the problems.
 void add_failure_of(const std::function<void()>& check, std::vector<std::string>& problems) {
   try {
     check();
@@ -289,10 +289,10 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   add_failure_of([&] { sessions = study.sessions(); }, failures);
   std::vector<SessionFaults> found(sessions.size());
   const ProgramIdentity program = this_program();
-  // What several threads share out: parts of the store, then session by session.
+  // Work shared between threads: parts of the store, then session by session.
   std::array<std::vector<std::string>, kBeside.size()> beside{};
   std::atomic<std::size_t> next{0};
-  // Each thread with a study of its own.
+  // Each thread has a separate study.
   const auto take_share = [&](const Study& own, const std::function<void(double)>& tell) {
     StimulusBuilder builder(models, own.folder());
     PlansOfSessions plans(own, models);
@@ -319,7 +319,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
     try {
       take_share(Study::open(study.folder(), Access::read_only), [](double) {});
     } catch (const std::exception&) {
-      // It cannot help: what it would have looked at is left to the others, of whom the caller is one.
+      // This thread cannot help: its work is left to the others, including the caller.
     }
   };
   std::vector<std::future<void>> others{};
@@ -327,7 +327,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
     try {
       others.push_back(std::async(std::launch::async, take_share_beside));
     } catch (const std::system_error&) {
-      break;  // the system has no more threads
+      break;  // no further thread is available
     }
   }
   std::vector<StudyPart> parts{StudyPart::database, StudyPart::files};
@@ -347,7 +347,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
              [&](double share) { to_caller.tell(store_share + (1.0 - store_share) * share); });
   for (const std::future<void>& other : others) other.wait();
   to_caller.rethrow_failure();
-  // In an order that no thread has a part in.
+  // In an order that does not depend on the threads.
   for (const auto* const part : {&beside[0], &by_caller, &beside[1]}) {
     for (const std::string& problem : *part) add_once(problem, result.problems);
   }

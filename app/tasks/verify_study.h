@@ -1,4 +1,4 @@
-// Does a study hold what it says?
+// Checks whether the contents of a study are intact and consistent.
 
 #pragma once
 
@@ -13,21 +13,22 @@
 namespace asperity {
 
 struct VerifyResult {
-  std::vector<std::string> problems{};  ///< a sentence each; empty: everything holds
-  std::vector<std::string> remarks{};   ///< what a person may want to know: leftovers of a crash
+  std::vector<std::string> problems{};  ///< a sentence each; empty: no problems
+  std::vector<std::string> remarks{};   ///< information for the user: leftovers of a crash
   int recordings_replayed = 0;
   std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
 };
 
-/// Constraints and what else the schema refuses by, hashes, that every stored plan is the one its protocol,
-/// seed and row give, and that surfaces, answers and the options beside them are those of the plan. With
-/// `replay_too`, every recorded hand goes through its renderers again: bit for bit where the
-/// session was run by this build on this kind of machine, within each model's declared tolerance
-/// otherwise.
+/// Checks the constraints and other rules of the schema, hashes, that every stored plan is the one
+/// that its protocol, seed and row give, and that surfaces, answers and the options stored with
+/// them agree with the plan. With `replay_too`, the forces of every recorded hand are rendered
+/// again: bit for bit equal where the session was run by this build on this kind of machine, within
+/// each model's declared tolerance otherwise.
 ///
-/// A study that is open for reading is looked at by as many threads as the machine has, eight at most;
-/// with `replay_too` by the caller's alone. What is found, and in which order, depends on none of them.
-/// `progress` is called by the caller's thread; what it throws ends the work and comes out of here.
+/// A study that is open for reading is checked by as many threads as the machine has, eight at
+/// most; with `replay_too` only by the caller's. The results and their order do not depend on the
+/// number of threads. `progress` is called by the caller's thread; an exception from it ends the
+/// work and is passed on to the caller.
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
                           const std::stop_token& asked_to_stop,
                           const std::function<void(double)>& progress);
