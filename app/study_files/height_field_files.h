@@ -1,4 +1,4 @@
-// Height fields and pictures on disk.
+// Reads and writes height fields and pictures.
 
 #pragma once
 
@@ -15,11 +15,11 @@
 
 namespace asperity {
 
-/// A height field as it was read: the heights, and the name of their content.
+/// A height field with the hash of its content.
 struct LoadedHeightField {
   std::shared_ptr<const HeightField> field{};
-  /// Of the sidecar, which holds pitch and range of the heights and names the PNG by its SHA-256:
-  /// two fields with the same one are the same relief.
+  /// Of the sidecar, which contains pitch and range of the heights and the SHA-256 of the PNG: two
+  /// fields with the same hash are the same relief.
   std::string sha256{};
 };
 
@@ -28,17 +28,17 @@ struct LoadedHeightField {
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedHeightField load_height_field(const std::filesystem::path& png);
 
-/// What the sidecar says of how a height field came about. Errors: as `load_height_field`.
+/// How a height field was made, according to its sidecar. Errors: as `load_height_field`.
 HeightFieldProvenance provenance_of(const std::filesystem::path& png);
 
 std::filesystem::path sidecar_of(const std::filesystem::path& png);
 
-/// Before the first of several files is written: refuses when one of them is there already.
+/// Called before the first of several files is written: rejects a file that already exists.
 ///
 /// Errors: ResultsError naming it.
 void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite);
 
-/// A PNG for people.
+/// A PNG for display.
 struct PictureFile {
   std::filesystem::path png{};
   std::string content{};  ///< the bytes of the file
@@ -46,18 +46,19 @@ struct PictureFile {
 /// In 8 bits.
 PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture);
 
-/// Writes FILE.png and FILE.png.json, and pictures of the same thing with them, as `write_files_together` does:
-/// FILE.png is there with all the others or not at all. The program's version is noted in the provenance.
+/// Writes FILE.png and FILE.png.json, together with pictures of the same height field, as
+/// `write_files_together` does: FILE.png exists with all the others or not at all. The program's
+/// version is added to the provenance.
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
                        HeightFieldProvenance provenance, Overwrite overwrite,
                        const std::vector<PictureFile>& pictures = {});
 
-/// An 8-bit PNG for people.
+/// Writes an 8-bit PNG for display.
 void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite);
 void save_color_picture(const std::filesystem::path& png, const ColorPlanes& picture,
                         Overwrite overwrite);
 
-/// A decoded photograph and the name of its content.
+/// A decoded photograph with the hash of its content.
 struct LoadedPhotograph {
   Photograph photograph{};
   std::string sha256{};

@@ -1,5 +1,3 @@
-// Parameters of a stimulus as JSON text, and back.
-
 #include "app/study_files/parameter_json.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Parameters of a stimulus as JSON text, and back.
+// Converts the parameters of a stimulus to JSON text, and back.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// Which program this is: what every session stores of it.
+// Identifies the program, as stored with every session.
 
 #pragma once
 
@@ -11,11 +11,12 @@ struct ProgramIdentity {
   std::string commit{};
   std::string build{};
   std::string sha256{};           ///< of the executable
-  std::string instruction_set{};  ///< what the numerical code was compiled for
-  std::string os{};  ///< kernel, processor, C library (whose mathematics the forces rest on)
+  std::string instruction_set{};  ///< for which the numerical code was compiled
+  /// Kernel, processor, C library (on whose mathematical functions the forces depend).
+  std::string os{};
 };
 
-/// Of the running program. Reads the executable once per call.
+/// The identity of the running program. Reads the executable once per call.
 ProgramIdentity this_program();
 
 /// "0.1.0"

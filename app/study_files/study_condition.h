@@ -1,4 +1,4 @@
-// What is said, and what is refused, when the file of a study is not as it was left.
+// Reports and rejects studies whose file was changed or damaged.
 
 #pragma once
 
@@ -12,23 +12,24 @@
 namespace asperity {
 
 /// A sentence for readers of numbers of a study whose file was changed, or is too large for its
-/// checksum to be compared before an analysis: from 1 GiB on, which a disk may take
-/// two seconds to read, and an analysis need not read. None when it is whole; a broken one is refused.
+/// checksum to be verified before an analysis: from 1 GiB on, which a disk may take two seconds to
+/// read, and which an analysis does not otherwise require. None when the file is intact; a damaged
+/// one is rejected.
 std::optional<Phrase> remark_on(const Study& study);
 
-/// Runs what reads a study, while its file is looked at in the background (Study::condition), and
-/// refuses what was read from a broken one, in which rows can be missing without a trace. A file that
-/// was merely changed is read: that can have been meant, and `remark_on` states it.
+/// Runs `read` on a study while its file is verified in the background (Study::condition), and
+/// rejects what was read from a damaged file, in which rows can be missing without a trace. A file
+/// that was merely changed is accepted: the change may be intentional, and `remark_on` reports it.
 ///
-/// When `stop` is requested, what was read until then is discarded: the file is not waited for, and
-/// nothing refused.
+/// When `stop` is requested, the data read until then are discarded: the verification is not waited
+/// for, and nothing is rejected.
 ///
-/// Errors: ResultsError when the file is broken, in place of whatever `read` may throw then, and with the
-/// remark when `read` throws on a file that was changed.
+/// Errors: ResultsError when the file is damaged, in place of any exception from `read`, and with
+/// the remark when `read` throws on a file that was changed.
 void read_unless_broken(const Study& study, const std::function<void()>& read,
                         const std::stop_token& stop);
 
-/// The same before writing.
+/// The same check before writing.
 void refuse_if_broken(const Study& study);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Metadata that data archives require of a study: authors, license, ethics approval.
+// Checks the metadata that data archives require of a study: authors, license, ethics approval.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// "The study has no authors and no license, …", for an export; nothing where both are there.
-/// What to do about it depends on the place: a command, or an entry of a menu.
+/// "The study has no authors and no license, …", for an export; nothing where both are stored. The
+/// remedy depends on the place: a command, or an entry of a menu.
 std::optional<Phrase> missing_metadata(const StudyMetadata& metadata);
 
 }  // namespace asperity

@@ -10,8 +10,8 @@ namespace asperity {
 
 namespace {
 
-/// Whether what is in its place now has no row of the participant. An export lists its participants; a report does not
-/// list all of them, and what was moved cannot be looked into.
+/// Whether the current file contains no row of the participant. An export lists its participants; a
+/// report does not list all of them, and a file that was moved cannot be read.
 bool is_without(const OutputRow& output, const std::string& label) {
   const std::filesystem::path path = output.path;
   try {
@@ -30,7 +30,7 @@ bool is_without(const OutputRow& output, const std::string& label) {
         return false;
     }
   } catch (const std::exception&) {
-    return false;  // not what it was: it may hold anything
+    return false;  // the content has changed and is unknown
   }
   return false;
 }
@@ -84,7 +84,7 @@ OutputsOfParticipant outputs_of_participant(const Study& study, const std::strin
     throw ResultsError("the study " + study.folder().string() + " has no participant " + label,
                        study.folder());
   }
-  // A virtual participant is of a simulated calendar.
+  // The dates of a virtual participant are those of a simulated calendar.
   const std::string& since = participant->created_utc;
   const bool is_dated = !participant->is_virtual;
   OutputsOfParticipant outputs{};

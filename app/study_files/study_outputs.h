@@ -1,4 +1,4 @@
-// What was made of a study and left its folder: exports, reports, copies.
+// Records the outputs of a study outside its folder: exports, reports, copies.
 
 #pragma once
 
@@ -12,24 +12,26 @@
 
 namespace asperity {
 
-/// Stores in the study that `path` was made of it, so that it can be found again when a participant withdraws. To be
-/// called with the output complete. Returns why it is not stored, where it is not: the study can only be read here, or
-/// is of an older version, which would have to be changed for it.
+/// Stores in the study that `path` was made from it, so that it can be found when a participant
+/// withdraws. Call it when the output is complete. Returns the reason where it is not stored: the
+/// study is read-only here, or of an older version, which would have to be changed.
 std::optional<Phrase> record_output(const Study& study, OutputKind kind,
                                     const std::filesystem::path& path);
 
-/// "public export": what it is, where it is listed.
+/// "public export": the kind of output in lists.
 Phrase kind_words(OutputKind kind);
 
-/// Of a participant: what the study knows of that may hold their data.
+/// The recorded outputs that may contain a participant's data.
 struct OutputsOfParticipant {
   std::vector<OutputRow> recorded{};
-  /// Where they took part before outputs were recorded: since when they are, UTC. Earlier ones are unknown.
+  /// Where the participant took part before outputs were recorded: the date since when they are,
+  /// UTC. Earlier outputs are unknown.
   std::optional<std::string> unknown_before_utc{};
 };
-/// To be read before their rows are deleted: of a participant who took part in person, what was made since they were
-/// added. A simulated participant has no date; of those, what holds the label or cannot be looked into now.
-/// Errors: ResultsError for a label that is not there.
+/// To be called before the participant's rows are deleted: for a person, the outputs made since
+/// they were added. A simulated participant has no real date; for those, the outputs that contain
+/// the label or cannot be read now.
+/// Errors: ResultsError for an unknown label.
 OutputsOfParticipant outputs_of_participant(const Study& study, const std::string& label);
 
 }  // namespace asperity

@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kNameKey = "/name";
-constexpr std::size_t kLongestName = 64;  // as the schema's
+constexpr std::size_t kLongestName = 64;  // as in the schema
 
 std::filesystem::path file_called(const std::filesystem::path& beside, const std::string& name) {
   return beside.parent_path() / (name + ".json");
@@ -27,7 +27,7 @@ std::string text_of_file(const std::filesystem::path& file) {
   return read_file(file, kProtocolFile);
 }
 
-/// What the schema asks of a protocol's name.
+/// The schema's rule for a protocol's name.
 bool is_name(const std::string& name) {
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return !name.empty() && name.size() <= kLongestName && is_letter(name.front()) &&
@@ -36,7 +36,7 @@ bool is_name(const std::string& name) {
          });
 }
 
-/// By name or by text; empty texts and names are nobody's.
+/// By name or by text; empty texts and names match no session.
 int sessions_of(const Study& study, const std::string& name, const std::string& sha256) {
   std::set<std::int64_t> protocols{};
   for (const ProtocolRow& row : study.protocols()) {
@@ -57,7 +57,7 @@ void require_never_run(const Study& study, const std::filesystem::path& file) {
                          .with(file.filename().string(), std::to_string(sessions)));
 }
 
-/// "height_3" → "height": what a further copy is numbered after.
+/// "height_3" → "height": the base name for the numbers of further copies.
 std::string without_number(const std::string& name) {
   const std::size_t last = name.find_last_not_of("0123456789");
   if (last == std::string::npos || last == 0 || last + 1 == name.size() || name[last] != '_') {

@@ -1,4 +1,4 @@
-// Textured meshes on disk.
+// Reads and writes textured meshes.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// A textured mesh as it was read, and the name of its content.
+/// A textured mesh with the hash of its content.
 struct LoadedTexturedMesh {
   std::shared_ptr<const StoredTexturedMesh> stored{};
   std::string sha256{};  ///< of the file
@@ -20,7 +20,7 @@ struct LoadedTexturedMesh {
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedTexturedMesh load_textured_mesh(const std::filesystem::path& file);
 
-/// The program's version is noted in the provenance.
+/// The program's version is added to the provenance.
 void save_textured_mesh(const std::filesystem::path& file, StoredTexturedMesh stored,
                         Overwrite overwrite);
 
