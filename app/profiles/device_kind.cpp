@@ -1,5 +1,3 @@
-// What kind of device a name stands for.
-
 #include "app/profiles/device_kind.h"
 
 #include "device/simulated_models.h"

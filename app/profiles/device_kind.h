@@ -1,4 +1,4 @@
-// What kind of device a name stands for.
+// Determines the kind of device from its name.
 
 #pragma once
 
@@ -9,15 +9,16 @@
 namespace asperity {
 
 enum class DeviceKind {
-  simulated,  ///< held by the virtual hand, in place of a real device or of none
-  pointer,    ///< the mouse of a window: moves, and gives no force
+  simulated,  ///< held by the virtual hand; models a real device or none
+  pointer,    ///< the mouse pointer of a window: moves, and gives no force
   attached,   ///< hardware
 };
 
-/// Of what `RunInputs::device` names. Errors: std::runtime_error for a "simulated:MODEL" that there is not.
+/// The kind of the device with a name as in `RunInputs::device`. Errors: std::runtime_error for a
+/// "simulated:MODEL" that does not exist.
 DeviceKind kind_of_device(const std::string& device);
 
-/// As people tell it from others: its driver's name, and "simulated in place of Novint Falcon".
+/// The display name: the name of the driver, and "simulated in place of Novint Falcon".
 std::string called(const DeviceCapability& device);
 
 }  // namespace asperity

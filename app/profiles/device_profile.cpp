@@ -24,7 +24,7 @@ constexpr DeviceQuantity mechanical(const char* name, DeviceTrait trait,
   return {.name = name, .bound = bound, .trait = trait};
 }
 constexpr std::array<DeviceQuantity, 16> kDeviceQuantities{
-    {{"rate_Hz", Bound::at_least, true},  // of the loop, whatever the device can
+    {{"rate_Hz", Bound::at_least, true},  // of the loop, independent of the device
      {"lateness_p50_s", Bound::at_most, true},
      {"lateness_p99_s", Bound::at_most, true},
      {"lateness_max_s", Bound::at_most, true},
@@ -41,7 +41,7 @@ constexpr std::array<DeviceQuantity, 16> kDeviceQuantities{
      mechanical("force_resolution_N", DeviceTrait::force_resolution),
      {"workspace_reached", Bound::at_least}}};
 
-/// What has no number.
+/// Items without a number.
 constexpr std::array<std::string_view, 4> kDoneOrNot{
     "limiter", "zero_after_stop", "zero_after_not_finite", "zero_without_heartbeat"};
 
@@ -155,8 +155,8 @@ nlohmann::ordered_json trait_names(const std::vector<DeviceTrait>& traits) {
   return names;
 }
 
-/// What the profile says of the device that a simulated one stands for; of one that an earlier version wrote, what this
-/// program does not know.
+/// The traits that the profile gives as unknown of the device that a simulated one models; for a
+/// profile by an earlier version, those that are unknown to this program.
 std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::string& model) {
   const auto stands_for = profile.find("stands_for");
   if (stands_for == profile.end()) return not_known_of(model);
@@ -174,7 +174,7 @@ std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::
   return traits;
 }
 
-/// Whose profile it is; what is empty cannot be read, or is not told.
+/// The device of a profile; members are empty where the text cannot be read or lacks them.
 WhichDevice device_in(const std::string& text) {
   WhichDevice found{};
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
@@ -190,7 +190,7 @@ WhichDevice device_in(const std::string& text) {
   return found;
 }
 
-/// What may stand in a file name.
+/// Replaces characters that are not permitted in a file name.
 std::string for_file_name(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
@@ -230,10 +230,10 @@ const DeviceQuantity* device_quantity(std::string_view name) noexcept {
 }
 
 std::optional<double> UsualLimits::of(std::string_view item) const noexcept {
-  constexpr double kSlowest = 0.95;  // of the rate that was asked for
+  constexpr double kSlowest = 0.95;  // of the requested rate
   if (item == "force_zero_N") return 0.0;
   if (item == "workspace_reached") return 0.8;
-  if (is_simulated) return {};  // its timing says something about the computer
+  if (is_simulated) return {};  // its timing characterises the computer
   if (item == "rate_Hz") return kSlowest * rate_Hz;
   if (item == "lateness_p99_s") return 1.0 / rate_Hz;
   return {};
@@ -284,7 +284,7 @@ void leave_out_unknown(DeviceProfile& profile) {
     item.by_axis.clear();
     item.text = phrase_of(DeviceRemark::not_known).with(profile.stands_for());
   }
-  // They are those of the moving mass and what holds it.
+  // The responses depend on the moving mass and its support.
   if (profile.is_unknown("resonance_Hz")) profile.responses.clear();
 }
 
@@ -361,7 +361,7 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
                                    const DeviceProfile& profile) {
   std::string when = profile.measured_utc.substr(0, 19) + 'Z';
   std::erase_if(when, [](char c) { return c == '-' || c == ':'; });
-  // Stand-ins of one driver are told apart by what they stand for.
+  // Simulated models of one driver are distinguished by the device that they model.
   const std::string stands_for = profile.stands_for();
   const std::string model = stands_for.empty() ? "" : '-' + for_file_name(stands_for);
   const std::string serial = profile.serial.empty() ? "" : '-' + for_file_name(profile.serial);
@@ -379,7 +379,7 @@ KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& 
     if (entry.path().extension() != ".json") continue;
     try {
       const std::string text = read_file(entry.path(), kProfileFile);
-      // First: a later version's profile of another device is nothing to complain about here.
+      // First: problems of a profile of another device, by a later version, are not reported here.
       const WhichDevice found = device_in(text);
       if (differs(device.name, found.name) || differs(device.model, found.model) ||
           differs(device.serial, found.serial)) {
@@ -391,7 +391,7 @@ KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& 
     }
   }
   std::sort(kept.complaints.begin(), kept.complaints.end());
-  // Dates of this form sort as text.
+  // Dates in this format sort as text.
   std::sort(kept.profiles.begin(), kept.profiles.end(),
             [](const DeviceProfile& a, const DeviceProfile& b) {
               return a.measured_utc > b.measured_utc;

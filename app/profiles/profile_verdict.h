@@ -1,4 +1,5 @@
-// A device's profile in sentences: what is known of the device, and whether it met its limits.
+// Summarises a device's profile in sentences: the known traits of the device, and whether it met
+// its limits.
 
 #pragma once
 
@@ -10,13 +11,13 @@
 
 namespace asperity {
 
-/// "Simulated model of delta.3; known: workspace, …; unknown: …": the line above the items of such a
-/// device. Empty of every other.
+/// "Simulated model of delta.3; known: workspace, …; unknown: …": the line above the items of such
+/// a device. Empty for every other device.
 Phrase what_is_known(const DeviceProfile& profile);
-/// What items are called where they are read: "friction_N" at a terminal, "Friction" in a window.
+/// Display names of items: "friction_N" at a terminal, "Friction" in a window.
 using ItemNames = std::function<std::string(const std::string& item)>;
-/// Whether it met its limits, with and without a number, and which limited items were not measured. A
-/// sentence or two. Without `called` items have their own names.
+/// Whether the device met its limits, with and without a number, and which items with a limit were
+/// not measured. One or two sentences. Without `called` items keep their names.
 Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called = {});
 
 }  // namespace asperity
