@@ -1,5 +1,3 @@
-// Shares the spacings out among the jobs, and keeps the file in step.
-
 #include "app/sweep/sweep.h"
 
 #include <algorithm>
@@ -57,7 +55,7 @@ bool has_effect(const SweepOrder& order) {
   return depends_on(order.stroke.model->declaration, order.varied);
 }
 
-// Before hours of work, after which nothing could be written.
+// Checked before hours of work, whose result could not be written.
 void require_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
   if (folder.empty() || std::filesystem::is_directory(folder)) return;
@@ -67,14 +65,14 @@ void require_folder_of(const std::filesystem::path& file) {
 
 double log10_frequency(const SweepRow& row) { return -std::log10(row.spacing_m); }
 
-/// Whether the declaration beside a table is the one of this sweep.
+/// Whether the declaration next to a table is that of this sweep.
 bool has_declaration(const std::filesystem::path& table, const SweepOrder& order) {
   const std::filesystem::path beside = declaration_beside(table);
   return std::filesystem::exists(beside) &&
          read_file(beside, kOptionsFile) == declaration_of(order);
 }
 
-/// The work on one sweep, and its file.
+/// The state of one sweep, and its file.
 class SweepWork final {
  public:
   SweepWork(Sweep sweep, const SweepFile* file, const std::stop_token& stop,
@@ -187,7 +185,7 @@ class SweepWork final {
     return sweep;
   }
 
-  // The table is never there with another sweep's declaration, with which it would be believed.
+  // The table never exists with the declaration of another sweep, to which it would be attributed.
   void write() {
     const std::string table = tsv_of(table_of(so_far()));
     if (is_declared_) {
@@ -207,7 +205,7 @@ class SweepWork final {
   const std::function<void(double)>& progress_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
-  std::mutex mutex_{};  // of what follows, but for rows that no other job touches
+  std::mutex mutex_{};  // guards the following members, except for rows that no other job uses
   std::vector<std::optional<SweepRow>> rows_{};
   bool is_new_ = false;
   bool is_declared_ = false;  ///< its declaration is on disk
@@ -396,7 +394,7 @@ std::string declaration_of(const SweepOrder& order) {
                   {"stiffness_N_per_m", stroke.hand.stiffness_N_per_m}};
   json["stiffness_N_per_m"] = stroke.material.stiffness_N_per_m;
   json["friction"] = stroke.material.friction;
-  // The level that is varied is in `values`.
+  // The varied level is in `values`.
   if (order.varied != VariedQuantity::probe_diameter && !stroke.tool &&
       stroke.model->declaration.needs_bodies && stroke.tip.form != TipForm::point) {
     json["probe_diameter_m"] = stroke.tip.diameter_m;
@@ -436,7 +434,7 @@ void require_sweep(const SweepOrder& order) {
         "only the diameter of a sphere or a disc can be varied: choose one of these tools, or vary "
         "another quantity");
   }
-  // Before hours of work: what the first and the last texture and their renderers refuse.
+  // Checked before hours of work: errors of the first and the last texture and of their renderers.
   for (const double spacing_m : {order.spacings_m.front(), order.spacings_m.back()}) {
     const TextureAtSpacing texture = texture_at_spacing(order.texture, spacing_m);
     if (!order.stroke.tool) stroked_renderer(at_level(order, order.values.front()), texture);

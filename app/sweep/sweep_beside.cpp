@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-// Numbers that people write down twice are equal; heights are read between the pixels of a file.
+// Numbers written twice are equal, but heights are interpolated between the pixels of a file.
 constexpr double kSameNumber = 1e-6;
 constexpr double kSameHeight = 0.03;
 constexpr double kMillimetres_per_m = 1e3;
@@ -38,13 +38,13 @@ std::string enumerated(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Without the last bits that a conversion leaves.
+/// Without the rounding errors of a conversion.
 std::string rounded_text(double number) {
   constexpr double kDigits = 1e9;
   return number_text(std::round(number * kDigits) / kDigits);
 }
 
-/// In the unit that people say it in.
+/// In the customary unit.
 std::string quantity_text(VariedQuantity quantity, double value) {
   switch (quantity) {
     case VariedQuantity::probe_diameter:
@@ -63,7 +63,7 @@ std::string quantities_text(VariedQuantity quantity, const std::vector<double>& 
   return enumerated(words);
 }
 
-/// As the option takes it.
+/// In the syntax of the option.
 std::string option_values(const std::vector<double>& values) {
   std::string text{};
   for (const double value : values) text += (text.empty() ? "" : ",") + number_text(value);
@@ -110,8 +110,8 @@ double fixed_level(const SweepOrder& order, VariedQuantity quantity) {
   return 0.0;
 }
 
-/// What a trial has of a quantity: what tells it from another one, and its number if it has one. A band without a
-/// target has none: people keep anywhere between its bounds.
+/// The level of a quantity in a trial: its identity, and its number if it has one. A band without a
+/// target has none: participants may keep any value within its bounds.
 struct QuantityLevel {
   std::string told_by{};
   std::optional<double> number{};
@@ -152,7 +152,7 @@ QuantityLevel quantity_level(const Protocol& protocol, const Trial& trial,
   return {};
 }
 
-/// What the main trials of a protocol have of a quantity, by condition.
+/// The levels of a quantity in the main trials of a protocol, by condition.
 class QuantityByCondition final {
  public:
   QuantityByCondition(const Protocol& protocol, VariedQuantity quantity) {
@@ -167,7 +167,7 @@ class QuantityByCondition final {
     }
   }
 
-  /// Every condition has one of its own.
+  /// Whether every condition has a different level.
   bool varies() const {
     std::set<std::string> told{};
     for (const auto& [condition, levels] : levels_) {
@@ -183,7 +183,7 @@ class QuantityByCondition final {
     return found->second.front().number;
   }
 
-  /// A level without a number whose bounds leave `value` out.
+  /// A level without a number whose bounds exclude `value`.
   std::optional<QuantityLevel> band_without(double value) const {
     for (const auto& [condition, levels] : levels_) {
       for (const QuantityLevel& level : levels) {
@@ -196,7 +196,7 @@ class QuantityByCondition final {
     return {};
   }
 
-  /// Every number that there is, in ascending order.
+  /// All numbers, in ascending order.
   std::vector<double> numbers() const {
     std::set<double> numbers{};
     for (const auto& [condition, levels] : levels_) {
@@ -225,8 +225,8 @@ std::string level_text(VariedQuantity quantity, const QuantityLevel& band) {
   throw std::runtime_error("--beside: the protocol " + protocol.name + ' ' + why);
 }
 
-/// The numbers of the conditions, in the order of the protocol; nothing where one has none, or two have
-/// the same.
+/// The numbers of the conditions, in the order of the protocol; nothing where a condition has none,
+/// or two have the same.
 std::optional<std::vector<double>> numbers_by_condition(const std::vector<std::string>& conditions,
                                                         const QuantityByCondition& varied) {
   std::vector<double> numbers{};
@@ -293,8 +293,8 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
   return by_level;
 }
 
-/// From its lowest to its highest point, also between the samples: of a wave of eight pixels the crest lies
-/// there, and the samples alone are a twelfth lower.
+/// From the lowest to the highest point, including points between the samples: the crest of a wave
+/// of eight pixels lies between samples, which alone are a twelfth lower.
 double relief_height_m(const HeightField& field) {
   const HeightField::Grid& grid = field.grid();
   double lowest_m = field.minimum_m();
@@ -328,7 +328,8 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
       files.insert(*texture->second.height_field);
     }
   }
-  if (files.empty()) return;  // surfaces of a formula, whose heights are parameters of a model
+  // surfaces defined by a formula, whose heights are parameters of a model
+  if (files.empty()) return;
   std::optional<double> lowest_m{};
   std::optional<double> highest_m{};
   for (const std::string& file : files) {
@@ -395,7 +396,7 @@ void compare_material(const SweepOrder& order, const Protocol& protocol,
   }
 }
 
-/// By what the surfaces of the main trials were felt.
+/// Compares the models with which the surfaces of the main trials were rendered.
 void compare_models(const SweepOrder& order, const Protocol& protocol,
                     std::vector<std::string>& remarks) {
   if (order.stroke.model == nullptr) return;
@@ -412,7 +413,7 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
                     protocol.name + " presents " + enumerated({felt.begin(), felt.end()}));
 }
 
-/// Of what neither of the two varies.
+/// Compares the quantities that neither of the two varies.
 void compare_levels(const SweepOrder& order, const Protocol& protocol,
                     std::vector<std::string>& remarks) {
   for (const VariedQuantity quantity : kVariedQuantities) {

@@ -1,4 +1,4 @@
-// Whether a sweep can stand beside the estimates of a protocol, and which level beside which condition.
+// Matches the levels of a sweep with the conditions of a protocol, to display both together.
 
 #pragma once
 
@@ -11,28 +11,28 @@
 
 namespace asperity {
 
-/// A sweep's levels among the conditions of a protocol of magnitude estimation.
+/// A sweep's levels matched with the conditions of a protocol of magnitude estimation.
 struct SweepBeside {
-  /// By the sweep's levels, in their order: the condition that each is compared with, as the protocol
-  /// calls it. Empty texts where the protocol has no conditions.
+  /// By the sweep's levels, in their order: the name of the condition with which each is compared.
+  /// Empty texts where the protocol has no conditions.
   std::vector<std::string> conditions{};
-  /// A sentence for each thing in which the sweep is another experiment than the protocol: model, amplitude,
-  /// stiffness, friction, spacings, and what neither varies.
+  /// A sentence for each difference between the sweep and the protocol: model, amplitude,
+  /// stiffness, friction, spacings, and quantities that neither varies.
   std::vector<std::string> remarks{};
 };
 
-/// Looks at what is declared, before anything is computed.
+/// Compares the declarations, before anything is computed.
 ///
-/// Conditions are compared with levels by the number that they carry: the diameter of their tool, or the
-/// force or the speed that their exploration aims at. Where one of them carries none (a tool that is a
-/// mesh, a band without a target), level and condition go together in the order of both, the protocol's
-/// being that of EstimationDeclaration::conditions.
+/// Conditions are matched with levels by their number: the diameter of their tool, or the target
+/// force or speed of their exploration. Where one of them has none (a tool that is a mesh, a band
+/// without a target), levels and conditions are matched in order, the protocol's order being that
+/// of EstimationDeclaration::conditions.
 ///
-/// `study` is the folder in which the protocol's height fields lie; one that cannot be read is a remark.
+/// `study` is the folder of the protocol's height fields; one that cannot be read becomes a remark.
 ///
-/// Errors: std::runtime_error with a sentence: the protocol estimates nothing, its conditions do not
-/// differ in what the sweep varies, there are not as many levels as conditions, a level is the number of
-/// none of them, no spacing of the sweep lies among the protocol's.
+/// Errors: std::runtime_error with a sentence: the protocol has no estimates, its conditions do not
+/// differ in the quantity that the sweep varies, the numbers of levels and conditions differ, a
+/// level is the number of no condition, or no spacing of the sweep lies within the protocol's.
 SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
                          const std::filesystem::path& study);
 
