@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-/// With the sign of mathematics, which is as broad as a digit.
+/// With a minus sign, which is as wide as a digit.
 std::string label_of(double value) {
   return value < 0.0 ? "−" + number_text(-value) : number_text(value);
 }
@@ -23,7 +23,7 @@ std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
   ticker.setTickCount(labels);
   QVector<double> values{};
   ticker.generate({axis.low, axis.high}, QLocale::c(), 'g', 6, values, nullptr, nullptr);
-  // The library goes a step beyond both ends, and its sums leave 0.30000000000000004.
+  // The library continues one step beyond both ends, and its sums contain 0.30000000000000004.
   const double room = 1e-9 * (axis.high - axis.low);
   std::vector<AxisTick> ticks{};
   for (const double value : values) {
@@ -35,7 +35,7 @@ std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
   return ticks;
 }
 
-/// What 1, 2, … 9 times powers of ten are labelled: a longer list where a shorter one gives too few.
+/// The labelled multiples of powers of ten: a longer list where a shorter one gives too few labels.
 constexpr std::array<std::initializer_list<int>, 4> kLabelled{
     std::initializer_list<int>{1}, std::initializer_list<int>{1, 3},
     std::initializer_list<int>{1, 2, 5}, std::initializer_list<int>{1, 2, 3, 4, 5, 6, 8}};
@@ -49,7 +49,7 @@ std::vector<AxisTick> log_ticks(const FigureAxis& axis) {
     const int last = static_cast<int>(std::floor(std::log10(axis.high)));
     for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= last; ++power) {
       for (int digit = 1; digit <= 9; ++digit) {
-        // Powers of negative exponents are no whole numbers: 2 / 10, not 2 · 0.1.
+        // Negative powers of ten are inexact: 2 / 10, not 2 · 0.1.
         const double scale = std::pow(10.0, std::abs(power));
         const double value = power < 0 ? digit / scale : digit * scale;
         if (value < axis.low * (1.0 - 1e-9) || value > axis.high * (1.0 + 1e-9)) continue;

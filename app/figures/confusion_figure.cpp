@@ -1,4 +1,4 @@
-// The confusion matrix: stimuli down, responses across.
+// The confusion matrix: stimuli in rows, responses in columns.
 
 #include <algorithm>
 #include <cmath>

@@ -16,11 +16,12 @@ namespace {
 
 enum class Shape { disc, square, triangle, diamond, lower_triangle, cross };
 
-/// A colour of Okabe and Ito, a shape and a stroke; one of the three is enough to tell them apart.
+/// A colour of Okabe and Ito, a shape and a line style; each of the three is sufficient to
+/// distinguish series.
 struct Style {
   const char* color = "";
   Shape shape = Shape::disc;
-  std::array<double, 4> dashes{};  ///< in widths of the pen; zeros: a whole line
+  std::array<double, 4> dashes{};  ///< in pen widths; zeros: a solid line
 };
 
 constexpr std::array kStyles{Style{"#0072B2", Shape::disc, {}},
@@ -34,7 +35,7 @@ const Style& style_of(const FigureSeries& series) {
   return kStyles[static_cast<std::size_t>(series.style) % kStyles.size()];
 }
 
-/// From one colour to another: 0 the first, 1 the second.
+/// Mixes two colours: 0 gives the first, 1 the second.
 QColor mixed(const QColor& from, const QColor& to, double share) {
   const auto between = [share](float a, float b) {
     return a + static_cast<float>(share) * (b - a);
@@ -43,8 +44,8 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
                           between(from.blueF(), to.blueF()));
 }
 
-/// On a dark ground the dark ones are made lighter. Single participants are pale, without transparency, which not every
-/// program can read.
+/// On a dark background the dark colours are lightened. Single participants are pale, without
+/// transparency, which some programs cannot display.
 QColor color_of(const FigureSeries& series, const FigureLook& look) {
   constexpr int kHalf = 128;
   constexpr int kLighter = 130;  // percent
@@ -92,7 +93,7 @@ class FigureDrawing final {
   double thin() const { return letters() * 0.07; }
   QPointF at(double x, double y) const { return {layout_.x_of(x), layout_.y_of(y)}; }
 
-  /// Lines of text with `anchor` at that edge of them.
+  /// Draws lines of text with `anchor` at the given edge of the block.
   void text(const TextLines& block, const QPointF& anchor, Across across, Along along,
             const QColor& color) {
     const QFontMetricsF metrics(layout_.font());
@@ -114,7 +115,7 @@ class FigureDrawing final {
     text({.lines = {words}, .height = QFontMetricsF(layout_.font()).height()}, anchor, across,
          along, color);
   }
-  /// The same, read from below.
+  /// The same, rotated to be read from below.
   void upright_text(const TextLines& block, const QPointF& anchor, Across across, Along along,
                     const QColor& color) {
     painter_.save();
@@ -185,7 +186,7 @@ class FigureDrawing final {
     return mixed(look_.colors.ground, look_.colors.strong, share);
   }
 
-  /// Whichever of two has more contrast on a shade [WCAG 2.1].
+  /// The one of the two text colours with more contrast on a shade [WCAG 2.1].
   QColor text_on(const QColor& shade) const {
     const auto linear = [](double value) {
       return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
@@ -228,7 +229,7 @@ class FigureDrawing final {
 
   void shades() {
     const QRectF& bar = layout_.shades();
-    constexpr int kSteps = 20;  // a gradient would be a picture in some programs
+    constexpr int kSteps = 20;  // some programs would convert a gradient to a picture
     painter_.setPen(Qt::NoPen);
     for (int i = 0; i < kSteps; ++i) {
       painter_.setBrush(shade((i + 0.5) / kSteps));
@@ -275,7 +276,7 @@ class FigureDrawing final {
     return pen;
   }
 
-  /// Lines to outlined points lead the eye and no more; those of single participants are many.
+  /// Lines between outlined points are guides to the eye; those of single participants are many.
   void lines(const FigureSeries& series) {
     painter_.setPen(pen_of(series, (series.hollow || series.single ? 1.0 : 1.8) * thin()));
     painter_.setBrush(Qt::NoBrush);
@@ -286,8 +287,8 @@ class FigureDrawing final {
     }
   }
 
-  /// One end of an interval: a cap, or an arrow where it goes on beyond the axis. `out`: away from
-  /// the point, of length 1.
+  /// One end of an interval: a cap, or an arrow where it extends beyond the axis. `out`: the unit
+  /// vector away from the point.
   void end_of_interval(const QPointF& end, const QPointF& out, bool goes_on) {
     const double size = 0.25 * letters();
     const QPointF aside(-out.y() * size, out.x() * size);
@@ -355,13 +356,13 @@ class FigureDrawing final {
   }
 
   void points(const FigureSeries& series) {
-    constexpr double kSingle = 0.5;  // of the width of other marks
+    constexpr double kSingle = 0.5;  // relative to other marks
     for (const FigurePoint& point : series.points) {
       mark(series, at(point.x, point.y), (series.single ? kSingle : 1.0) * half_width(point));
     }
   }
 
-  /// Beside their points, where they cover no other point and no label.
+  /// Draws labels next to their points, where they cover no other point and no label.
   void labels() {
     std::vector<QRectF> taken{};
     for (const FigureSeries& series : figure_.series) {
@@ -410,7 +411,7 @@ class FigureDrawing final {
         painter_.drawLine(item.at, item.at + QPointF(length, 0.0));
       }
       if (!series.points.empty()) {
-        // Outlined marks differ from others of their style by their size, too.
+        // Outlined marks differ from others of their style in size, too.
         mark(series, item.at + QPointF(length / 2.0, 0.0),
              series.hollow ? half_width(series.points.front()) : 0.34 * letters());
       }

@@ -26,8 +26,7 @@ namespace asperity {
 
 namespace {
 
-// Files are laid out in hundredths of a millimetre, so that sizes of letters and sheets are whole
-// numbers of them.
+// Files are laid out in hundredths of a millimetre, so that font and page sizes are integers.
 constexpr double kUnitsPerMillimetre = 100.0;
 constexpr double kMillimetresPerInch = 25.4;
 constexpr int kUnitsPerInch = 2540;
@@ -62,14 +61,14 @@ std::string text_of(const QByteArray& bytes) {
   return std::string(bytes.constData(), static_cast<std::size_t>(bytes.size()));
 }
 
-/// Programs without the family that Qt found take another one without serifs.
+/// Programs without the font family that Qt found use another sans-serif font.
 void name_any_sans(QByteArray& svg, const FigureLayout& layout) {
   const QByteArray family = layout.font().family().toUtf8();
   svg.replace("font-family=\"" + family + '"', "font-family=\"" + family + ", sans-serif\"");
 }
 
-/// The same length without the moment at which it was made: the places of a PDF's objects are
-/// counted in bytes.
+/// Replaces the time stamp by one of equal length: the offsets of a PDF's objects are counted in
+/// bytes.
 void take_out_the_date(QByteArray& pdf) {
   const QByteArray key = "/CreationDate (";
   const auto begin = pdf.indexOf(key);
@@ -93,7 +92,7 @@ std::string svg_of(const Figure& figure, const FigurePrint& print) {
   svg.setTitle(words_of(figure.title, print));
   svg.setDescription(words_of(figure.note, print));
   QPainter painter(&svg);
-  // A viewer with a dark ground would show dark words on it.
+  // A viewer with a dark background would show dark text on it.
   painter.fillRect(QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look.colors.ground);
   draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
   painter.end();
@@ -159,7 +158,7 @@ namespace {
 using WriteFigure = void (*)(const std::filesystem::path&, const Figure&, const FigurePrint&,
                              Overwrite);
 
-/// Null for an ending that no figure has.
+/// Null for an extension that is not supported.
 WriteFigure writer_by_ending(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
   if (ending == ".svg") return write_svg;
@@ -184,8 +183,8 @@ void write_figure(const std::filesystem::path& path, const Figure& figure, const
 
 namespace {
 
-/// A terminal without a session of a desktop has no folder for sockets. Nothing here needs one, and
-/// whoever asked for a file need not hear that Qt looked for it.
+/// Suppresses a warning of Qt: a terminal outside a desktop session has no folder for sockets,
+/// which is not required here.
 class QuietStart final {
  public:
   QuietStart() : before_(qInstallMessageHandler(hear)) {}

@@ -1,4 +1,4 @@
-// Figures as files: SVG and PDF of vectors, PNG of 300 points per inch, light.
+// Writes figures as files: SVG and PDF as vectors, PNG with 300 dots per inch, in light colours.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// One column of a journal, and both.
+/// The width of one column of a journal, and of two.
 inline constexpr double kColumnWidth_mm = 85.0;
 inline constexpr double kPageWidth_mm = 170.0;
 
@@ -21,26 +21,27 @@ struct FigurePrint {
 };
 
 /// The bytes of the file. The same figure gives the same bytes: no dates, no random names. Any
-/// thread, where there is an application of Qt (LettersWithoutWindows, where there is no other).
+/// thread; requires a Qt application (LettersWithoutWindows, where there is no other).
 std::string svg_of(const Figure& figure, const FigurePrint& print = {});
 std::string png_of(const Figure& figure, const FigurePrint& print = {});
 std::string pdf_of(const Figure& figure, const FigurePrint& print = {});
 
-/// The same into a file. Errors: as write_file.
+/// Writes the same to a file. Errors: as write_file.
 void write_svg(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                Overwrite overwrite);
 void write_png(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                Overwrite overwrite);
 void write_pdf(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                Overwrite overwrite);
-/// Before there is a figure. Errors: std::invalid_argument for an ending that is not .svg, .png or .pdf.
+/// Checks a path before there is a figure. Errors: std::invalid_argument for an extension other
+/// than .svg, .png or .pdf.
 void require_figure_ending(const std::filesystem::path& path);
-/// By that ending. Errors: as both.
+/// Chooses the format by that extension. Errors: those of require_figure_ending and write_file.
 void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                   Overwrite overwrite);
 
-/// Lets a program without windows draw: Qt knows no letters without an application. Needs no screen.
-/// One at a time, on the main thread, and none where a QApplication is.
+/// Lets a program without windows draw: Qt has no fonts without an application. Requires no screen.
+/// One at a time, on the main thread, and not together with a QApplication.
 class LettersWithoutWindows final {
  public:
   LettersWithoutWindows();

@@ -1,4 +1,4 @@
-// The kinds of figures, each made of what one analysis found. Only figures_of.cpp asks for them.
+// Makes the figures of each kind from the findings of one analysis. Used only by figures_of.cpp.
 
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace asperity {
 
-/// Shares with intervals, a row each, and chance as a line; where it differs from row to row, as a
-/// mark in each. Behind means over participants stand the participants.
+/// Proportions with intervals, a row each, and chance as a line; where it differs between rows, as
+/// a mark in each. Single participants are shown behind means over participants.
 std::vector<Figure> table_forests(const AnalysisOutcome& outcome);
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found);
 Figure selection_forest(const FoundNumbers& found);
@@ -21,30 +21,31 @@ Figure matching_forest(const FoundNumbers& found);
 Figure recognition_forest(const FoundNumbers& found);
 std::vector<Figure> seedpaper_forests(const FoundNumbers& found);
 
-/// Items along a scale with intervals over participants, the greatest on top.
+/// Items along a scale with intervals over participants, in descending order from the top.
 struct ScaleChoice {
   std::string quantity{};
-  /// Shown where there is nothing of `quantity`, without its intervals, which take all judgements as
-  /// independent; may be empty.
+  /// Used where there is no finding of `quantity`, without its intervals, which treat all
+  /// judgements as independent; may be empty.
   std::string otherwise{};
   std::string status{};  ///< of the fit
   Phrase title{};
 };
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);
 
-/// What was felt down, what was answered across: counts as numbers, shares of a row as shades.
+/// Stimuli in rows, responses in columns: counts as numbers, proportions of a row as shades.
 Figure confusion_figure(const FoundNumbers& found);
 Figure confusion_figure(const NamedTable& table);
 
-/// Who is confused with whom, as a tree and as a map.
+/// Similarity by confusions, as a tree and as a map.
 Figure dendrogram(const FoundNumbers& found);
 Figure similarity_map(const FoundNumbers& found);
 
-/// Whether curves are named as those of probes, or by the names that a study gave its conditions.
+/// Whether curves are named as those of probes, or by the names of the study's conditions.
 enum class CurveNames { of_probes, alone };
 
-/// Estimates by spacing on logarithmic axes, a curve per probe or condition, with the fitted parabola
-/// and its peak. `unit`: of the spacings, metres being shown as millimetres; empty where it is not known.
+/// Estimates by spacing on logarithmic axes, a curve per probe or condition, with the fitted
+/// parabola and its peak. `unit`: of the spacings, where metres are displayed as millimetres; empty
+/// where it is unknown.
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names);
 
 /// Geometric means of response times by condition, with single participants behind them.
@@ -53,8 +54,8 @@ Figure response_times_figure(const FoundNumbers& found);
 Figure times_over_trials_figure(const FoundNumbers& found);
 Figure correct_over_trials_figure(const FoundNumbers& found);
 
-/// The means of two groups and their difference, a figure each. `axis`: with a place for the
-/// confidence, in percent.
+/// The means of two groups and their difference, a figure each. `axis`: contains a placeholder for
+/// the confidence, in percent.
 struct GroupChoice {
   std::string means{};  ///< the findings, by quantity
   std::string difference{};
@@ -67,15 +68,15 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
 /// Mean scores with intervals, a row per item.
 Figure rating_figure(const FoundNumbers& found);
 
-/// Means of the cells, the factor with the most levels along the axis and a line for each setting of
-/// the others. `unit`: of levels that are numbers.
+/// Means of the cells, the factor with the most levels along the axis and a line for each
+/// combination of the others. `unit`: of levels that are numbers.
 Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
                           const std::string& unit);
 
-/// Power by the size of the plan, a curve per plan; plans without a second size a row each.
+/// Power by sample size, a curve per plan; plans without a second size a row each.
 Figure power_figure(const TidyInput& input, const FoundNumbers& found);
 
-/// Shares of right answers by level, the fitted function and its threshold. `unit`: of the levels.
+/// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels.
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit);
 

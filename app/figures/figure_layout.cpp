@@ -12,36 +12,36 @@ namespace asperity {
 
 namespace {
 
-// In sizes of letters.
+// In units of the font size.
 constexpr double kMarginOfFigure = 0.5;
 constexpr double kGap = 0.5;            // between a tick and its label, between labels and a name
 constexpr double kTick = 0.35;          // its length
-constexpr double kRow = 1.9;            // the least height of a row
+constexpr double kRow = 1.9;            // minimum height of a row
 constexpr double kRowPadding = 0.6;     // around a label of several lines
-constexpr double kGreatestCell = 6.0;   // larger ones say no more
-constexpr double kGreatestSquare = 32;  // likewise
+constexpr double kGreatestCell = 6.0;   // larger ones give no further information
+constexpr double kGreatestSquare = 32;  // larger ones give no further information
 constexpr double kLowestPlot = 13;
 constexpr double kHighestPlot = 28;
 constexpr double kHeightOfWidth = 0.6;
 constexpr double kKeySample = 2.6;  // its length
 constexpr double kShades = 9.0;     // length of the scale of shades
-// In widths of the figure.
+// In proportion to the width of the figure.
 constexpr double kWidestRowLabel = 0.4;
 constexpr double kWidestCellLabel = 0.28;
 
 QFont font_of(const FigureLook& look) {
   QFont font = look.family.isEmpty() ? QFontDatabase::systemFont(QFontDatabase::GeneralFont)
                                      : QFont(look.family);
-  // The name of a family that is there: a file says it to other programs.
+  // The resolved name of the family, which is written to files.
   font.setFamily(QFontInfo(font).family());
   font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.letters))));
   font.setWeight(QFont::Normal);
   font.setItalic(false);
-  font.setHintingPreference(QFont::PreferNoHinting);  // the same breadth at every resolution
+  font.setHintingPreference(QFont::PreferNoHinting);  // the same width at every resolution
   return font;
 }
 
-/// Short words in brackets stay on one line: "(9 of 19)".
+/// Prevents line breaks within short words in brackets: "(9 of 19)".
 QString with_brackets_whole(QString text) {
   constexpr qsizetype kShort = 18;
   for (qsizetype open = text.indexOf('('); open >= 0; open = text.indexOf('(', open + 1)) {
@@ -163,7 +163,7 @@ void FigureLayout::lay_labels() {
   for (const AxisTick& tick : ticks_of(figure_.y, kVerticalLabels)) {
     y_ticks_.push_back({.at = tick.value, .label = broken(words(tick.label), widest)});
   }
-  // Beside the labels stands the name, turned: as broad as a line is high, if it is one.
+  // The rotated name next to the labels is as wide as a line is high, if there is a name.
   const double name_breadth = figure_.y.name.empty() ? 0.0 : metrics.height() + kGap * letters_;
   const double left = kMarginOfFigure * letters_ + name_breadth + widest_of(y_ticks_) +
                       (y_ticks_.empty() ? 0.0 : kGap * letters_) + kTick * letters_;
@@ -176,7 +176,7 @@ void FigureLayout::lay_labels() {
     const auto columns = static_cast<double>(figure_.x.places.size());
     breadth = columns * std::min(breadth / columns, kGreatestCell * letters_);
   }
-  // What a line down the rows is stands above them.
+  // The name of a vertical line is above the rows.
   const bool named_line = !figure_.y.places.empty() && !figure_.references.empty();
   const double top =
       kMarginOfFigure * letters_ + key_height_ + (named_line ? metrics.height() : 0.0);
@@ -196,7 +196,7 @@ void FigureLayout::lay_labels() {
     }
     return;
   }
-  // Both directions of one scale have ticks alike.
+  // Both axes of one scale have the same ticks.
   const int most = figure_.shape == FigureShape::square ? kVerticalLabels : 7;
   for (int labels = most; labels > 1; --labels) {
     x_ticks_.clear();
@@ -236,7 +236,7 @@ void FigureLayout::lay_names() {
   }
   x_name_ = broken(words(name_of(figure_.x)), plot_.width());
   y_name_ = broken(words(name_of(figure_.y)), std::max(plot_.height(), kLowestPlot * letters_));
-  // A name of several lines takes its room from the plot.
+  // A name of several lines reduces the height of the plot.
   const QFontMetricsF metrics(font_);
   if (y_name_.lines.size() > 1) plot_.setLeft(plot_.left() + y_name_.height - metrics.height());
 
@@ -271,7 +271,7 @@ double FigureLayout::x_of(double value) const {
 double FigureLayout::y_of(double value) const {
   if (!figure_.y.places.empty()) {
     if (row_middles_.size() == 1) return row_middles_.front() + value * plot_.height();
-    // Beyond the outermost rows as far apart as these are from their neighbours.
+    // Beyond the outermost rows at the distance of adjacent rows.
     const auto last = static_cast<double>(row_middles_.size() - 2);
     const auto row = static_cast<std::size_t>(std::clamp(value, 0.0, last));
     const double between = value - static_cast<double>(row);

@@ -25,7 +25,7 @@ ScaleChoice plackett_luce() {
           .title = phrase("Figures", "Preference scale (Plackett–Luce)")};
 }
 
-/// Of several analyses that stand together, that one.
+/// The findings of one of several analyses.
 std::vector<Finding> part_of(const std::vector<Finding>& findings, const std::string& analysis) {
   std::vector<Finding> part{};
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(part),
@@ -80,7 +80,7 @@ void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   }
 }
 
-/// Which question of a study a figure answers.
+/// Sets the question of the study that each figure answers.
 void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   static const std::vector<std::pair<std::string, std::vector<std::string>>> kAnswers{
       {"preference", {"persons_forest"}},

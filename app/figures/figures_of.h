@@ -1,4 +1,5 @@
-// The figures of an analysis: its findings and tables as marks on axes. Nothing is computed anew.
+// Makes the figures of an analysis: its findings and tables as marks on axes, without further
+// computation.
 
 #pragma once
 
@@ -12,12 +13,12 @@
 
 namespace asperity {
 
-/// In the order in which they are read; the first one goes with the answer. A figure that the data
-/// cannot fill says so in `instead`. Empty for a kind without figures.
+/// In reading order; the first figure belongs to the main answer. A figure without sufficient data
+/// states that in `instead`. Empty for a kind without figures.
 std::vector<Figure> figures_of(const AnalysisOutcome& outcome);
 
-/// Of the findings of a family (tidy_families.h) about `input`. `level_unit`: of the spacings or
-/// levels in its table, as SI writes it; empty where nobody has said.
+/// The figures of a family's findings (tidy_families.h) for `input`. `level_unit`: SI symbol of the
+/// unit of the spacings or levels in its table; empty where it is unknown.
 std::vector<Figure> figures_of(const std::string& family, const TidyInput& input,
                                std::span<const Finding> findings,
                                const std::string& level_unit = {});

@@ -1,4 +1,4 @@
-// What a finding's key and interval are made of.
+// Extracts the parts of a finding's key and interval.
 
 #pragma once
 
@@ -15,7 +15,7 @@ namespace asperity {
 /// From low to high, where the finding has both.
 std::optional<FigureSpan> interval_of(const Finding& finding);
 
-/// "95" of a confidence of 0.95; of findings without one likewise.
+/// "95" for a confidence of 0.95, and for findings without one.
 std::string percent_of(const std::vector<const Finding*>& findings);
 
 }  // namespace asperity

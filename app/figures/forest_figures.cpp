@@ -1,4 +1,4 @@
-// Shares with their intervals, a row below the other.
+// Proportions with their intervals, in rows.
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +15,22 @@ namespace asperity {
 
 namespace {
 
-/// The findings of what single participants have.
+/// The quantity of the findings for single participants.
 constexpr const char* kOwnShare = "subject.share";
 
-/// `kind`: rows of one kind have one style, and one name in the key.
+/// `kind`: rows of one kind have one style, and one name in the legend.
 struct ForestRow {
   Phrase label{};
   std::optional<double> share{};
   std::optional<FigureSpan> interval{};
   std::optional<double> chance{};
   int kind = 0;
-  std::vector<double> singles{};  ///< of the participants that it is a mean of
+  std::vector<double> singles{};  ///< of the participants that it averages
 };
 
 struct ForestKind {
   Phrase name{};
-  bool is_part = false;  ///< of what stands in other rows: outlined
+  bool is_part = false;  ///< contained in the data of other rows: outlined
 };
 
 Phrase counted(const Phrase& label, std::size_t hits, std::size_t of) {
@@ -92,7 +92,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
   }
 }
 
-/// The program's own words among the names of a table.
+/// Translates the program's words among the names of a table.
 Phrase word_of_cell(const Cell& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
   const auto* text = std::get_if<std::string>(&cell);
@@ -105,7 +105,7 @@ Phrase word_of_cell(const Cell& cell) {
   return *text;
 }
 
-/// The names of a row together: "column 1 · height_map over sinusoid".
+/// The combined names of a row: "column 1 · height_map over sinusoid".
 Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<Cell>& cells,
                     std::size_t keys) {
   Phrase label{};
@@ -125,7 +125,7 @@ Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<C
   return label;
 }
 
-/// Whether a row of a table counts what other rows of it count in parts.
+/// Whether the data of a row are contained in other rows of the table.
 bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t keys) {
   for (std::size_t i = 0; i < keys; ++i) {
     const std::string& column = table.table.columns[i];
@@ -143,14 +143,15 @@ const std::vector<ForestKind>& pooled_and_people() {
   return kKinds;
 }
 
-/// The column of a table of shares about persons; its number of columns where there is none.
+/// The column of a table of proportions with this name; the number of columns where there is none.
 std::size_t column_of(const NamedTable& table, const char* name) {
   const std::vector<std::string>& columns = table.table.columns;
   return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
                                   columns.begin());
 }
 
-/// The participants' own proportions, by the row of the table of their means. Of some analyses all rows are one.
+/// The participants' proportions, by the row of the table of their means. In some analyses there is
+/// only one row.
 SinglesByCondition own_shares(const AnalysisOutcome& outcome,
                               const std::set<std::string>& analyses) {
   std::vector<const Finding*> own{};
@@ -162,13 +163,14 @@ SinglesByCondition own_shares(const AnalysisOutcome& outcome,
   return singles_by_condition(own);
 }
 
-/// A table of means over participants, and what single participants have.
+/// A table of means over participants, and the values of single participants.
 struct MeansOfPersons {
   const NamedTable* table = nullptr;  ///< null: there is none
   SinglesByCondition singles{};
 };
 
-/// A row for each mean of the persons' own shares, or none. `with_name`: of what it is a mean.
+/// A row for each mean of the participants' proportions, or none. `with_name`: adds the quantity
+/// that is averaged.
 std::vector<ForestRow> rows_of_persons(const MeansOfPersons& means, bool with_name) {
   const NamedTable& table = *means.table;
   const std::size_t persons = column_of(table, "persons");
@@ -204,7 +206,7 @@ bool has_intervals(const std::vector<ForestRow>& rows) {
                      [](const ForestRow& row) { return row.interval.has_value(); });
 }
 
-/// The means of persons that say of the same what this table of shares says, where there are some.
+/// The means over participants that correspond to this table of proportions, if any.
 std::vector<ForestRow> means_beside(const NamedTable& table, const MeansOfPersons& persons) {
   if (persons.table == nullptr || persons.table->table.columns.empty()) return {};
   const bool of_all = persons.table->table.columns.front() == "answers";
@@ -226,7 +228,7 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
   const auto high = place("wilson_high");
   const auto chance = place("chance");
   if (!share || !of || *of == 0 || !low || !high) return {};
-  const std::size_t hits = *of - 1;  // and before it the names of the row
+  const std::size_t hits = *of - 1;  // the names of the row precede it
   std::vector<ForestRow> rows{};
   for (const std::vector<Cell>& cells : table.table.rows) {
     ForestRow row{};
@@ -280,7 +282,7 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
             {.name = names[1].name}},
            share_axis("95"), figure);
   for (FigureSeries& series : figure.series) {
-    // One colour: a part is an outline of the same.
+    // One colour: parts are outlined in the same colour.
     if (series.style == 1) series.style = 0;
     if (series.style == 2) series.style = 1;
   }
@@ -288,7 +290,8 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
   return figure;
 }
 
-/// Means of the persons' own shares by themselves; `chance` as in the table of shares.
+/// Means of the participants' proportions without other rows; `chance` as in the table of
+/// proportions.
 std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<double> chance) {
   std::vector<ForestRow> rows = rows_of_persons(means, true);
   if (rows.empty()) return {};
@@ -316,7 +319,7 @@ std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<d
   return figure;
 }
 
-/// That all rows of a table of shares have, or nothing.
+/// The chance level, where it is the same in all rows of a table of proportions.
 std::optional<double> one_chance(const NamedTable& table) {
   const std::size_t place = column_of(table, "chance");
   std::set<double> chances{};
@@ -345,7 +348,7 @@ std::vector<ForestRow> rows_of(const FoundNumbers& found, const std::string& qua
   return rows;
 }
 
-/// The mean of the participants' own shares, whose interval takes them as the unit.
+/// The mean of the participants' proportions, whose interval takes participants as the unit.
 void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
                         std::vector<ForestRow>& rows) {
   const SinglesByCondition singles = singles_by_condition(found.all(kOwnShare));
@@ -382,7 +385,7 @@ std::vector<Figure> table_forests(const AnalysisOutcome& outcome) {
             table_forest(table, table.name == "positions" ? by_position : persons)) {
       figures.push_back(std::move(*figure));
     }
-    // One mean alone stands beside the shares that it is a mean of.
+    // A single mean is shown together with the proportions that it averages.
     const bool stands_alone = tables.size() == 1 || table.table.rows.size() > 1;
     if (&table != persons.table || !stands_alone) continue;
     const std::optional<double> chance = shares == nullptr ? std::nullopt : one_chance(*shares);
@@ -403,7 +406,7 @@ Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {
   const std::vector<double> chances = table.all_numbers("p0");
   std::size_t row = 0;
   for (std::size_t i = 0; i < trials.size() && row < rows.size(); ++i) {
-    if (trials[i] > 0) rows[row++].chance = chances[i];  // without trials there is no share
+    if (trials[i] > 0) rows[row++].chance = chances[i];  // without trials there is no proportion
   }
   add_rows(rows, {{}}, share_axis(percent_of(found.all("phat"))), figure);
   return figure;
@@ -455,7 +458,7 @@ Figure recognition_forest(const FoundNumbers& found) {
                      "participants' own proportions with a t-based 95 % CI on the logit scale.")};
   std::vector<ForestRow> rows{};
   for (const Finding* recall : found.all("recall")) {
-    // Its n are participants; the trials stand in the row of the confusions.
+    // Its n counts participants; the number of trials is in the row of the confusions.
     double trials = 0.0;
     for (const Finding* one : found.all("confusion")) {
       if (parts_of(one->key).front() == recall->key) trials += one->value.value_or(0.0);

@@ -1,4 +1,4 @@
-// Two groups of participants: the mean of each, and the difference between them.
+// Two groups of participants: their means, and the difference between them.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ Phrase word_of_group(const std::string& name) {
   return name;
 }
 
-/// A row with its interval; the axis grows to hold it.
+/// Adds a row with its interval; the axis is extended to include it.
 void add_row_of(const Finding& finding, const Phrase& label, Figure& figure) {
   const std::optional<FigureSpan> interval = interval_of(finding);
   figure.series.front().points.push_back({.x = *finding.value,
@@ -28,7 +28,7 @@ void add_row_of(const Finding& finding, const Phrase& label, Figure& figure) {
 }
 
 void add_room(Figure& figure) {
-  constexpr double kRounding = 1e-12;  // of means that are equal but for it
+  constexpr double kRounding = 1e-12;  // of means that are otherwise equal
   const double span = figure.x.high - figure.x.low;
   const double room = span > kRounding ? 0.06 * span : 0.5;
   figure.x.low -= room;
@@ -130,7 +130,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     less.x.name = phrase("Figures", "%1 − %2")
                       .with(word_of_group(means[0]->key), word_of_group(means[1]->key));
   }
-  // No difference stands in the middle: which way it goes is seen at once.
+  // A difference of 0 is in the centre, so that the sign is visible.
   less.x.high = std::max(less.x.high, -less.x.low);
   less.x.low = -less.x.high;
   add_room(less);

@@ -10,8 +10,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kRoomAround = 0.06;  // beyond the outermost marks, as a share of their range
-constexpr double kAside = 0.08;       // series at one place stand beside each other, so far
+constexpr double kRoomAround = 0.06;  // beyond the outermost marks, as a fraction of their range
+constexpr double kAside = 0.08;       // the offset between series at one place
 constexpr double kFarthestAside = 0.3;
 
 void hold(const FigureSpan& span, bool& is_first, FigureAxis& axis) {
@@ -28,7 +28,7 @@ void widen(FigureAxis& axis) {
 
 using Factors = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// Which factor stands along the axis: the one with the most levels.
+/// The factor along the axis: the one with the most levels.
 std::size_t along_of(const Factors& within) {
   std::size_t along = 0;
   for (std::size_t i = 1; i < within.size(); ++i) {
@@ -37,7 +37,7 @@ std::size_t along_of(const Factors& within) {
   return along;
 }
 
-/// What tells the lines apart: "probe 1.5 · men".
+/// The name of a line: "probe 1.5 · men".
 Phrase name_of_line(const std::vector<std::string>& parts, const Factors& within, std::size_t along,
                     bool has_groups) {
   Phrase name = has_groups ? Phrase(parts.front()) : Phrase();

@@ -1,4 +1,4 @@
-// What planned tests would find, by the size of the plan.
+// Power of planned tests by sample size.
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kWanted = 0.8;         // what plans usually aim at
-constexpr std::size_t kMostCurves = 6;  // as many as look different
+constexpr double kWanted = 0.8;         // the customary target of plans
+constexpr std::size_t kMostCurves = 6;  // as many as are distinguishable
 
-/// The columns that make a plan besides its size, with what they are called on paper.
+/// The columns that define a plan apart from its size, with their display names.
 constexpr std::array kColumns{std::pair{"kind", ""},
                               std::pair{"alpha", "α"},
                               std::pair{"k", "k"},
@@ -68,7 +68,7 @@ std::vector<PlannedPoint> planned_in(const TidyInput& input, const FoundNumbers&
   return plans;
 }
 
-/// What of a plan is not the same in all of them: "exact binomial test, one-sided · p₁ = 0.6".
+/// The properties of a plan that differ between plans: "exact binomial test, one-sided · p₁ = 0.6".
 Phrase name_of_plan(const PlannedPoint& plan, const std::vector<PlannedPoint>& all) {
   Phrase name{};
   for (std::size_t i = 0; i < kColumns.size(); ++i) {

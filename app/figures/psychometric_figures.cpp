@@ -1,4 +1,4 @@
-// Right answers by level, and the function that was fitted to them.
+// Proportions correct by level, and the fitted psychometric function.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kStepsOfCurve = 100;  // of a fitted curve
 constexpr double kRoomBesideLevels =
-    0.06;  // beyond the outermost levels, as a share of their range
+    0.06;  // beyond the outermost levels, as a fraction of their range
 
 std::optional<PsychometricShape> shape_of(const std::string& name) {
   if (name == "logistic") return PsychometricShape::logistic;
@@ -67,7 +67,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     return figure;
   }
   const double room = high > low ? kRoomBesideLevels * (high - low) : 0.5;
-  // Levels of magnitudes do not go below nothing.
+  // Levels that are magnitudes do not extend below zero.
   const double from = low >= 0.0 ? std::max(0.0, low - room) : low - room;
   const double to = high + room;
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFarthestEnd = 2.0;  // of an interval beyond the marks, as a factor
 
-/// Grows to hold numbers above 0.
+/// A range that is extended to include numbers above 0.
 struct LogRange {
   double low = 0.0;
   double high = 0.0;
@@ -29,7 +29,8 @@ struct LogRange {
   }
 };
 
-/// A logarithmic axis for marks and their intervals; those far beyond all marks end in arrows.
+/// A logarithmic axis for marks and their intervals; intervals that extend far beyond all marks end
+/// in arrows.
 void fit_axis(const LogRange& marks, const LogRange& ends, FigureAxis& axis) {
   LogRange shown = marks;
   if (ends.high > 0.0) {
@@ -41,7 +42,7 @@ void fit_axis(const LogRange& marks, const LogRange& ends, FigureAxis& axis) {
   axis.high = shown.high * kBeyondMarks;
 }
 
-/// "wood" of "texture=wood".
+/// "wood" for "texture=wood".
 Phrase name_of_condition(const std::string& key) {
   if (key.empty()) return phrase("Figures", "all trials");
   const std::size_t equals = key.find('=');
@@ -71,7 +72,8 @@ Phrase note_on_geometric_means(const std::vector<const Finding*>& means) {
                                       "times are measured from the cue to the response.");
 }
 
-/// The lines of single participants over the blocks; none of a single one, nor of too many.
+/// The lines of single participants over the blocks; none for a single participant, or for too
+/// many.
 FigureSeries lines_of_singles(const FoundNumbers& found,
                               const std::map<std::string, double>& place_of_block) {
   std::map<std::string, std::vector<FigurePlace>> lines{};
@@ -87,8 +89,8 @@ FigureSeries lines_of_singles(const FoundNumbers& found,
   return series;
 }
 
-/// Means of blocks of trials as points on a line, with single participants behind them. Only the axis of the means is
-/// left open.
+/// Means of blocks of trials as points on a line, with single participants behind them. The caller
+/// sets the axis of the means.
 Figure course_figure(const FoundNumbers& found) {
   Figure figure{};
   const std::vector<const Finding*> blocks = found.all("block");

@@ -33,7 +33,7 @@ bool has_curves(const std::vector<FigureSeries>& series) {
                      [](const FigureSeries& one) { return !one.lines.empty(); });
 }
 
-/// Whether a point of these has an interval along either axis.
+/// Whether any of these points has an interval along either axis.
 bool has_any_interval(const std::vector<FigureSeries>& series) {
   return std::any_of(series.begin(), series.end(), [](const FigureSeries& one) {
     return std::any_of(one.points.begin(), one.points.end(), [](const FigurePoint& point) {
@@ -42,7 +42,7 @@ bool has_any_interval(const std::vector<FigureSeries>& series) {
   });
 }
 
-/// Explains the marks that are drawn, and no others.
+/// Explains only the marks that are drawn.
 Phrase roughness_note(const std::vector<FigureSeries>& means,
                       const std::vector<FigureSeries>& peaks, const std::string& percent) {
   Phrase note =
@@ -70,7 +70,7 @@ Phrase roughness_note(const std::vector<FigureSeries>& means,
 
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names) {
   Figure figure{.name = "roughness", .title = phrase("Figures", "Estimated roughness by spacing")};
-  // Textures are read in millimetres: 0.5 and not 5e-04.
+  // Spacings are displayed in millimetres: 0.5 and not 5e-04.
   const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
   Range x{};
   Range y{};
@@ -138,7 +138,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     if (interior == nullptr || interior->word != "TRUE") continue;
     FigurePoint mark{
         .x = scale * *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
-    // Wider than all that was tested, it says nothing of where the peak is.
+    // An interval wider than the tested range does not locate the peak.
     if (mark.x_interval && mark.x_interval->low < x.low && mark.x_interval->high > x.high) continue;
     if (mark.x_interval) {
       mark.x_interval =

@@ -1,4 +1,4 @@
-// Items along a scale, the greatest on top.
+// Items along a scale, in descending order from the top.
 
 #include <algorithm>
 

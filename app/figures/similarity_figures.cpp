@@ -1,4 +1,4 @@
-// How unlike stimuli are by their confusions: a tree and a map.
+// Dissimilarity of stimuli by their confusions: a tree and a map.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ struct Distances {
   Dissimilarities matrix{};
 };
 
-/// Nothing where a pair has none, or there are fewer than two items.
+/// Nothing where the distance of a pair is missing, or there are fewer than two items.
 std::optional<Distances> distances_of(const FoundNumbers& found, const std::string& quantity) {
   Distances read{};
   const std::vector<const Finding*> pairs = found.all(quantity);
@@ -46,7 +46,7 @@ std::optional<Distances> distances_of(const FoundNumbers& found, const std::stri
 
 Phrase dissimilarity_axis() { return phrase("Figures", "dissimilarity (Shepard)"); }
 
-/// Warns where the distances rest on too few confusions.
+/// Adds a warning where the distances are based on too few confusions.
 Phrase with_warning(const Phrase& note, const FoundNumbers& found) {
   const Finding* too_few = found.find("scm.too.few");
   if (too_few == nullptr || too_few->word != "TRUE") return note;
@@ -58,7 +58,7 @@ Phrase with_warning(const Phrase& note, const FoundNumbers& found) {
             fixed(found.value("scm.pairs").value_or(0.0), 0));
 }
 
-/// Items that have joined, in the order in which they are drawn.
+/// Joined items, in drawing order.
 struct Cluster {
   std::vector<std::size_t> items{};
   double height = 0.0;
@@ -80,7 +80,7 @@ Figure dendrogram(const FoundNumbers& found) {
     figure.instead = phrase("Figures", "There are no confusions from which to make a dendrogram.");
     return figure;
   }
-  // Heights at which items first stand together are a tree already; single linkage reads it off.
+  // Heights at which items are first joined already form a tree; single linkage recovers it.
   const Tree tree = agglomerate(read->matrix, Linkage::single);
   std::vector<Cluster> clusters(read->names.size());
   for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].items = {i};
@@ -139,7 +139,7 @@ Figure similarity_map(const FoundNumbers& found) {
                           "dimensions account for %1 % of the sum of the absolute eigenvalues.")
                        .with(fixed(100.0 * found.value("mds.shepard.gof1").value_or(0.0), 0)),
                    found);
-  // Distances in a plane are known to the last digit but for its turning: scaling them gives places.
+  // Distances in a plane determine the positions up to rotation: scaling recovers them.
   const Eigen::MatrixXd places = classical_scaling(read->matrix).points;
   const Eigen::RowVector2d middle =
       0.5 * (places.colwise().minCoeff() + places.colwise().maxCoeff());

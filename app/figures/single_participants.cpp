@@ -9,7 +9,7 @@ namespace asperity {
 namespace {
 
 constexpr double kNear = 0.015;             // of an axis: about the width of a mark
-constexpr double kStepAside = 0.5;          // between neighbours, where there is room
+constexpr double kStepAside = 0.5;          // between neighbours, where space permits
 constexpr double kFarthestInRow = 0.4;      // of the distance between rows
 constexpr double kFarthestInColumn = 0.02;  // of the horizontal axis
 
@@ -27,7 +27,7 @@ std::vector<double> places_along(const SingleValues& singles, const FigureAxis& 
   return places_aside(along, kNear * range_of(axis));
 }
 
-/// A mean of one participant hides the mark behind it, and too many marks hide each other.
+/// False where the marks would be hidden: by the mean of a single participant, or by each other.
 bool can_be_seen(std::span<const SingleValues> places) {
   std::size_t most = 0;
   for (const SingleValues& one : places) most = std::max(most, one.values.size());

@@ -1,5 +1,3 @@
-// Rows of a sweep as marks, their parabolas as lines.
-
 #include "app/figures/sweep_figure.h"
 
 #include <algorithm>
@@ -33,7 +31,8 @@ Phrase level_name(VariedQuantity varied, double value) {
   return {};
 }
 
-/// That all levels are one curve has to be seen, or one would be taken for the others' absence.
+/// The name states where all levels have the same curve, so that the others do not appear to be
+/// missing.
 Phrase curve_name(const Sweep& sweep, const SweepCurve& curve) {
   const Phrase level = level_name(sweep.order.varied, curve.value);
   const bool has_none =
@@ -78,7 +77,7 @@ FigureAxis measure_axis(SweepMeasure measure) {
   return axis;
 }
 
-/// As it stands at the axis: decibels are logarithms already.
+/// The displayed value: decibels are already logarithms.
 double shown(const FigureAxis& axis, double log10) {
   return axis.scale == AxisScale::log10 ? std::pow(10.0, log10) : 10.0 * log10;
 }
@@ -89,8 +88,8 @@ FigurePlace on_curve(const FigureAxis& axis, const Quadratic& curve, double log1
   return {.x = std::pow(10.0, log10_frequency), .y = shown(axis, y)};
 }
 
-/// Which series of a study's estimates are the full marks of a condition. Where there is one condition
-/// only, they have no name.
+/// The index of the series of a study's estimates with the filled marks of a condition. A single
+/// condition has no name.
 std::size_t series_of_condition(const Figure& estimates, const std::string& condition) {
   std::vector<std::string> there{};
   for (std::size_t i = 0; i < estimates.series.size(); ++i) {
