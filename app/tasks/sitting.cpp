@@ -96,17 +96,6 @@ void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns
 
 }  // namespace
 
-std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
-  std::int64_t last_ns = session.clock_zero_ns;
-  for (const AttemptRow& attempt : study.attempts(session.id)) {
-    last_ns = std::max(last_ns, attempt.offset_ns);
-  }
-  for (const EventRow& event : study.events(session.id)) {
-    last_ns = std::max(last_ns, event.time_ns);
-  }
-  return last_ns;
-}
-
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,

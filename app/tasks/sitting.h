@@ -31,9 +31,6 @@ struct Sitting {
   bool record = true;
 };
 
-/// The latest time that is stored of a session, on its clock; a resumed session continues after it.
-std::int64_t last_time_ns(const Study& study, const SessionRow& session);
-
 /// Runs the session. `person` is null for a virtual participant, who then answers as the protocol's
 /// observer does. The caller holds the participant's lock. `stop` requests the end after the
 /// current trial.

@@ -6,19 +6,30 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/session/rig/clock.h"
 #include "app/session/session_setup.h"
-#include "app/tasks/sitting.h"
 #include "app/words/time_ago.h"
 #include "app/words/utc_time.h"
 
 namespace asperity {
+
+std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
+  std::int64_t last_ns = session.clock_zero_ns;
+  for (const AttemptRow& attempt : study.attempts(session.id)) {
+    last_ns = std::max(last_ns, attempt.offset_ns);
+  }
+  for (const EventRow& event : study.events(session.id)) {
+    last_ns = std::max(last_ns, event.time_ns);
+  }
+  return last_ns;
+}
 
 double hours_since_it_ran(const Study& study, const SessionRow& session) {
   const std::string now_utc = SystemClock(0).utc();
   if (session.ended_utc) {
     return kHoursADay * (days_since_1970(now_utc) - days_since_1970(*session.ended_utc));
   }
-  // The session was interrupted. Only within a stretch does its clock follow the time of day.
+  // The session was interrupted. Its clock corresponds to the time of day only within a stretch.
   std::string began_utc = session.started_utc;
   std::int64_t began_ns = session.clock_zero_ns;
   for (const EventRow& event : study.events(session.id)) {
