@@ -65,7 +65,7 @@ PresentationRow surface_of(const PlannedPresentation& planned) {
   surface.parameters_json =
       R"({"depth_limit_m":0.003,"friction_speed_m_per_s":0.01,"height_scale":1.0,)"
       R"("k1_N_per_m":500.0,"lateral_gradient_gain":0.0,"law":"corrected","offset":"none"})";
-  surface.height_field_sha256 = std::string(64, 'a');
+  surface.assets = {{"height_field", std::string(64, 'a')}};
   surface.seed = "15803544891900678840";
   surface.contact_s = 2.5;
   surface.matched_texture_force_N = 0.03;

@@ -1,8 +1,18 @@
-// The words of the store for the closed sets of a row.
+// The words of the store for the closed sets of a row; the assets of a presentation.
 
 #include "results_schema/rows.h"
 
+#include <algorithm>
+
 namespace asperity {
+
+std::optional<std::string> asset_sha256(const std::vector<AssetRow>& assets,
+                                        std::string_view role) {
+  const auto found = std::find_if(assets.begin(), assets.end(),
+                                  [role](const AssetRow& asset) { return asset.role == role; });
+  if (found == assets.end()) return {};
+  return found->sha256;
+}
 
 const char* text_of(SessionMode mode) noexcept {
   switch (mode) {

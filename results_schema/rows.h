@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results_schema/stored_words.h"
@@ -94,6 +95,16 @@ struct ModelLimitRow {
   std::int64_t ticks = 0;
 };
 
+/// What a stimulus was made from, identified by its content.
+struct AssetRow {
+  std::string role{};  ///< "height_field", "surface", "tool"
+  std::string sha256{};
+  bool operator==(const AssetRow&) const = default;
+};
+
+/// The SHA-256 of the asset of that role, if there is one.
+std::optional<std::string> asset_sha256(const std::vector<AssetRow>& assets, std::string_view role);
+
 struct PresentationRow {
   int position = 0;  ///< 1-based
   std::string role{};
@@ -103,9 +114,6 @@ struct PresentationRow {
   std::string model_version{};
   std::string texture{};
   std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
-  std::optional<std::string> height_field_sha256{};
-  std::optional<std::string> surface_sha256{};  ///< of the bodies, where the model has them
-  std::optional<std::string> tool_sha256{};
   std::string seed{};
   std::optional<std::int64_t> onset_ns{};    ///< first tick with the surface rendered
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
@@ -113,6 +121,7 @@ struct PresentationRow {
   double contact_s = 0.0;
   std::optional<double> matched_texture_force_N{};   ///< target of an equal-force request
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
+  std::vector<AssetRow> assets{};                    ///< as read: by role
   std::vector<ModelLimitRow> limits{};               ///< by kind; of a model that watches any
 };
 

@@ -11,17 +11,22 @@ namespace {
 void insert_presentations(Database& database, std::int64_t attempt_id,
                           const std::vector<PresentationRow>& rows) {
   Statement statement(database,
-                      "INSERT INTO presentation VALUES "
-                      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                      "INSERT INTO presentation (attempt_id, position, role, item, stimulus, "
+                      "model, model_version, texture, parameters_json, seed, onset_ns, contact_ns, "
+                      "offset_ns, contact_s, matched_texture_force_N, achieved_texture_force_N) "
+                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement asset(database, "INSERT INTO presentation_asset VALUES (?, ?, ?, ?)");
   Statement limit(database, "INSERT INTO model_limit VALUES (?, ?, ?, ?)");
   for (const PresentationRow& row : rows) {
     statement
         .bind(attempt_id, row.position, row.role, row.item, row.stimulus, row.model,
-              row.model_version, row.texture, row.parameters_json, row.height_field_sha256,
-              row.seed, row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
-              row.matched_texture_force_N, row.achieved_texture_force_N, row.surface_sha256,
-              row.tool_sha256)
+              row.model_version, row.texture, row.parameters_json, row.seed, row.onset_ns,
+              row.contact_ns, row.offset_ns, row.contact_s, row.matched_texture_force_N,
+              row.achieved_texture_force_N)
         .run();
+    for (const AssetRow& each : row.assets) {
+      asset.bind(attempt_id, row.position, each.role, each.sha256).run();
+    }
     for (const ModelLimitRow& each : row.limits) {
       limit.bind(attempt_id, row.position, each.kind, each.ticks).run();
     }
@@ -86,8 +91,8 @@ void read_presentations(Database& database, const std::string& which, std::int64
   Statement statement(
       database,
       "SELECT attempt_id, position, role, item, stimulus, model, model_version, texture, "
-      "parameters_json, height_field_sha256, seed, onset_ns, contact_ns, offset_ns, contact_s, "
-      "matched_texture_force_N, achieved_texture_force_N, surface_sha256, tool_sha256 "
+      "parameters_json, seed, onset_ns, contact_ns, offset_ns, contact_s, "
+      "matched_texture_force_N, achieved_texture_force_N "
       "FROM presentation WHERE " +
           which + " ORDER BY attempt_id, position");
   statement.bind(key);
@@ -95,11 +100,27 @@ void read_presentations(Database& database, const std::string& which, std::int64
     std::int64_t id = 0;
     PresentationRow row;
     statement.read(id, row.position, row.role, row.item, row.stimulus, row.model, row.model_version,
-                   row.texture, row.parameters_json, row.height_field_sha256, row.seed,
-                   row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
-                   row.matched_texture_force_N, row.achieved_texture_force_N, row.surface_sha256,
-                   row.tool_sha256);
+                   row.texture, row.parameters_json, row.seed, row.onset_ns, row.contact_ns,
+                   row.offset_ns, row.contact_s, row.matched_texture_force_N,
+                   row.achieved_texture_force_N);
     attempts.of(id).presentations.push_back(std::move(row));
+  }
+}
+
+void read_assets(Database& database, const std::string& which, std::int64_t key,
+                 Attempts& attempts) {
+  Statement statement(
+      database, "SELECT attempt_id, position, role, sha256 FROM presentation_asset WHERE " + which +
+                    " ORDER BY attempt_id, position, role");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    AssetRow row;
+    statement.read(id, position, row.role, row.sha256);
+    for (PresentationRow& presentation : attempts.of(id).presentations) {
+      if (presentation.position == position) presentation.assets.push_back(row);
+    }
   }
 }
 
@@ -204,6 +225,7 @@ std::vector<AttemptRow> read_attempts(Database& database, const std::string& whi
   Attempts attempts = read_bare_attempts(database, which, key);
   const std::string hanging = "attempt_id IN (SELECT id FROM attempt WHERE " + which + ")";
   read_presentations(database, hanging, key, attempts);
+  read_assets(database, hanging, key, attempts);
   read_limits(database, hanging, key, attempts);
   read_responses(database, hanging, key, attempts);
   read_servo(database, hanging, key, attempts);

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/properties/material.h"
@@ -11,6 +13,11 @@
 #include "stimuli/properties/surface_patch.h"
 
 namespace asperity {
+
+/// The roles of assets.
+inline constexpr std::string_view kHeightFieldRole = "height_field";
+inline constexpr std::string_view kSurfaceRole = "surface";
+inline constexpr std::string_view kToolRole = "tool";
 
 /// Everything that has to be known to build the renderer of one stimulus, and nothing of when or
 /// why it is presented. Two equal descriptions, with files of equal content, are the same stimulus.
@@ -28,5 +35,16 @@ struct StimulusDescription {
   Material material{};
   SurfacePatch patch{};
 };
+
+/// A file from which a stimulus is made, and what it is for.
+struct StimulusAsset {
+  std::string role{};
+  std::string path{};  ///< study-relative
+  bool operator==(const StimulusAsset&) const = default;
+};
+
+/// All files from which a stimulus is made: in the order of the roles. A body is
+/// the file of its mesh or that of the relief on its shape; a smooth shape is made from no file.
+std::vector<StimulusAsset> assets_of(const StimulusDescription& stimulus);
 
 }  // namespace asperity

@@ -103,10 +103,11 @@ void StimulusTable::begin_session(const ExportPlace& at) {
 
 void StimulusTable::add(const ExportPlace& at) {
   const PresentationRow& surface = *at.presentation;
-  Presented& row = rows_[{at.protocol->name, at.protocol->version, at.participant->is_virtual,
-                          text_of(at.session->mode), surface.stimulus, surface.model,
-                          surface.model_version, surface.texture, surface.parameters_json,
-                          surface.height_field_sha256, surface.matched_texture_force_N}];
+  Presented& row =
+      rows_[{at.protocol->name, at.protocol->version, at.participant->is_virtual,
+             text_of(at.session->mode), surface.stimulus, surface.model, surface.model_version,
+             surface.texture, surface.parameters_json, asset_sha256(surface.assets, "height_field"),
+             surface.matched_texture_force_N}];
   ++row.presentations;
   if (surface.achieved_texture_force_N &&
       use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted) {

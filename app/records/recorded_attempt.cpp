@@ -40,6 +40,27 @@ bool is_as_stored(const Trial& trial, const PlannedTrialRow& stored) {
          stored.plan_json == json_of(trial);
 }
 
+/// That the study still gives what was presented. `attempt` is for the sentence.
+void require_presented(const std::vector<AssetRow>& presented, const PreparedStimulus& loaded,
+                       const StimulusDescription& described, const std::string& attempt) {
+  const std::vector<StimulusAsset> files = assets_of(described);
+  for (const AssetRow& asset : presented) {
+    if (asset_sha256(loaded.assets, asset.role) == asset.sha256) continue;
+    const auto file = std::find_if(files.begin(), files.end(), [&asset](const StimulusAsset& each) {
+      return each.role == asset.role;
+    });
+    const std::string role = asset.role == kHeightFieldRole ? "height field" : asset.role;
+    if (file == files.end()) {
+      throw std::runtime_error(attempt + ": the " + role +
+                               " of its stimulus is not the one that was presented (its SHA-256 "
+                               "differs)");
+    }
+    throw std::runtime_error(attempt + ": the " + role + ", file " + file->path +
+                             ", differs from the one that was presented (its SHA-256 differs); "
+                             "restore it from a copy of the study");
+  }
+}
+
 }  // namespace
 
 PlansOfSessions::PlansOfSessions(const Study& study, const ModelRegistry& models)
@@ -78,50 +99,21 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   recorded.rate_Hz = recording.header.rate_Hz;
   recorded.records = records_of(recording);
   for (const PresentationRow& row : attempt.presentations) {
-    RecordedSurface surface{};
-    surface.row = row;
-    PreparedStimulus& stimulus = surface.stimulus;
-    stimulus.model = builder.models().find(row.model);
-    if (stimulus.model == nullptr) {
+    if (builder.models().find(row.model) == nullptr) {
       throw std::runtime_error("this program has no force model \"" + row.model +
                                "\", which attempt " + natural_key(session, attempt) +
                                " was rendered with");
     }
-    const StimulusDescription& described =
+    StimulusDescription described =
         trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;
-    stimulus.inputs.parameters = parameter_values_in(row.parameters_json);
-    stimulus.inputs.seed = std::stoull(row.seed);
-    stimulus.inputs.material = described.material;
-    stimulus.inputs.patch = Layout{session.mirrored}.of(described.patch);
-    if (row.height_field_sha256 && described.height_field) {
-      const LoadedHeightField loaded = builder.height_field(*described.height_field);
-      if (loaded.sha256 != *row.height_field_sha256) {
-        throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the file " +
-                                 *described.height_field +
-                                 " differs from the one that was presented (its SHA-256 differs); "
-                                 "restore it from a copy of the study");
-      }
-      stimulus.inputs.height_field = loaded.field;
-      stimulus.height_field_sha256 = loaded.sha256;
-    }
-    const auto rebuild = [&](const std::optional<std::string>& sha256,
-                             const std::optional<BodyDescription>& body, BodyRole role,
-                             std::shared_ptr<const TexturedMesh>& mesh) {
-      if (!sha256) return;
-      if (!body) throw std::logic_error("a body was presented that is not in the plan");
-      const LoadedBody loaded = builder.body(*body, role);
-      if (loaded.sha256 != *sha256) {
-        throw std::runtime_error(
-            "attempt " + natural_key(session, attempt) + ": the body \"" + body->name +
-            "\" is not the " + text_of(role) +
-            " that was presented (its SHA-256 differs); restore its file from a copy of the study");
-      }
-      mesh = loaded.mesh;
-    };
-    rebuild(row.surface_sha256, described.surface, BodyRole::surface, stimulus.inputs.surface);
-    rebuild(row.tool_sha256, described.tool, BodyRole::tool, stimulus.inputs.tool);
-    stimulus.surface_sha256 = row.surface_sha256;
-    stimulus.tool_sha256 = row.tool_sha256;
+    described.model = row.model;
+    RecordedSurface surface{.row = row, .stimulus = builder.without_parameters(described)};
+    require_presented(row.assets, surface.stimulus, described,
+                      "attempt " + natural_key(session, attempt));
+    RendererInputs& inputs = surface.stimulus.inputs;
+    inputs.parameters = parameter_values_in(row.parameters_json);
+    inputs.seed = std::stoull(row.seed);
+    inputs.patch = Layout{session.mirrored}.of(inputs.patch);
     recorded.surfaces.push_back(std::move(surface));
   }
   return recorded;

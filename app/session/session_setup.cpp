@@ -77,9 +77,8 @@ bool guides_participants(const Protocol& protocol) {
 std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                         const std::filesystem::path& study_folder) {
   std::set<std::string> paths{};
-  for (const NamedFile& file : files_of(protocol, protocol.name)) {
-    paths.insert(file.path);
-    if (file.kind == NamedFile::Kind::height_field) paths.insert(file.path + ".json");
+  for (const NamedFile& file : files_of(protocol)) {
+    for (const std::string& path : paths_of(file)) paths.insert(path);
   }
   std::vector<StimulusFileRow> rows{};
   Phrase missing{};

@@ -24,7 +24,12 @@ TextureForcePath path_of(const EqualForce& request) {
   return path;
 }
 
-/// The key of a matching problem: everything on which its solution depends.
+/// As a name; empty where there is none.
+std::string content_of(const PreparedStimulus& stimulus, std::string_view role) {
+  return asset_sha256(stimulus.assets, role).value_or("");
+}
+
+/// Everything that the solution of a matching problem depends on, as a name.
 std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
                    const ForceModel* reference, const ParameterValues& reference_parameters) {
   const RendererInputs& inputs = stimulus.inputs;
@@ -41,7 +46,7 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
       {"friction", inputs.material.friction},
       {"motion_scale", inputs.patch.motion_scale},
       {"centre_m", {inputs.patch.centre_m.x, inputs.patch.centre_m.y, inputs.patch.centre_m.z}},
-      {"height_field", stimulus.height_field_sha256.value_or("")},
+      {"height_field", content_of(stimulus, kHeightFieldRole)},
       {"path",
        {path.speed_m_per_s, path.duration_s, path.dropped_s, path.rate_Hz, path.mean_normal_force_N,
         path.low_Hz, path.high_Hz}}};
@@ -143,8 +148,8 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
   const RendererInputs& inputs = stimulus.inputs;
   ParameterValues values{};
   if (inputs.height_field && model.suggested_by) {
-    // A suggestion computes the spectrum of the whole sample, and every attempt needs the same few.
-    const std::string key = model.declaration.id + ' ' + stimulus.height_field_sha256.value_or("") +
+    // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
+    const std::string key = model.declaration.id + ' ' + content_of(stimulus, kHeightFieldRole) +
                             ' ' + text_of_number(inputs.material.stiffness_N_per_m) + ' ' +
                             text_of_number(inputs.material.friction);
     const std::lock_guard lock(suggestions_mutex_);
@@ -166,6 +171,12 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
 }
 
 PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
+  PreparedStimulus prepared = without_parameters(description);
+  prepared.inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
+  return prepared;
+}
+
+PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& description) {
   PreparedStimulus prepared{};
   prepared.model = models_.find(description.model);
   if (prepared.model == nullptr) {
@@ -177,24 +188,26 @@ PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& descripti
   RendererInputs& inputs = prepared.inputs;
   inputs.material = description.material;
   inputs.patch = description.patch;
+  const auto took = [&prepared](std::string_view role, std::string sha256) {
+    prepared.assets.push_back({std::string(role), std::move(sha256)});
+  };
   if (description.height_field) {
     LoadedHeightField loaded = height_field(*description.height_field);
     inputs.height_field = std::move(loaded.field);
-    prepared.height_field_sha256 = std::move(loaded.sha256);
+    took(kHeightFieldRole, std::move(loaded.sha256));
   }
   if (prepared.model->declaration.needs_bodies) {
-    const auto prepare_body = [this](const std::optional<BodyDescription>& body, BodyRole role,
-                                     std::shared_ptr<const TexturedMesh>& mesh,
-                                     std::optional<std::string>& sha256) {
+    const auto prepare_body = [this, &took](const std::optional<BodyDescription>& body,
+                                            BodyRole role, std::string_view asset_role,
+                                            std::shared_ptr<const TexturedMesh>& mesh) {
       if (!body) return;
       LoadedBody loaded = this->body(*body, role);
       mesh = std::move(loaded.mesh);
-      sha256 = std::move(loaded.sha256);
+      took(asset_role, std::move(loaded.sha256));
     };
-    prepare_body(description.surface, BodyRole::surface, inputs.surface, prepared.surface_sha256);
-    prepare_body(description.tool, BodyRole::tool, inputs.tool, prepared.tool_sha256);
+    prepare_body(description.surface, BodyRole::surface, kSurfaceRole, inputs.surface);
+    prepare_body(description.tool, BodyRole::tool, kToolRole, inputs.tool);
   }
-  inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
   return prepared;
 }
 

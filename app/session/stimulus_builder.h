@@ -10,11 +10,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "protocols/plan/plan.h"
 #include "renderers/force/force_model.h"
+#include "results_schema/rows.h"
 
 namespace asperity {
 
@@ -23,10 +25,8 @@ class Study;
 /// A prepared stimulus: files read, parameters complete, forces matched.
 struct PreparedStimulus {
   const ForceModel* model = nullptr;
-  RendererInputs inputs{};  ///< parameters complete; seed still 0
-  std::optional<std::string> height_field_sha256{};
-  std::optional<std::string> surface_sha256{};  ///< of LoadedBody
-  std::optional<std::string> tool_sha256{};
+  RendererInputs inputs{};         ///< parameters complete; seed still 0
+  std::vector<AssetRow> assets{};  ///< what the inputs were made from
   std::optional<double> matched_texture_force_N{};
 };
 
@@ -60,6 +60,8 @@ class StimulusBuilder final {
   PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
   /// The same stimulus with its force unchanged.
   PreparedStimulus unmatched(const StimulusDescription& description);
+  /// The same without its parameters: what the description's files and bodies give, each once.
+  PreparedStimulus without_parameters(const StimulusDescription& description);
 
   LoadedHeightField height_field(const std::string& study_path);
   /// The height field as a photograph would give it (without_long_wavelengths), filtered once.

@@ -319,9 +319,7 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.model_version = prepared.model->declaration.version;
     presentation.texture = planned.stimulus.texture;
     presentation.parameters_json = json_text_of(prepared.inputs.parameters);
-    presentation.height_field_sha256 = prepared.height_field_sha256;
-    presentation.surface_sha256 = prepared.surface_sha256;
-    presentation.tool_sha256 = prepared.tool_sha256;
+    presentation.assets = prepared.assets;
     presentation.seed = std::to_string(surfaces_[i].seed);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);

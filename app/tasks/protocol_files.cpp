@@ -62,9 +62,7 @@ bool is_wav(const std::string& content) {
 std::optional<std::string> complaint_about_file(const NamedFile& named,
                                                 const std::filesystem::path& study,
                                                 StimulusBuilder& builder) {
-  std::vector<std::string> paths{named.path};
-  if (named.kind == NamedFile::Kind::height_field) paths.push_back(named.path + ".json");
-  for (const std::string& path : paths) {
+  for (const std::string& path : paths_of(named)) {
     if (!std::filesystem::is_regular_file(study / path)) {
       const char* const from =
           is_of_demonstration(path)
@@ -130,11 +128,14 @@ std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::
   return problems;
 }
 
-/// A key of everything from which a stimulus of two bodies is rendered.
+/// Everything that a stimulus is rendered from, as a name.
 std::string name_of_making(const StimulusDescription& stimulus) {
   std::string name = stimulus.model + json_text_of(stimulus.parameters);
   for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
-    if (*body) name += ' ' + (*body)->name + ' ' + (*body)->height_field.value_or("");
+    if (*body) name += ' ' + (*body)->name;
+  }
+  for (const StimulusAsset& asset : assets_of(stimulus)) {
+    name += ' ' + asset.role + ' ' + asset.path;
   }
   return name;
 }

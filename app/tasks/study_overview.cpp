@@ -129,7 +129,7 @@ std::map<std::string, std::vector<std::string>> users_of_files(
   std::map<std::string, std::vector<std::string>> users{};
   for (const auto& [file, protocol] : protocols) {
     std::set<std::string> named{};
-    for (const NamedFile& each : files_of(protocol, file.string())) named.insert(each.path);
+    for (const NamedFile& each : files_of(protocol)) named.insert(each.path);
     for (const std::string& path : named) users[path].push_back(protocol.name);
   }
   return users;

@@ -29,29 +29,36 @@ Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_n
       .at_key(pointer_to("/stimuli", stimulus_template), "");
 }
 
-std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
-  const JsonDocument document(protocol.source, file_name);
+std::vector<std::string> paths_of(const NamedFile& named) {
+  if (named.kind != NamedFile::Kind::height_field) return {named.path};
+  return {named.path, named.path + ".json"};
+}
+
+std::vector<NamedFile> files_of(const Protocol& protocol) {
   std::vector<NamedFile> files{};
+  const auto add = [&files](const std::optional<std::string>& path, std::string pointer,
+                            NamedFile::Kind kind) {
+    if (path) files.push_back({*path, {.pointer = std::move(pointer)}, kind});
+  };
   for (const auto& [name, texture] : protocol.textures) {
     const std::string place = pointer_to("/textures", name);
-    const auto add = [&](const std::optional<std::string>& path, const char* key,
-                         NamedFile::Kind kind) {
-      if (!path) return;
-      files.push_back({*path, document.at(pointer_to(place, key), ""), kind});
-    };
-    add(texture.height_field, "height_field", NamedFile::Kind::height_field);
-    add(texture.picture, "picture", NamedFile::Kind::picture);
-    add(texture.true_height_field, "true_height_field", NamedFile::Kind::height_field);
+    add(texture.height_field, place + "/height_field", NamedFile::Kind::height_field);
+    add(texture.picture, place + "/picture", NamedFile::Kind::picture);
+    add(texture.true_height_field, place + "/true_height_field", NamedFile::Kind::height_field);
   }
   for (const auto& [name, body] : protocol.bodies) {
-    if (!body.mesh) continue;
-    files.push_back({*body.mesh, document.at(pointer_to("/bodies", name) + "/mesh", ""),
-                     NamedFile::Kind::textured_mesh});
+    add(body.mesh, pointer_to("/bodies", name) + "/mesh", NamedFile::Kind::textured_mesh);
   }
   for (const auto& [cue, path] : protocol.speech) {
-    files.push_back(
-        {path, document.at(pointer_to("/environment/speech", cue), ""), NamedFile::Kind::speech});
+    add(path, pointer_to("/environment/speech", cue), NamedFile::Kind::speech);
   }
+  return files;
+}
+
+std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
+  const JsonDocument document(protocol.source, file_name);
+  std::vector<NamedFile> files = files_of(protocol);
+  for (NamedFile& file : files) file.place = document.at(file.place.pointer, "");
   return files;
 }
 

@@ -450,7 +450,7 @@ TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {
   MadeUpStudy made;
   made.add_person("a", "F");
   made.add_session("a", made.add_protocol("recognition", "recognition"),
-                   {recognition("stone", "stone")});
+                   std::vector(60, recognition("stone", "stone")));  // the last page holds rows
   const std::filesystem::path folder = made.beside("broken");
   made.study().copy_to(folder);
   constexpr std::size_t kPage = 4096;

@@ -407,9 +407,11 @@ TEST_F(FeltBodies, AreStoredWithWhatTheModelCounted) {
   std::set<std::string> tools{};
   for (const PresentationRow& felt : attempts[0].presentations) {
     EXPECT_GE(felt.contact_s, 0.3) << felt.item;
-    ASSERT_TRUE(felt.surface_sha256 && felt.tool_sha256 && felt.height_field_sha256);
-    EXPECT_EQ(felt.surface_sha256, attempts[0].presentations[0].surface_sha256);
-    tools.insert(*felt.tool_sha256);
+    std::vector<std::string> roles{};
+    for (const AssetRow& asset : felt.assets) roles.push_back(asset.role);
+    ASSERT_THAT(roles, ElementsAre("height_field", "surface", "tool"));
+    EXPECT_EQ(felt.assets[1], attempts[0].presentations[0].assets.at(1));
+    tools.insert(felt.assets[2].sha256);
     std::vector<std::string> kinds{};
     for (const ModelLimitRow& limit : felt.limits) kinds.push_back(limit.kind);
     ASSERT_THAT(kinds,
@@ -425,7 +427,8 @@ TEST_F(FeltBodies, GiveTheRecordedHandTheRecordedForceUnlessOneWasExchanged) {
   EXPECT_THAT(found_by_replay(), IsEmpty());
   save_rasp(study(), 0.005);
   EXPECT_THAT(found_by_replay(),
-              testing::Contains(HasSubstr("the body \"rasp\" is not the tool that was presented")));
+              testing::Contains(HasSubstr("the tool, file stimuli/rasp.mesh, differs from the one "
+                                          "that was presented (its SHA-256 differs)")));
   save_rasp(study(), kRasp_m);
 }
 
@@ -490,8 +493,9 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   EXPECT_TRUE(attempt.valid) << attempt.invalid_reason.value_or("").text;
   std::set<std::string> tools{};
   for (const PresentationRow& felt : attempt.presentations) {
-    tools.insert(felt.tool_sha256.value_or(""));
-    EXPECT_EQ(felt.surface_sha256, attempt.presentations[0].surface_sha256);
+    tools.insert(asset_sha256(felt.assets, "tool").value_or(""));
+    EXPECT_EQ(asset_sha256(felt.assets, "surface"),
+              asset_sha256(attempt.presentations[0].assets, "surface"));
     EXPECT_GT(felt.achieved_texture_force_N.value_or(0.0), 0.01) << felt.item;
   }
   EXPECT_EQ(tools.size(), 3U);

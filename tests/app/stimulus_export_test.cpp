@@ -40,7 +40,7 @@ std::string add_wave(MadeUpStudy& made) {
 MadeUpTrial felt(const std::string& sha256, double achieved_N) {
   MadeUpTrial trial = some_trial();
   trial.surfaces = {surface_of("stone", "height_map", "stone")};
-  trial.surfaces[0].height_field_sha256 = sha256;
+  trial.surfaces[0].assets = {{"height_field", sha256}};
   trial.surfaces[0].matched_texture_force_N = 0.05;
   trial.surfaces[0].achieved_texture_force_N = achieved_N;
   return trial;

@@ -99,6 +99,16 @@ TEST(ProtocolReader, CountsTexturedMeshesAmongTheFilesOfAProtocol) {
   EXPECT_EQ(mesh->place.pointer, "/bodies/rasp/mesh");
 }
 
+TEST(NamedFile, OfAHeightFieldIsTwoFiles) {
+  const Protocol protocol =
+      read_protocol(test::example_selection(), "example.json", test::example_models());
+  const std::vector<NamedFile> files = files_of(protocol);
+  ASSERT_EQ(files.size(), 4U);
+  EXPECT_EQ(paths_of(files[0]),
+            (std::vector<std::string>{"stimuli/metal.png", "stimuli/metal.png.json"}));
+  EXPECT_EQ(paths_of(files[1]), std::vector<std::string>{"stimuli/metal_photo.png"});
+}
+
 TEST(SpeechCues, AreTextsThatTellThemApart) {
   const std::vector<std::string> cues = speech_cues();
   EXPECT_EQ(std::set<std::string>(cues.begin(), cues.end()).size(), cues.size());

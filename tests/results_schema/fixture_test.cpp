@@ -6,9 +6,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "results_schema/atomic_file.h"
 #include "results_schema/recording.h"
+#include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 #include "tests/support/temporary_folder.h"
@@ -18,6 +20,8 @@ namespace {
 
 const std::filesystem::path kFixtures =
     std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures";
+
+const std::string kNewest = "study_version_" + std::to_string(Study::kSchemaVersion);
 
 /// A copy of the fixture of a schema version, so that opening it may bring it up to date.
 class Fixture {
@@ -61,7 +65,12 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_EQ(attempts[2].servo->lost_records, 5);
   EXPECT_EQ(attempts[2].servo->missed_in_contact.has_value(), GetParam() >= 4);
   EXPECT_EQ(attempts[2].presentations.at(0).matched_texture_force_N, 0.1);
-  EXPECT_EQ(attempts[2].presentations.at(0).tool_sha256.has_value(), GetParam() >= 3);
+  const std::vector<AssetRow>& assets = attempts[2].presentations.at(0).assets;
+  EXPECT_EQ(asset_sha256(assets, "height_field"), sha256_of("metal"));
+  EXPECT_EQ(asset_sha256(assets, "surface").has_value(), GetParam() >= 3);
+  EXPECT_EQ(asset_sha256(assets, "tool").value_or(""), GetParam() >= 3 ? sha256_of("ball") : "");
+  EXPECT_EQ(asset_sha256(assets, "vibrations").has_value(), GetParam() >= 8);
+  EXPECT_TRUE(attempts[2].presentations.at(1).assets.empty());
   EXPECT_EQ(attempts[2].presentations.at(0).limits.size(), GetParam() >= 3 ? 2U : 0U);
   EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
   EXPECT_EQ(attempts[2].excluded.value_or("counts").text, GetParam() >= 2 ? "sneezed" : "counts");
@@ -149,6 +158,31 @@ TEST(OlderStudy, IsBroughtUpToDateByWhoeverWritesAndKeptAsItWas) {
   EXPECT_EQ(older.participants().size(), 2U);
 }
 
+// Until version 7 the hashes of assets were columns. They stay there, and become rows as well.
+TEST(OlderStudy, WithADamagedHashIsStillReadAndTheDamageIsFound) {
+  const Fixture fixture(7);
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open((fixture.path() / "study.sqlite").c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(handle,
+                         "PRAGMA ignore_check_constraints = ON;"
+                         "DROP TRIGGER presentation_no_update;"
+                         "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+  for (const Access access : {Access::read_only, Access::read_write}) {
+    const Study study = Study::open(fixture.path(), access);
+    const AttemptRow attempt = study.attempts(study.sessions().at(0).id).at(1);
+    const std::vector<AssetRow>& assets = attempt.presentations.at(0).assets;
+    EXPECT_EQ(asset_sha256(assets, "surface"), std::nullopt);
+    EXPECT_EQ(asset_sha256(assets, "tool"), sha256_of("ball"));
+    EXPECT_THAT(study.verify({}), testing::Contains(testing::AllOf(
+                                      testing::HasSubstr("rows of presentation violating the rule"),
+                                      testing::HasSubstr("length(surface_sha256) = 64"))));
+  }
+}
+
 TEST(OlderStudy, KeepsTheFirstCopyWhenItIsBroughtUpToDateAgain) {
   const Fixture fixture(1);
   const std::filesystem::path kept = fixture.path() / "study.sqlite.version-1";
@@ -213,7 +247,7 @@ TEST(StudyDocumentation, NamesEveryTableAndColumn) {
   const std::string output = output_of(
       "python3 -c \"import sqlite3, sys\n"
       "c = sqlite3.connect('file:" +
-      (kFixtures / "study_version_3" / "study.sqlite").string() +
+      (kFixtures / kNewest / "study.sqlite").string() +
       "?immutable=1', uri=True)\n"
       "for (t,) in c.execute('SELECT name FROM sqlite_schema WHERE type IN (\\\"table\\\", "
       "\\\"view\\\")').fetchall():\n"

@@ -176,6 +176,17 @@ std::vector<Forbidden> forbidden_statements() {
       {"a body's hash that is none",
        "INSERT INTO presentation VALUES "
        "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,'stone',NULL)"},
+      {"update presentation_asset", "UPDATE presentation_asset SET role = 'other'"},
+      {"delete presentation_asset", "DELETE FROM presentation_asset"},
+      {"replace presentation_asset",
+       "INSERT OR REPLACE INTO presentation_asset VALUES (2,1,'tool','" + std::string(64, 'a') +
+           "')"},
+      {"presentation_asset of no presentation",
+       "INSERT INTO presentation_asset VALUES (2,9,'tool','" + std::string(64, 'a') + "')"},
+      {"an asset's hash that is none",
+       "INSERT INTO presentation_asset VALUES (2,2,'tool','stone')"},
+      {"an asset without a role",
+       "INSERT INTO presentation_asset VALUES (2,2,'','" + std::string(64, 'a') + "')"},
       {"update model_limit", "UPDATE model_limit SET ticks = 0"},
       {"delete model_limit", "DELETE FROM model_limit"},
       {"replace model_limit", "INSERT OR REPLACE INTO model_limit VALUES (2,1,'folded',7)"},

@@ -228,13 +228,13 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_EQ(first.model_version, "1");
   EXPECT_EQ(first.texture, "stimuli/metal.png");
   EXPECT_EQ(first.parameters_json, R"({"height_scale":1.5})");
-  EXPECT_EQ(first.height_field_sha256, sha256_of("metal"));
-  EXPECT_EQ(first.surface_sha256, sha256_of("plate"));
-  EXPECT_EQ(first.tool_sha256, sha256_of("ball"));
+  EXPECT_EQ(first.assets, wanted.presentations[0].assets);
+  EXPECT_EQ(asset_sha256(first.assets, "tool"), sha256_of("ball"));
+  EXPECT_EQ(asset_sha256(first.assets, "toolbox"), std::nullopt);
   ASSERT_EQ(first.limits.size(), 2U);
   EXPECT_EQ(first.limits[1].kind, "too_fast");
   EXPECT_EQ(first.limits[1].ticks, 12);
-  EXPECT_EQ(row.presentations[1].surface_sha256, std::nullopt);
+  EXPECT_TRUE(row.presentations[1].assets.empty());
   EXPECT_TRUE(row.presentations[1].limits.empty());
   EXPECT_EQ(first.seed, "17");
   EXPECT_EQ(first.onset_ns, wanted.onset_ns);

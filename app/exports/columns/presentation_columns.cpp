@@ -32,21 +32,20 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                 const std::string& texture = at.presentation->texture;
                 return texture.empty() ? Cell{} : Cell{texture};
               })));
-  add(missing(
-      "no height field is involved",
-      column("height_field_sha256", "text", "",
-             "SHA-256 of the height field's sidecar, which contains that of its picture",
-             [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
-  const auto sha256 = [&add](const char* name, const char* description, auto member) {
-    add(missing("the tool of the model is a point",
-                column(name, "text", "", description, [member](const Place& at) {
-                  return optional_cell(at.presentation->*member);
+  const auto sha256 = [&add](const std::string& role, const std::string& description,
+                             const std::string& when_missing) {
+    add(missing(when_missing,
+                column(role + "_sha256", "text", "", description, [role](const Place& at) {
+                  return optional_cell(asset_sha256(at.presentation->assets, role));
                 })));
   };
-  sha256("surface_sha256", "SHA-256 of the body that was touched (docs/formats/study.md)",
-         &PresentationRow::surface_sha256);
-  sha256("tool_sha256", "SHA-256 of the body that was held (docs/formats/study.md)",
-         &PresentationRow::tool_sha256);
+  sha256("height_field",
+         "SHA-256 of the height field's sidecar, which contains that of its picture",
+         "no height field is involved");
+  sha256("surface", "SHA-256 of the body that was touched (docs/formats/study.md)",
+         "the tool of the model is a point");
+  sha256("tool", "SHA-256 of the body that was held (docs/formats/study.md)",
+         "the tool of the model is a point");
   text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {

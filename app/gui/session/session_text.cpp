@@ -7,6 +7,7 @@
 
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
+#include "protocols/file/protocol_reader.h"
 
 namespace asperity {
 
@@ -15,17 +16,10 @@ NameVeil::NameVeil(const Protocol& protocol, const Plan& plan) {
   const auto add = [&names](const std::string& name) {
     if (!name.empty()) names.insert(name);
   };
-  for (const auto& [name, texture] : protocol.textures) {
-    add(name);
-    if (texture.height_field) add(*texture.height_field);
-    if (texture.true_height_field) add(*texture.true_height_field);
-    if (texture.picture) add(*texture.picture);
-  }
+  for (const NamedFile& file : files_of(protocol)) add(file.path);
+  for (const auto& [name, texture] : protocol.textures) add(name);
   for (const auto& [name, stimulus] : protocol.stimuli) add(name);
-  for (const auto& [name, body] : protocol.bodies) {
-    add(name);
-    if (body.mesh) add(*body.mesh);
-  }
+  for (const auto& [name, body] : protocol.bodies) add(name);
   for (const Trial& trial : plan.trials) {
     for (const PlannedPresentation& surface : trial.presentations) {
       add(surface.item);

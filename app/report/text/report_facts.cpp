@@ -134,10 +134,10 @@ void count_attempt(const AttemptRow& attempt, const PlannedTrialRow& planned, Re
   for (const PresentationRow& surface : attempt.presentations) {
     if (!surface.onset_ns) continue;  // the attempt ended before it
     facts.models.insert(surface.model + ' ' + surface.model_version);
-    if (surface.surface_sha256) {
+    if (asset_sha256(surface.assets, "surface")) {
       facts.body_textures.insert(surface.texture);
       add_textures_of_bodies(surface.stimulus, facts);
-    } else if (surface.height_field_sha256) {
+    } else if (asset_sha256(surface.assets, "height_field")) {
       facts.height_fields.insert(surface.texture);
     }
     facts.has_equal_force = facts.has_equal_force || surface.matched_texture_force_N;

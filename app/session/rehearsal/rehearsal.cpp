@@ -49,10 +49,17 @@ constexpr double kNoForce_N = 1e-9;
 
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
-/// What tells a body from others of the same stimulus: a factor may choose it.
-std::string body_key(const std::optional<BodyDescription>& body) {
-  if (!body) return {};
-  return body->name + '\t' + body->mesh.value_or("") + '\t' + body->height_field.value_or("");
+/// What distinguishes a stimulus from others of the same name: a factor may choose its bodies and its files.
+std::string rehearsed_key(const StimulusDescription& stimulus) {
+  std::string key =
+      stimulus.name + '\n' + stimulus.model + '\n' + json_text_of(stimulus.parameters);
+  for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
+    key += '\n' + (*body ? (*body)->name : std::string{});
+  }
+  for (const StimulusAsset& asset : assets_of(stimulus)) {
+    key += '\n' + asset.role + '\t' + asset.path;
+  }
+  return key;
 }
 
 std::optional<double> number_among(const ParameterValues& values, const char* name) {
@@ -189,11 +196,7 @@ class DeviceRehearsal final {
       const Exploration& exploration = exploration_of(protocol_, trial);
       for (const PlannedPresentation& planned : trial.presentations) {
         const StimulusDescription& stimulus = planned.stimulus;
-        const std::string key =
-            stimulus.name + '\n' + stimulus.model + '\n' + stimulus.height_field.value_or("") +
-            '\n' + json_text_of(stimulus.parameters) + '\n' + body_key(stimulus.surface) + '\n' +
-            body_key(stimulus.tool) + '\n' + exploration.name;
-        if (!seen.insert(key).second) continue;
+        if (!seen.insert(rehearsed_key(stimulus) + '\n' + exploration.name).second) continue;
         check_workspace(stimulus.patch);
         at_ = pointer_to("/stimuli", planned.stimulus_template);
         try {

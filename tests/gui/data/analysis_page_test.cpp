@@ -337,7 +337,7 @@ TEST(AnalysisPage, NamesAHeightFieldThatTheExportLacks) {
   for (const std::string& model : trial.options) {
     const std::string sha256(64, model == "sinusoid" ? '1' : '0');
     trial.surfaces.push_back(surface_of(model, model, "brick"));
-    trial.surfaces.back().height_field_sha256 = sha256;
+    trial.surfaces.back().assets = {{"height_field", sha256}};
     files.push_back({"stimuli/" + model + ".png.json", sha256, 1});
   }
   made.set_files(files);
