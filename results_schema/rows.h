@@ -97,7 +97,7 @@ struct ModelLimitRow {
 
 /// What a stimulus was made from, identified by its content.
 struct AssetRow {
-  std::string role{};  ///< "height_field", "surface", "tool"
+  std::string role{};  ///< "height_field", "surface", "tool", or declared by the force model
   std::string sha256{};
   bool operator==(const AssetRow&) const = default;
 };

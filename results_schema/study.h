@@ -55,6 +55,7 @@ struct StudyWords {
   std::vector<std::string> factors_json{};                          ///< of planned trials
   std::vector<std::pair<std::string, std::string>> parameters{};    ///< model, parameters_json
   std::vector<std::pair<std::string, std::string>> model_limits{};  ///< kind, model that watches it
+  std::vector<std::pair<std::string, std::string>> assets{};        ///< role, model that used one
 };
 
 /// A study on disk: `study.sqlite`, `protocols/`, `stimuli/`, `recordings/`.

@@ -299,6 +299,10 @@ StudyWords Study::words() const {
         "SELECT DISTINCT kind, model FROM model_limit JOIN presentation USING (attempt_id, "
         "position) ORDER BY 1, 2",
         words.model_limits);
+    pairs(
+        "SELECT DISTINCT presentation_asset.role, model FROM presentation_asset JOIN presentation "
+        "USING (attempt_id, position) ORDER BY 1, 2",
+        words.assets);
     return words;
   });
 }

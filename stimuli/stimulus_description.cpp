@@ -13,6 +13,7 @@ std::vector<StimulusAsset> assets_of(const StimulusDescription& stimulus) {
   add(kHeightFieldRole, stimulus.height_field);
   add_body(kSurfaceRole, stimulus.surface);
   add_body(kToolRole, stimulus.tool);
+  for (const auto& [role, path] : stimulus.declared_assets) add(role, path);
   return assets;
 }
 

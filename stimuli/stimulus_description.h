@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,10 +16,11 @@
 
 namespace asperity {
 
-/// The roles of assets.
+/// The roles of assets that every model knows. Other roles are declared by models (AssetDeclaration).
 inline constexpr std::string_view kHeightFieldRole = "height_field";
 inline constexpr std::string_view kSurfaceRole = "surface";
 inline constexpr std::string_view kToolRole = "tool";
+inline constexpr std::array kCommonAssetRoles{kHeightFieldRole, kSurfaceRole, kToolRole};
 
 /// Everything that has to be known to build the renderer of one stimulus, and nothing of when or
 /// why it is presented. Two equal descriptions, with files of equal content, are the same stimulus.
@@ -31,6 +34,8 @@ struct StimulusDescription {
   /// without a texture of its own; and what the hand holds.
   std::optional<BodyDescription> surface{};
   std::optional<BodyDescription> tool{};
+  /// Role → study-relative path: the texture's files for models that declare such roles.
+  std::map<std::string, std::string, std::less<>> declared_assets{};
   ParameterValues parameters{};  ///< as given; defaults are the model's
   Material material{};
   SurfacePatch patch{};
@@ -43,7 +48,7 @@ struct StimulusAsset {
   bool operator==(const StimulusAsset&) const = default;
 };
 
-/// All files from which a stimulus is made: in the order of the roles. A body is
+/// All files from which a stimulus is made: the common roles in their order, then the declared ones by name. A body is
 /// the file of its mesh or that of the relief on its shape; a smooth shape is made from no file.
 std::vector<StimulusAsset> assets_of(const StimulusDescription& stimulus);
 

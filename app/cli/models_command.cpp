@@ -57,11 +57,16 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
     json["meaning"] = parameter.meaning;
     parameters.push_back(std::move(json));
   }
+  nlohmann::ordered_json assets = nlohmann::ordered_json::array();
+  for (const AssetDeclaration& asset : model.assets) {
+    assets.push_back({{"role", asset.role}, {"meaning", asset.meaning}});
+  }
   return {{"id", model.id},
           {"version", model.version},
           {"summary", model.summary},
           {"source", model.source},
           {"conservative_with", json_of_conservative(force)},
+          {"assets", assets},
           {"parameters", parameters}};
 }
 
@@ -69,8 +74,11 @@ void print_model(const ForceModel& force) {
   const ModelDeclaration& model = force.declaration;
   std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
             << model.source << "\n  conservative without friction: " << conservative_text(force)
-            << '\n'
-            << described(model.parameters) << '\n';
+            << '\n';
+  for (const AssetDeclaration& asset : model.assets) {
+    std::cout << "  needs the asset " << asset.role << ": " << asset.meaning << '\n';
+  }
+  std::cout << described(model.parameters) << '\n';
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // asperity render: a force model along a given path.
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -49,6 +50,18 @@ void add_height_field(RendererInputs& inputs, const ForceModel& model, const Bod
   inputs.parameters = std::move(suggested);
 }
 
+void add_asset(RendererInputs& inputs, const ModelDeclaration& model, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw WrongUsage("--asset " + text + ": write ROLE=FILE");
+  const std::string role = text.substr(0, equals);
+  if (std::none_of(model.assets.begin(), model.assets.end(),
+                   [&role](const AssetDeclaration& asset) { return asset.role == role; })) {
+    throw WrongUsage("--asset " + text + ": the force model " + model.id + " needs no asset \"" +
+                     role + "\"; asperity models lists those that it needs");
+  }
+  inputs.assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
+}
+
 void require_material(const Material& material) {
   if (!(material.stiffness_N_per_m > 0.0)) {
     throw WrongUsage("--stiffness-n-per-m is " + number_text(material.stiffness_N_per_m) +
@@ -74,6 +87,7 @@ void add_render(CLI::App& program, Job& job) {
   struct Options {
     std::string model{};
     std::vector<std::string> parameters{};
+    std::vector<std::string> assets{};
     std::optional<std::string> stimulus{};
     std::optional<std::string> tool{};
     std::optional<std::string> coupling{};
@@ -88,6 +102,8 @@ void add_render(CLI::App& program, Job& job) {
       program.add_subcommand("render", "Evaluate a force model along a path, without a device.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
   command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  command->add_option("--asset", options->assets,
+                      "ROLE=FILE of a file that the model needs; see: asperity models");
   command->add_option(
       "--stimulus", options->stimulus,
       "A height field, which repeats endlessly: FILE.png or plane:FILE.png. For a model with two "
@@ -154,6 +170,9 @@ void add_render(CLI::App& program, Job& job) {
         } else {
           add_height_field(inputs, model, surface);
         }
+      }
+      for (const std::string& text : options->assets) {
+        add_asset(inputs, model.declaration, text);
       }
       const std::vector<ProbeState> path =
           path_in(read_file(options->path, kTableFile), options->path.string());

@@ -1,5 +1,6 @@
 #include "app/session/stimulus_builder.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "app/study_files/parameter_json.h"
 #include "app/words/phrase.h"
 #include "renderers/offline/force_matching.h"
+#include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
@@ -24,6 +26,11 @@ TextureForcePath path_of(const EqualForce& request) {
   return path;
 }
 
+bool is_common_role(std::string_view role) {
+  return std::find(kCommonAssetRoles.begin(), kCommonAssetRoles.end(), role) !=
+         kCommonAssetRoles.end();
+}
+
 /// As a name; empty where there is none.
 std::string content_of(const PreparedStimulus& stimulus, std::string_view role) {
   return asset_sha256(stimulus.assets, role).value_or("");
@@ -31,10 +38,11 @@ std::string content_of(const PreparedStimulus& stimulus, std::string_view role) 
 
 /// Everything that the solution of a matching problem depends on, as a name.
 std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
-                   const ForceModel* reference, const ParameterValues& reference_parameters) {
+                   const ForceModel* reference, const ParameterValues& reference_parameters,
+                   const std::vector<AssetRow>& assets) {
   const RendererInputs& inputs = stimulus.inputs;
   const TextureForcePath path = path_of(request);
-  const nlohmann::ordered_json problem{
+  nlohmann::ordered_json problem{
       {"model", stimulus.model->declaration.id},
       {"version", stimulus.model->declaration.version},
       {"parameters", json_text_of(inputs.parameters)},
@@ -50,6 +58,10 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
       {"path",
        {path.speed_m_per_s, path.duration_s, path.dropped_s, path.rate_Hz, path.mean_normal_force_N,
         path.low_Hz, path.high_Hz}}};
+  for (const AssetRow& asset : assets) {
+    // A height field has its key above, which every stored solution has; bodies are not matched.
+    if (!is_common_role(asset.role)) problem["assets"][asset.role] = asset.sha256;
+  }
   return sha256_of(problem.dump());
 }
 
@@ -103,6 +115,17 @@ std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wa
         without_long_wavelengths(*whole.field, gaussian_wavelength_m));
   }
   return filtered;
+}
+
+LoadedAsset StimulusBuilder::asset(const std::string& study_path) {
+  const std::lock_guard lock(assets_mutex_);
+  LoadedAsset& known = assets_[study_path];
+  if (known.content == nullptr) {
+    std::string content = read_file(study_folder_ / study_path);
+    known.sha256 = sha256_of(content);
+    known.content = std::make_shared<const std::string>(std::move(content));
+  }
+  return known;
 }
 
 LoadedTexturedMesh StimulusBuilder::mesh(const std::string& study_path) {
@@ -166,7 +189,7 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
   PreparedStimulus prepared = unmatched(presentation.stimulus);
-  if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
+  if (presentation.equal_force) match(prepared, presentation, study);
   return prepared;
 }
 
@@ -196,7 +219,8 @@ PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& 
     inputs.height_field = std::move(loaded.field);
     took(kHeightFieldRole, std::move(loaded.sha256));
   }
-  if (prepared.model->declaration.needs_bodies) {
+  const ModelDeclaration& declaration = prepared.model->declaration;
+  if (declaration.needs_bodies) {
     const auto prepare_body = [this, &took](const std::optional<BodyDescription>& body,
                                             BodyRole role, std::string_view asset_role,
                                             std::shared_ptr<const TexturedMesh>& mesh) {
@@ -208,12 +232,32 @@ PreparedStimulus StimulusBuilder::without_parameters(const StimulusDescription& 
     prepare_body(description.surface, BodyRole::surface, kSurfaceRole, inputs.surface);
     prepare_body(description.tool, BodyRole::tool, kToolRole, inputs.tool);
   }
+  for (AssetRow& row : take_assets(declaration, description, inputs)) {
+    prepared.assets.push_back(std::move(row));
+  }
   return prepared;
 }
 
-void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& request, Study& study) {
+std::vector<AssetRow> StimulusBuilder::take_assets(const ModelDeclaration& model,
+                                                   const StimulusDescription& description,
+                                                   RendererInputs& inputs) {
+  std::vector<AssetRow> rows{};
+  for (const AssetDeclaration& declared : model.assets) {
+    const auto path = description.declared_assets.find(declared.role);
+    if (path == description.declared_assets.end()) continue;  // make_renderer refuses
+    LoadedAsset loaded = asset(path->second);
+    inputs.assets[declared.role] = std::move(loaded.content);
+    rows.push_back({declared.role, std::move(loaded.sha256)});
+  }
+  return rows;
+}
+
+void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentation& presentation,
+                            Study& study) {
+  const EqualForce& request = presentation.equal_force.value();
   RendererInputs& inputs = prepared.inputs;
   const ForceModel* reference = nullptr;
+  std::vector<AssetRow> assets = prepared.assets;
   RendererInputs reference_inputs = inputs;
   reference_inputs.parameters.clear();
   if (!request.rms_N) {
@@ -225,8 +269,12 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& reques
                              .with(request.to_model));
     }
     reference_inputs.parameters = parameters_for(*reference, prepared, {});
+    for (AssetRow& row :
+         take_assets(reference->declaration, presentation.stimulus, reference_inputs)) {
+      assets.push_back(std::move(row));
+    }
   }
-  const std::string key = key_of(prepared, request, reference, reference_inputs.parameters);
+  const std::string key = key_of(prepared, request, reference, reference_inputs.parameters, assets);
   // One problem at a time: sessions that run in parallel wait for the first to solve it.
   const std::lock_guard lock(matching_mutex_);
   std::string& known = solutions_[key];

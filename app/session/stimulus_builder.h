@@ -30,6 +30,12 @@ struct PreparedStimulus {
   std::optional<double> matched_texture_force_N{};
 };
 
+/// The content of a file whose role a force model declares, and its hash.
+struct LoadedAsset {
+  std::shared_ptr<const std::string> content{};
+  std::string sha256{};
+};
+
 /// The mesh of a body, and the hash of its content.
 struct LoadedBody {
   std::shared_ptr<const TexturedMesh> mesh{};
@@ -38,16 +44,16 @@ struct LoadedBody {
   std::string sha256{};
 };
 
-/// Reads the study's height fields and textured meshes (once each), makes the bodies of shapes
-/// (once for each set of inputs), takes parameters from samples where a model requires it, and
-/// solves requests for equal texture force.
+/// Reads the study's height fields, textured meshes and other assets (once each), makes bodies of shapes (once for
+/// everything that they are made from), takes parameters from samples where a model does
+/// so, and solves requests for equal texture force.
 ///
-/// Equal force refers to the reference model as it would be rendered with this texture where
-/// nothing else is declared: parameters from the sample, defaults for the rest. A solution depends
-/// on both models and their versions, the parameters, the material, the patch, the content of the
-/// height field, the target and the prescribed path; it is stored in the study under all of these,
-/// so that every session renders the same stimulus. A model that draws random numbers is solved
-/// with one seed and felt with another: its texture force scatters about the solution by some 2 %.
+/// Equal force refers to the reference model as it would be rendered with this texture where nothing
+/// else is declared: parameters from the sample, defaults for the rest. A solution depends on both models
+/// and their versions, the parameters, the material, the patch, the content of the height field and of
+/// declared assets, the target and the prescribed path; it is kept under all of these in the study, so that every
+/// session renders the same stimulus. A model that draws random numbers is solved with one seed and
+/// felt with another: its texture force scatters about the solution by some 2 %.
 ///
 /// Errors: std::runtime_error naming the stimulus and the file or parameter.
 ///
@@ -70,6 +76,8 @@ class StimulusBuilder final {
   LoadedBody body(const BodyDescription& description, BodyRole role);
   /// Checks that `body` can provide it, without making the texels of a shape. Errors: as `body`.
   void require_body(const BodyDescription& description);
+  /// A file of a role that force models declare. Errors: ResultsError naming the file.
+  LoadedAsset asset(const std::string& study_path);
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
@@ -77,7 +85,10 @@ class StimulusBuilder final {
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
   LoadedTexturedMesh mesh(const std::string& study_path);
-  void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
+  /// Gives `inputs` the assets that the model declares. Returns their rows.
+  std::vector<AssetRow> take_assets(const ModelDeclaration& model,
+                                    const StimulusDescription& description, RendererInputs& inputs);
+  void match(PreparedStimulus& prepared, const PlannedPresentation& presentation, Study& study);
 
   const ModelRegistry& models_;
   std::filesystem::path study_folder_{};
@@ -85,6 +96,8 @@ class StimulusBuilder final {
   std::mutex suggestions_mutex_{};
   std::map<std::string, ParameterValues> suggestions_{};
   std::mutex matching_mutex_{};
+  std::mutex assets_mutex_{};
+  std::map<std::string, LoadedAsset> assets_{};  ///< by path in the study
   std::map<std::string, LoadedHeightField> fields_{};
   std::map<std::pair<std::string, double>, std::shared_ptr<const HeightField>> filtered_{};
   std::mutex bodies_mutex_{};

@@ -82,6 +82,9 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       case NamedFile::Kind::height_field:
         builder.height_field(named.path);
         break;
+      case NamedFile::Kind::asset:
+        builder.asset(named.path);  // its content: problems_of_assets
+        break;
       case NamedFile::Kind::textured_mesh:
         builder.require_body({.mesh = named.path});
         break;
@@ -138,6 +141,28 @@ std::string name_of_making(const StimulusDescription& stimulus) {
     name += ' ' + asset.role + ' ' + asset.path;
   }
   return name;
+}
+
+/// Declared assets whose content their model refuses: only the model can read it.
+std::vector<Diagnostic> problems_of_assets(const Protocol& protocol, const std::string& file_name,
+                                           StimulusBuilder& builder) {
+  std::vector<Diagnostic> problems{};
+  std::set<std::string> made{};
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const ForceModel* const model = builder.models().find(planned.stimulus.model);
+      if (model == nullptr || model->declaration.assets.empty()) continue;
+      if (!made.insert(name_of_making(planned.stimulus)).second) continue;
+      try {
+        make_renderer(*model, builder.unmatched(planned.stimulus).inputs);
+      } catch (const std::exception& error) {
+        problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+        problems.back().message =
+            "the stimulus \"" + planned.stimulus.name + "\" cannot be rendered: " + error.what();
+      }
+    }
+  }
+  return problems;
 }
 
 enum class FirstTouch { from_outside, never, never_outside };
@@ -297,6 +322,7 @@ std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::s
   std::vector<Diagnostic> problems = problems_of_named_files(
       protocol, file_name, study, builder, [](const Diagnostic&) { return true; });
   if (problems.empty()) problems = problems_of_shapes(protocol, file_name, builder);
+  if (problems.empty()) problems = problems_of_assets(protocol, file_name, builder);
   return problems;
 }
 

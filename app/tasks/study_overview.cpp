@@ -135,6 +135,17 @@ std::map<std::string, std::vector<std::string>> users_of_files(
   return users;
 }
 
+/// Files of roles that force models declare.
+std::set<std::string> declared_assets_of(const std::vector<ProtocolFile>& protocols) {
+  std::set<std::string> assets{};
+  for (const auto& [file, protocol] : protocols) {
+    for (const NamedFile& each : files_of(protocol)) {
+      if (each.kind == NamedFile::Kind::asset) assets.insert(each.path);
+    }
+  }
+  return assets;
+}
+
 /// Protocols and the names of their bodies that are shapes.
 std::vector<std::pair<const Protocol*, std::string>> shapes_of(
     const std::vector<ProtocolFile>& protocols) {
@@ -376,6 +387,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
                                                  const std::stop_token& stop, const BodySeen& see) {
   const std::vector<ProtocolFile> protocols = sound_protocols(study, models);
   const auto users = users_of_files(protocols);
+  const std::set<std::string> assets = declared_assets_of(protocols);
   std::vector<StimulusOverview> overviews{};
   // `look` returns the body, where it is one.
   const auto add = [&](StimulusOverview stimulus, auto look) {
@@ -391,17 +403,22 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
   using StimulusKind = StimulusOverview::Kind;
   for (const std::filesystem::path& file : files_in(study / "stimuli")) {
     if (stop.stop_requested()) break;
-    const bool is_picture = is_picture_name(file);
-    if (!is_picture && !is_textured_mesh(file)) continue;
     StimulusOverview stimulus{};
     stimulus.path = "stimuli/" + file.filename().string();
-    stimulus.kind = !is_picture         ? StimulusKind::textured_mesh
-                    : has_sidecar(file) ? StimulusKind::height_field
-                                        : StimulusKind::picture;
+    if (is_picture_name(file)) {
+      stimulus.kind = has_sidecar(file) ? StimulusKind::height_field : StimulusKind::picture;
+    } else if (is_textured_mesh(file)) {
+      stimulus.kind = StimulusKind::textured_mesh;
+    } else if (assets.contains(stimulus.path)) {
+      stimulus.kind = StimulusKind::asset;
+    } else {
+      continue;
+    }
     if (const auto found = users.find(stimulus.path); found != users.end()) {
       stimulus.used_by = found->second;
     }
     add(std::move(stimulus), [&](StimulusOverview& own) -> std::shared_ptr<const TexturedMesh> {
+      if (own.kind == StimulusKind::asset) return {};  // only its models can read it
       if (own.kind != StimulusKind::textured_mesh) {
         look_into(own, file, relief_rows);
         return {};

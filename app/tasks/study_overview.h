@@ -123,6 +123,7 @@ struct StimulusOverview {
     height_field,
     textured_mesh,
     shape,
+    asset,  ///< of a role that force models declare
   };
   /// Study-relative; for a shape the protocol's name and the body's, "tools_matching/fine".
   std::string path{};

@@ -92,6 +92,8 @@ struct Texture {
       height_field{};                    ///< study-relative PNG; absent: no rendered counterpart
   std::optional<std::string> picture{};  ///< study-relative
   std::optional<std::string> true_height_field{};  ///< study-relative; of procedural textures
+  /// Role → study-relative path, of roles that force models declare (AssetDeclaration).
+  std::map<std::string, std::string, std::less<>> assets{};
   std::optional<double> spacing_m{};               ///< distance of its elements
   std::optional<ForceFeatures> prior{};            ///< expectation if there is no true height field
   std::string note{};

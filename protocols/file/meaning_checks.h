@@ -75,6 +75,10 @@ class Meaning final : private ProblemSink {
   void check_bodies_of(const StimulusTemplate& stimulus,
                        const std::vector<const ModelDeclaration*>& models,
                        const std::string& pointer);
+  /// Whether the textures have the files that the models declare.
+  void check_assets_of(const StimulusTemplate& stimulus,
+                       const std::vector<const ModelDeclaration*>& models,
+                       const std::string& pointer);
   /// Whether every surface that the stimulus can have contains its own relief.
   bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
   bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,

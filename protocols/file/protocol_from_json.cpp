@@ -105,6 +105,9 @@ Texture texture_of(const std::string& name, const json& object) {
   read(object, "height_field", texture.height_field);
   read(object, "picture", texture.picture);
   read(object, "true_height_field", texture.true_height_field);
+  for_each_named(object, "assets", [&](const std::string& role, const json& path) {
+    texture.assets[role] = path.get<std::string>();
+  });
   read(object, "spacing_m", texture.spacing_m);
   read(object, "note", texture.note);
   if (const auto found = object.find("prior"); found != object.end()) {

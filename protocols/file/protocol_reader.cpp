@@ -45,6 +45,9 @@ std::vector<NamedFile> files_of(const Protocol& protocol) {
     add(texture.height_field, place + "/height_field", NamedFile::Kind::height_field);
     add(texture.picture, place + "/picture", NamedFile::Kind::picture);
     add(texture.true_height_field, place + "/true_height_field", NamedFile::Kind::height_field);
+    for (const auto& [role, path] : texture.assets) {
+      add(path, pointer_to(place + "/assets", role), NamedFile::Kind::asset);
+    }
   }
   for (const auto& [name, body] : protocol.bodies) {
     add(body.mesh, pointer_to("/bodies", name) + "/mesh", NamedFile::Kind::textured_mesh);

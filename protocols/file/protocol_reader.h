@@ -31,8 +31,8 @@ Protocol read_protocol(std::string_view text, const std::string& file_name,
 struct NamedFile {
   std::string path{};  ///< study-relative
   Diagnostic place{};  ///< complete except for its message
-  /// For code that reads the file.
-  enum class Kind { height_field, picture, textured_mesh, speech };
+  /// For code that reads the file. `asset`: of a role that force models declare.
+  enum class Kind { height_field, picture, asset, textured_mesh, speech };
   Kind kind = Kind::picture;
 };
 /// All files of a study of which the named one consists: a height field has a sidecar.

@@ -62,12 +62,21 @@ void Meaning::check_path(const std::optional<std::string>& path, const std::stri
 
 void Meaning::check_textures() {
   std::map<std::string, std::string> codes{};
+  std::map<std::string, std::string> roles{};  // those that force models declare → a model
+  for (const auto& [id, model] : models_) {
+    for (const AssetDeclaration& asset : model->assets) roles.emplace(asset.role, id);
+  }
   for (const auto& [name, texture] : protocol_.textures) {
     const std::string pointer = pointer_to("/textures", name);
     check_path(texture.height_field, pointer + "/height_field");
     check_path(texture.picture, pointer + "/picture");
     check_path(texture.true_height_field, pointer + "/true_height_field");
-    if (!texture.height_field && !texture.picture) {
+    for (const auto& [role, path] : texture.assets) {
+      const std::string place = pointer_to(pointer + "/assets", role);
+      check_path(path, place);
+      if (!roles.contains(role)) report_key(place, unknown("role of an asset", role, roles));
+    }
+    if (!texture.height_field && !texture.picture && texture.assets.empty()) {
       report(pointer,
              "this texture can be neither felt nor seen: give it a \"height_field\", a "
              "\"picture\" or both");

@@ -50,6 +50,17 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
   if (needs_height_field && !has_texture) {
     report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
   }
+  std::vector<const ModelDeclaration*> rendered = models;
+  if (stimulus.equal_force) {
+    const auto reference = models_.find(stimulus.equal_force->to_model);
+    if (reference != models_.end()) rendered.push_back(reference->second);
+  }
+  check_assets_of(stimulus, rendered, pointer);
+  const bool all_need_assets_alone =
+      !models.empty() &&
+      std::all_of(models.begin(), models.end(), [](const ModelDeclaration* each) {
+        return !each->assets.empty() && !each->needs_height_field && !each->needs_bodies;
+      });
   for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
     const auto texture = protocol_.textures.find(name);
     if (texture == protocol_.textures.end()) {
@@ -60,7 +71,7 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
         report(place, "the height field of the texture " + in_quotes(name) +
                           " is on neither body: the surface has its own relief");
       }
-    } else if (!texture->second.height_field) {
+    } else if (!texture->second.height_field && !all_need_assets_alone) {
       report(place,
              "the texture " + in_quotes(name) + " cannot be felt: it has no \"height_field\"");
     }
@@ -104,6 +115,29 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     for (const ModelDeclaration* const model : models) check_together(*model, constants, pointer);
   }
   if (stimulus.equal_force) check_equal_force(stimulus, pointer);
+}
+
+void Meaning::check_assets_of(const StimulusTemplate& stimulus,
+                              const std::vector<const ModelDeclaration*>& models,
+                              const std::string& pointer) {
+  const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
+  for (const ModelDeclaration* const model : models) {
+    for (const AssetDeclaration& asset : model->assets) {
+      const std::string needed = "the model " + in_quotes(model->id) + " needs the asset " +
+                                 in_quotes(asset.role) + " (" + asset.meaning + ")";
+      if (!has_texture) {
+        report(pointer, needed + ": give the stimulus a \"texture\" that has it");
+      }
+      for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
+        const auto texture = protocol_.textures.find(name);
+        if (texture == protocol_.textures.end() || texture->second.assets.contains(asset.role)) {
+          continue;
+        }
+        report(place, needed + ", which the texture " + in_quotes(name) +
+                          " does not have: add its file under \"assets\"");
+      }
+    }
+  }
 }
 
 void Meaning::check_together(const ModelDeclaration& model, const ParameterValues& given,

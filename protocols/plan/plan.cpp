@@ -62,6 +62,7 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   }
   if (!planned.stimulus.texture.empty()) {
     planned.stimulus.height_field = protocol.textures.at(planned.stimulus.texture).height_field;
+    planned.stimulus.declared_assets = protocol.textures.at(planned.stimulus.texture).assets;
   }
   planned.stimulus.surface = planned_body(protocol, surface, planned.stimulus.texture);
   planned.stimulus.tool = planned_body(protocol, tool, {});

@@ -131,6 +131,10 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   // Written only if there are bodies: other plans are compared with those that older programs stored.
   if (stimulus.surface) add_body(line, "surface", *stimulus.surface);
   if (stimulus.tool) add_body(line, "tool", *stimulus.tool);
+  if (!stimulus.declared_assets.empty()) {  // the same applies
+    line.key("assets");
+    line.levels(stimulus.declared_assets);
+  }
   line.close('}');
 }
 

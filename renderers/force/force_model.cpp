@@ -3,12 +3,14 @@
 #include "renderers/force/force_model.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "stimuli/stimulus_description.h"
 
 namespace asperity {
 namespace {
@@ -18,6 +20,22 @@ bool is_an_id(std::string_view id) {
   return !id.empty() && is_lower(id.front()) && std::all_of(id.begin(), id.end(), [&](char c) {
     return is_lower(c) || (c >= '0' && c <= '9') || c == '_';
   });
+}
+
+void require_roles(const ModelDeclaration& declaration) {
+  std::set<std::string_view> taken(kCommonAssetRoles.begin(), kCommonAssetRoles.end());
+  for (const AssetDeclaration& asset : declaration.assets) {
+    if (!is_an_id(asset.role)) {
+      throw std::invalid_argument("AssetDeclaration::role \"" + asset.role + "\" of the model " +
+                                  declaration.id +
+                                  " must be a lower-case letter followed by lower-case letters, "
+                                  "digits and underscores");
+    }
+    if (!taken.insert(asset.role).second) {
+      throw std::invalid_argument("AssetDeclaration::role \"" + asset.role + "\" of the model " +
+                                  declaration.id + " is taken");
+    }
+  }
 }
 
 // The end of an error message, with the inputs that are missing.
@@ -39,6 +57,12 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
     throw std::invalid_argument("the force model " + model.declaration.id +
                                 " needs a tool and a surface, meshes with haptic textures, and " +
                                 missing_bodies(inputs));
+  }
+  for (const AssetDeclaration& asset : model.declaration.assets) {
+    const auto given = inputs.assets.find(asset.role);
+    if (given != inputs.assets.end() && given->second) continue;
+    throw std::invalid_argument("the force model " + model.declaration.id + " needs the asset \"" +
+                                asset.role + "\" (" + asset.meaning + "), and none is given");
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);
@@ -67,6 +91,7 @@ void ModelRegistry::add(ForceModel model) {
   if (find(id) != nullptr) {
     throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken");
   }
+  require_roles(model.declaration);
   models_.push_back(std::move(model));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ struct RendererInputs {
   /// and turns with the device. `surface` is the mesh that is touched: its frame has its origin at `patch.centre_m`.
   std::shared_ptr<const TexturedMesh> tool{};
   std::shared_ptr<const TexturedMesh> surface{};
+  /// The content of the model's further files by the role under which the model declares each
+  /// (AssetDeclaration), to the byte: the model decodes it, and refuses it if it is not what it should be.
+  std::map<std::string, std::shared_ptr<const std::string>, std::less<>> assets{};
   std::uint64_t seed = 0;  ///< of a model that draws random numbers
 };
 
@@ -52,14 +56,14 @@ std::string conservative_text(const ForceModel& model);
 
 /// Makes one renderer of a model. The parameters are completed and checked here.
 ///
-/// Errors: std::invalid_argument for a bad parameter, for a required height field or body that is missing, and for
-/// inputs that the model rejects.
+/// Errors: std::invalid_argument for a bad parameter, for a height field, a body or a declared asset
+/// that is needed and missing, and for inputs that the model refuses.
 std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const RendererInputs& inputs);
 
 /// The registry of force models, in the order in which they were added.
 ///
-/// Errors: `add` throws std::invalid_argument for an id that is already registered or does not match `[a-z][a-z0-9_]*`;
-/// `make` throws it for an unknown model and in the cases of `make_renderer`.
+/// Errors: `add` throws std::invalid_argument for an id, or the role of an asset, that is taken or not `[a-z][a-z0-9_]*`;
+/// `make` for an unknown model, and as `make_renderer` does.
 class ModelRegistry final {
  public:
   void add(ForceModel model);

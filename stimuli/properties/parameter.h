@@ -44,7 +44,17 @@ struct ParameterConflict {
   std::string message{};                  ///< the values and the correction
 };
 
-/// Declares a force model for all code outside the servo.
+/// A file that a force model needs in addition to a height field and bodies, such as recorded vibrations.
+///
+/// The declaration is the only place where its role is listed: a protocol states the file of each texture under this
+/// role, the session hashes and stores it under this role, and the model finds its content under it in RendererInputs.
+struct AssetDeclaration {
+  std::string
+      role{};  ///< `[a-z][a-z0-9_]*`; not that of a height field or a body (stimulus_description.h)
+  std::string meaning{};  ///< what the file contains
+};
+
+/// A force model as everybody but the servo knows it.
 struct ModelDeclaration {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, used in protocols and on the command line
   std::string version{};  ///< changes whenever the same inputs would give another force
@@ -61,7 +71,9 @@ struct ModelDeclaration {
   /// library. On the same machine a replay is exact.
   double replay_tolerance_N = 1e-9;
   std::vector<Parameter> parameters{};
-  /// Finds a conflict among complete values that are valid individually; empty for a model whose values never conflict.
+  std::vector<AssetDeclaration> assets{};  ///< all of them are needed
+  /// What is wrong with complete values, each of them acceptable, together; empty for a model whose
+  /// values never contradict each other.
   std::function<std::optional<ParameterConflict>(const ParameterValues&)> conflict_among{};
 };
 

@@ -576,6 +576,11 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
                "asperity: --stiffness-n-per-m is -5; it must be above 0 N/m\n");
   expect_wrong(rendering, {"--friction", "-0.1"},
                "asperity: --friction is -0.1; it must be 0 or above\n");
+  expect_wrong(rendering, {"--asset", "vibrations"},
+               "asperity: --asset vibrations: write ROLE=FILE\n");
+  expect_wrong(rendering, {"--asset", "vibrations=f"},
+               "asperity: --asset vibrations=f: the force model sinusoid needs no asset "
+               "\"vibrations\"; asperity models lists those that it needs\n");
   expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
                "--for: there is no \"hand\"; write surface or tool\n");
 }

@@ -231,7 +231,8 @@ TEST(Models, AreDeclaredInOneJsonDocument) {
   std::vector<std::string> ids{};
   for (const auto& model : document.at("models")) {
     ids.push_back(model.at("id"));
-    for (const char* key : {"version", "summary", "source", "conservative_with", "parameters"}) {
+    for (const char* key :
+         {"version", "summary", "source", "conservative_with", "assets", "parameters"}) {
       EXPECT_TRUE(model.contains(key)) << key;
     }
     for (const auto& parameter : model.at("parameters")) {

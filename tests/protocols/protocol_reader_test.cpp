@@ -99,6 +99,74 @@ TEST(ProtocolReader, CountsTexturedMeshesAmongTheFilesOfAProtocol) {
   EXPECT_EQ(mesh->place.pointer, "/bodies/rasp/mesh");
 }
 
+std::vector<ModelDeclaration> models_with_an_asset() {
+  std::vector<ModelDeclaration> models = test::example_models();
+  models[0].assets = {{"vibrations", "recorded accelerations"}};
+  return models;
+}
+
+std::string with_assets(const std::string& of_metal, const std::string& of_stone) {
+  std::string text = test::example_selection();
+  for (const auto& [path, assets] :
+       {std::pair("stimuli/metal.png", of_metal), std::pair("stimuli/stone.png", of_stone)}) {
+    const std::string field = std::string("\"height_field\": \"") + path + '"';
+    text.insert(text.find(field), assets);
+  }
+  return text;
+}
+
+TEST(ProtocolReader, ReadsTheAssetsThatModelsDeclare) {
+  const Protocol protocol = read_protocol(
+      with_assets(R"("assets": {"vibrations": "stimuli/metal.vib", "$comment": "of steel"}, )",
+                  R"("assets": {"vibrations": "stimuli/stone.vib"}, )"),
+      "example.json", models_with_an_asset());
+  const std::vector<NamedFile> files = files_of(protocol, "example.json");
+  ASSERT_EQ(files.size(), 6U);
+  EXPECT_EQ(files[2].path, "stimuli/metal.vib");
+  EXPECT_EQ(files[2].kind, NamedFile::Kind::asset);
+  EXPECT_EQ(files[2].place.pointer, "/textures/metal/assets/vibrations");
+  EXPECT_GT(files[2].place.line, 1);
+  for (const Trial& trial : make_plan(protocol, {.seed = 1}).trials) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const auto& path = planned.stimulus.declared_assets.at("vibrations");
+      EXPECT_EQ(path, "stimuli/" + planned.stimulus.texture + ".vib");
+      EXPECT_NE(json_of(trial).find(R"("assets":{"vibrations":")" + path + "\"}"),
+                std::string::npos);
+    }
+  }
+}
+
+/// The problems of a protocol whose textures have these assets, each as its place and its message.
+std::string problems_of_assets(const std::string& of_metal, const std::string& of_stone) {
+  std::string said{};
+  try {
+    read_protocol(with_assets(of_metal, of_stone), "example.json", models_with_an_asset());
+  } catch (const ProtocolError& error) {
+    for (const Diagnostic& each : error.diagnostics()) {
+      said += each.pointer + ": " + each.message + '\n';
+    }
+  }
+  return said;
+}
+
+TEST(ProtocolReader, RefusesAnAssetThatIsMissingUnknownOrOutsideTheStudy) {
+  const std::string vibrations = R"("assets": {"vibrations": "stimuli/a.vib"}, )";
+  EXPECT_EQ(problems_of_assets(vibrations, vibrations), "");
+  EXPECT_EQ(problems_of_assets(vibrations, ""),
+            "/factors/texture/levels/1: the model \"height_map\" needs the asset \"vibrations\" "
+            "(recorded accelerations), which the texture \"stone\" does not have: add its file "
+            "under \"assets\"\n");
+  const std::string misspelt =
+      R"("assets": {"vibrations": "stimuli/a.vib", "vibration": "b.vib"}, )";
+  EXPECT_TRUE(problems_of_assets(vibrations, misspelt)
+                  .starts_with("/textures/stone/assets/vibration: there is no role of an asset "
+                               "\"vibration\"; did you mean \"vibrations\"?"))
+      << problems_of_assets(vibrations, misspelt);
+  EXPECT_NE(problems_of_assets(vibrations, R"("assets": {"vibrations": "../a.vib"}, )")
+                .find("/textures/stone/assets/vibrations: "),
+            std::string::npos);
+}
+
 TEST(NamedFile, OfAHeightFieldIsTwoFiles) {
   const Protocol protocol =
       read_protocol(test::example_selection(), "example.json", test::example_models());

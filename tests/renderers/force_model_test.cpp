@@ -85,6 +85,33 @@ TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
   EXPECT_NE(make_renderer(model, inputs), nullptr);
 }
 
+TEST(ModelRegistry, RefusesAMissingAsset) {
+  const ModelRegistry registry = built_in_models();
+  ForceModel model = *registry.find("sinusoid");
+  model.declaration.assets = {{"vibrations", "recorded accelerations"}};
+  RendererInputs inputs = any_inputs();
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
+      testing::HasSubstr("the force model sinusoid needs the asset \"vibrations\" (recorded "
+                         "accelerations), and none is given"));
+  inputs.assets["vibrations"] = std::make_shared<const std::string>("1 2 3");
+  EXPECT_NE(make_renderer(model, inputs), nullptr);
+}
+
+TEST(ModelRegistry, RefusesATakenOrMalformedRoleOfAnAsset) {
+  const ModelRegistry built_in = built_in_models();
+  ForceModel model = *built_in.find("sinusoid");
+  ModelRegistry registry{};
+  for (const char* role : {"", "Vibrations", "height_field", "surface", "tool", "vibrations"}) {
+    model.declaration.assets = {{"vibrations", "recorded"}, {role, "another"}};
+    EXPECT_THAT(refusal_of<std::invalid_argument>([&] { registry.add(model); }),
+                testing::HasSubstr("\"" + std::string(role) + "\""));
+  }
+  model.declaration.assets.pop_back();
+  registry.add(model);
+  EXPECT_EQ(registry.models().size(), 1U);
+}
+
 TEST(ModelRegistry, RefusesAParameterThatIsUnknownOrOutOfRange) {
   RendererInputs inputs = any_inputs();
   inputs.parameters = {{"amplitude_mm", 1.0}};

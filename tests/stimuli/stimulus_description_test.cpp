@@ -11,13 +11,16 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(StimulusAssets, AreTheFilesOfHeightFieldAndBodies) {
+TEST(StimulusAssets, AreTheFilesOfHeightFieldBodiesAndDeclaredRoles) {
   StimulusDescription stimulus{};
   EXPECT_THAT(assets_of(stimulus), IsEmpty());
   stimulus.height_field = "stimuli/metal.png";
   stimulus.tool = BodyDescription{.name = "rasp", .mesh = "stimuli/rasp.mesh"};
+  stimulus.declared_assets = {{"vibrations", "stimuli/metal.vib"}, {"heat", "stimuli/metal.heat"}};
   EXPECT_THAT(assets_of(stimulus), ElementsAre(StimulusAsset{"height_field", "stimuli/metal.png"},
-                                               StimulusAsset{"tool", "stimuli/rasp.mesh"}));
+                                               StimulusAsset{"tool", "stimuli/rasp.mesh"},
+                                               StimulusAsset{"heat", "stimuli/metal.heat"},
+                                               StimulusAsset{"vibrations", "stimuli/metal.vib"}));
 }
 
 TEST(StimulusAssets, OfAShapeAreTheReliefOnIt) {

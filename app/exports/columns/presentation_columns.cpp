@@ -12,6 +12,16 @@ using Place = ExportPlace;
 
 }  // namespace
 
+namespace {
+
+std::string names_of_models(const std::set<std::string>& models) {
+  std::string names{};
+  for (const std::string& model : models) names += (names.empty() ? "" : ", ") + model;
+  return names;
+}
+
+}  // namespace
+
 Columns presentation_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::attempt);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
@@ -46,6 +56,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
          "the tool of the model is a point");
   sha256("tool", "SHA-256 of the body that was held (docs/formats/study.md)",
          "the tool of the model is a point");
+  for (const auto& [role, models] : vocabulary.assets) {
+    sha256(role, "SHA-256 of a file that the force model needs; models: " + names_of_models(models),
+           "the model does not need this file");
+  }
   text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {
@@ -73,17 +87,12 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
-  const auto listed = [](const std::set<std::string>& models) {
-    std::string of{};
-    for (const std::string& model : models) of += (of.empty() ? "" : ", ") + model;
-    return of;
-  };
   for (const auto& [kind, models] : vocabulary.limits) {
     add(missing("the model does not monitor this limit",
                 at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
                                    "ticks in which the force model exceeded this limit of valid "
                                    "rendering (docs/models.md); models: " +
-                                       listed(models),
+                                       names_of_models(models),
                                    [kind = kind](const Place& at) -> Cell {
                                      for (const ModelLimitRow& limit : at.presentation->limits) {
                                        if (limit.kind == kind) return limit.ticks;
@@ -92,7 +101,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                    }))));
   }
   for (const auto& [name, parameter] : vocabulary.parameters) {
-    const std::string of = listed(parameter.models);
+    const std::string of = names_of_models(parameter.models);
     const bool numeric = parameter.levels.empty();
     std::string meaning{};
     for (const std::string& each : parameter.meanings) meaning += each + "; ";

@@ -139,6 +139,10 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
     }
   }
   for (const auto& [kind, model] : words.model_limits) vocabulary.limits[kind].insert(model);
+  for (const auto& [role, model] : words.assets) {
+    const bool has_own_column = role == "height_field" || role == "surface" || role == "tool";
+    if (!has_own_column) vocabulary.assets[role].insert(model);
+  }
   for (const ParticipantRow& participant : study.participants()) {
     const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);

@@ -49,6 +49,7 @@ struct StudyVocabulary {
   std::map<std::string, FactorMeaning> factors{};
   std::map<std::string, ParameterMeaning> parameters{};
   std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that monitor it
+  std::map<std::string, std::set<std::string>> assets{};  ///< declared role → models that used one
   /// The spacings of textures that protocol files for magnitude estimation declare, by the file's SHA-256.
   std::map<std::string, EstimationDeclaration> estimations{};
   std::set<std::string> participant_answers{};

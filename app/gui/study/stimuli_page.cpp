@@ -37,7 +37,7 @@ QImage image_of(const GreyImage& grey) {
 
 /// Of a file that is no body.
 QImage picture_of(const std::filesystem::path& study, const StimulusOverview& stimulus) {
-  if (!stimulus.problem.empty()) return {};
+  if (!stimulus.problem.empty() || stimulus.kind == StimulusOverview::Kind::asset) return {};
   if (stimulus.kind == StimulusOverview::Kind::height_field) return image_of(stimulus.relief);
   QImageReader reader(QString::fromStdString((study / stimulus.path).string()));
   reader.setScaledSize(reader.size().scaled(2 * kPicture, 2 * kPicture, Qt::KeepAspectRatio));
@@ -87,6 +87,8 @@ QString kind_of(const StimulusOverview& stimulus) {
       return StimuliPage::tr("mesh of %1 triangles").arg(triangles);
     case Kind::shape:
       return StimuliPage::tr("%1 of %2 triangles").arg(shape_name(*stimulus.shape), triangles);
+    case Kind::asset:
+      return StimuliPage::tr("data file");
   }
   return StimuliPage::tr("picture");
 }
@@ -105,6 +107,12 @@ QStandardItem* size_cell(const StimulusOverview& stimulus) {
   return number_cell(StimuliPage::tr("%1 × %2").arg(shown_number(1e3 * stimulus.width_m, 'g', 4),
                                                     shown_number(1e3 * stimulus.length_m, 'g', 4)),
                      stimulus.width_m * stimulus.length_m);
+}
+
+QStandardItem* pixels_cell(const StimulusOverview& stimulus) {
+  if (stimulus.kind == StimulusOverview::Kind::asset) return empty_number_cell();
+  return number_cell(StimuliPage::tr("%1 × %2").arg(stimulus.columns).arg(stimulus.rows),
+                     static_cast<double>(stimulus.columns * stimulus.rows));
 }
 
 QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
@@ -188,9 +196,7 @@ void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
     rows.push_back(
         {path,
          {name, kind, stimulus.problem.empty() ? size_cell(stimulus) : empty_number_cell(),
-          number_cell(tr("%1 × %2").arg(stimulus.columns).arg(stimulus.rows),
-                      static_cast<double>(stimulus.columns * stimulus.rows)),
-          maybe_number_cell(is_relief, 1e6 * stimulus.pitch_m, 1),
+          pixels_cell(stimulus), maybe_number_cell(is_relief, 1e6 * stimulus.pitch_m, 1),
           maybe_number_cell(is_relief, 1e6 * stimulus.rms_m, 1),
           text_cell(users.isEmpty() ? tr("no protocol") : users.join(", "))}});
   }

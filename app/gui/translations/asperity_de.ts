@@ -9571,6 +9571,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, or copy files into the folder: they appear here at once.</source>
         <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Einen aus einem Foto auf der Seite „Werkstatt“ erzeugen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
     </message>
+    <message>
+        <source>data file</source>
+        <translation>Datendatei</translation>
+    </message>
 </context>
 <context>
     <name>asperity::StudyPage</name>
