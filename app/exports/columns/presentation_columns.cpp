@@ -10,10 +10,6 @@ namespace {
 
 using Place = ExportPlace;
 
-}  // namespace
-
-namespace {
-
 std::string names_of_models(const std::set<std::string>& models) {
   std::string names{};
   for (const std::string& model : models) names += (names.empty() ? "" : ", ") + model;
