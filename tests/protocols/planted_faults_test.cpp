@@ -173,7 +173,7 @@ TEST_P(PlantedInRecognition, IsRefusedAtItsPlace) {
   expect_complaint(planted(library_text("improved_recognition"), GetParam()), GetParam());
 }
 
-const auto name_of = [](const auto& each) { return std::string(each.param.name); };
+const auto fault_name = [](const auto& each) { return std::string(each.param.name); };
 
 const Fault kSyntax[] = {
     {"trailing_comma", R"("version": "1.0.0",)", R"("version": "1.0.0",,)", ",\n  \"title\"", "",
@@ -450,11 +450,11 @@ const Fault kRecognition[] = {
      "at least 1"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Syntax, PlantedInSelection, testing::ValuesIn(kSyntax), name_of);
-INSTANTIATE_TEST_SUITE_P(Form, PlantedInSelection, testing::ValuesIn(kForm), name_of);
-INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInSelection, testing::ValuesIn(kMeaning), name_of);
-INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInMatching, testing::ValuesIn(kMatching), name_of);
-INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInRecognition, testing::ValuesIn(kRecognition), name_of);
+INSTANTIATE_TEST_SUITE_P(Syntax, PlantedInSelection, testing::ValuesIn(kSyntax), fault_name);
+INSTANTIATE_TEST_SUITE_P(Form, PlantedInSelection, testing::ValuesIn(kForm), fault_name);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInSelection, testing::ValuesIn(kMeaning), fault_name);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInMatching, testing::ValuesIn(kMatching), fault_name);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInRecognition, testing::ValuesIn(kRecognition), fault_name);
 
 TEST(PlantedFaults, AreReportedAllAtOnce) {
   std::string text = test::example_selection();

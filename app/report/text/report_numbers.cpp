@@ -16,17 +16,17 @@ namespace asperity {
 
 namespace {
 
-enum class NumberForm { count, share, number };
+enum class PrintedForm { count, share, number };
 
 struct NumberWords {
   std::string words{};
-  NumberForm form = NumberForm::number;
+  PrintedForm form = PrintedForm::number;
 };
 
 /// By quantity. Others are in a table, are the limits of an interval, are lists, or require more
 /// words than a row has.
 const std::map<std::string, NumberWords>& known_numbers() {
-  using enum NumberForm;
+  using enum PrintedForm;
   static const std::map<std::string, NumberWords> kKnown{
       {"balanced.pc", {"proportion correct, mean over the textures", share}},
       {"cochran.n.complete", {"participants with a response to every texture", count}},
@@ -129,13 +129,13 @@ std::string subject_of_row(const std::string& key) {
   return words.empty() ? "–" : words;
 }
 
-std::string number_in_form(double value, NumberForm form) {
+std::string number_in_form(double value, PrintedForm form) {
   switch (form) {
-    case NumberForm::count:
+    case PrintedForm::count:
       return fixed(value, 0);
-    case NumberForm::share:
+    case PrintedForm::share:
       return reading_percent(value);
-    case NumberForm::number:
+    case PrintedForm::number:
       break;
   }
   const double size = std::abs(value);

@@ -43,17 +43,17 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
   const auto persons = column_of(table, "persons");
   if (!share || !of || !low || *of == 0) return {};
   const std::size_t hits = *of - 1;  // the counted column; the keys precede it
-  struct Answer {
+  struct Proportion {
     std::vector<std::string> keys{};
     std::string text{};
     std::pair<double, double> numbers{};
   };
-  std::vector<Answer> answers{};
+  std::vector<Proportion> answers{};
   std::set<std::size_t> whole_places{};
   for (const std::vector<Cell>& row : table.rows) {
     const auto value = number_of(row[*share]);
     if (!value) continue;
-    Answer& answer = answers.emplace_back();
+    Proportion& answer = answers.emplace_back();
     std::string key{};
     for (std::size_t i = 0; i < hits; ++i) {
       answer.keys.push_back(printed_cell(row[i]));
@@ -82,7 +82,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
     answer.text += '.';
   }
   std::vector<std::string> sentences{};
-  for (const Answer& answer : answers) {
+  for (const Proportion& answer : answers) {
     const bool is_part =
         std::any_of(whole_places.begin(), whole_places.end(), [&answer](std::size_t place) {
           return answer.keys[place] != "all" && answer.keys[place] != "Total";
