@@ -1,3 +1,5 @@
+// Dispatch from a question to its form: each function calls the overload for the form and its answer.
+
 #include "protocols/answers/trial_question.h"
 
 #include <stdexcept>

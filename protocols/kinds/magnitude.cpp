@@ -1,3 +1,5 @@
+// The tests, checks and judgement of a magnitude estimation.
+
 #include "protocols/kinds/magnitude.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The tests, checks and judgement of a matching.
+
 #include "protocols/kinds/matching.h"
 
 #include <array>

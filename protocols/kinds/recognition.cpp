@@ -1,3 +1,5 @@
+// The tests, checks and judgement of a recognition.
+
 #include "protocols/kinds/recognition.h"
 
 #include <array>

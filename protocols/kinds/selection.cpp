@@ -1,3 +1,5 @@
+// The tests, checks and judgement of a selection.
+
 #include "protocols/kinds/selection.h"
 
 #include <array>
