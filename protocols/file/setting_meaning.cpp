@@ -74,7 +74,7 @@ void Meaning::check_textures() {
     for (const auto& [role, path] : texture.assets) {
       const std::string place = pointer_to(pointer + "/assets", role);
       check_path(path, place);
-      if (!roles.contains(role)) report_key(place, unknown("role of an asset", role, roles));
+      if (!roles.contains(role)) report_key(place, unknown_name("role of an asset", role, roles));
     }
     if (!texture.height_field && !texture.picture && texture.assets.empty()) {
       report(pointer,
