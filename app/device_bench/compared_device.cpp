@@ -111,7 +111,10 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
   const std::string which = colon == std::string::npos ? "" : device.substr(colon + 1);
   const Driver* const driver = drivers.find(device.substr(0, colon));
   if (driver == nullptr) {
-    sought.absence = "there is no device " + in_quotation_marks(device);
+    std::string names{};
+    for (const Driver& known : drivers.drivers()) names += (names.empty() ? "" : ", ") + known.id;
+    sought.absence =
+        "there is no device " + in_quotation_marks(device) + "; this program has: " + names;
     return sought;
   }
   sought.wanted.has_motors = driver->has_motors;

@@ -534,7 +534,7 @@ std::vector<Phrase> complaints_about_device(const Protocol& protocol,
   const bool has_motors = device.actuated_degrees_of_freedom > 0;
   if (has_motors && protocol.force_limit_N > device.peak_force_N) {
     complaints.push_back(phrase("ProtocolFiles",
-                                "the protocol's force_limit_N of %1 N exceeds the largest force of "
+                                "the protocol's force_limit_N of %1 N exceeds the peak force of "
                                 "the device \"%2\", %3 N")
                              .with(text_of_number(protocol.force_limit_N), called(device),
                                    text_of_number(device.peak_force_N)));

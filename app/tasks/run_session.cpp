@@ -237,7 +237,11 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   const std::unique_ptr<Rig> rig =
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
-  if (!complaints.empty()) throw PhrasedError(complaints.front());
+  if (!complaints.empty()) {
+    throw PhrasedError(
+        phrase("RunSession", "%1; choose another device, or lower the requirement in the protocol")
+            .with(complaints.front()));
+  }
   if (sitting.mode == SessionMode::run) {
     const auto blocker =
         study_data_blocker(protocol, recorded_device(rig->capability()), sitting.unfinished);

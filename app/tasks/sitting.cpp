@@ -101,7 +101,11 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
                const SessionLinks& links) {
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
-  if (!complaints.empty()) throw PhrasedError(complaints.front());
+  if (!complaints.empty()) {
+    throw PhrasedError(
+        phrase("RunSession", "%1; choose another device, or lower the requirement in the protocol")
+            .with(complaints.front()));
+  }
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);

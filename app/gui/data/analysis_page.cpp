@@ -190,7 +190,8 @@ void AnalysisPage::show_outcome(int index) {
   if (outcome.group == AnswerGroup::people && running_.contains(outcome.protocol)) {
     area_->setWidget(new EmptyState(
         tr("Blinding during a session"),
-        tr("A session of %1 is running. Its results by name are shown once it has ended.")
+        tr("A session of the protocol %1 is running. The protocol's results are shown by name once "
+           "the session has ended.")
             .arg(QString::fromStdString(outcome.protocol))));
     return;
   }

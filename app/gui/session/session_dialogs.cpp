@@ -45,7 +45,7 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) 
   form_->layout()->setContentsMargins(0, 0, 0, 0);
   rows->addWidget(form_);
   connect(form_, &ReasonForm::cancelled, this, &QDialog::reject);
-  form_->ask(tr("Why is the session aborted?"), offered_reasons(ReasonFor::aborting),
+  form_->ask(tr("Reason for aborting the session"), offered_reasons(ReasonFor::aborting),
              tr("Abort session"), [this, on_abort = std::move(on_abort)](const Phrase& reason) {
                on_abort(reason);
                accept();

@@ -19,22 +19,23 @@ void SessionQuestions::lock(const QString& why) {
 }
 
 void SessionQuestions::ask_to_repeat() {
-  form_.ask(tr("Why is the last trial repeated? Its response remains stored but no longer counts."),
-            offered_reasons(ReasonFor::repeating), tr("Repeat last trial"),
-            [this](const Phrase& reason) { requests_.repeat_last(reason); });
+  form_.ask(
+      tr("Reason for repeating the last trial. Its response remains stored but no longer counts."),
+      offered_reasons(ReasonFor::repeating), tr("Repeat last trial"),
+      [this](const Phrase& reason) { requests_.repeat_last(reason); });
 }
 
 void SessionQuestions::ask_to_skip(int trial) {
-  form_.ask(
-      tr("Why is trial %1 skipped? It is stored as skipped and not presented again.").arg(trial),
-      offered_reasons(ReasonFor::skipping), tr("Skip this trial"),
-      [this](const Phrase& reason) { requests_.skip(reason); });
+  form_.ask(tr("Reason for skipping trial %1. It is stored as skipped and not presented again.")
+                .arg(trial),
+            offered_reasons(ReasonFor::skipping), tr("Skip this trial"),
+            [this](const Phrase& reason) { requests_.skip(reason); });
 }
 
 void SessionQuestions::ask_to_unblind(std::function<void(Phrase)> on_reason) {
-  form_.ask(tr("Why do you need to know the conditions? The reason is stored with the session, and "
-               "the window stays marked."),
-            offered_reasons(ReasonFor::unblinding), tr("Unblind"), std::move(on_reason));
+  form_.ask(
+      tr("Reason for unblinding. It is stored with the session, and the window stays marked."),
+      offered_reasons(ReasonFor::unblinding), tr("Unblind"), std::move(on_reason));
 }
 
 void SessionQuestions::ask_to_abort() {

@@ -1128,8 +1128,8 @@
         <translation>Konfidenzintervalle von Differenzen von Anteilen sind auf den Bereich von −1 bis 1 begrenzt.</translation>
     </message>
     <message>
-        <source>Means over the participants in blocks of counted trials, as numbered in the plan through each participant&apos;s sessions. Times: geometric means.</source>
-        <translation>Mittelwerte über die Versuchspersonen in Blöcken gezählter Durchgänge, nummeriert wie im Plan durch die Sitzungen jeder Versuchsperson. Zeiten: geometrische Mittel.</translation>
+        <source>Means over the participants, by range of counted trials; trials are numbered in the planned order across each participant&apos;s sessions. Times: geometric means.</source>
+        <translation>Mittelwerte über die Versuchspersonen nach Abschnitten gezählter Durchgänge; die Durchgänge sind in der geplanten Reihenfolge über alle Sitzungen einer Versuchsperson nummeriert. Zeiten: geometrische Mittel.</translation>
     </message>
     <message>
         <source>Proportions: of correctly matched items.</source>
@@ -3825,8 +3825,8 @@
 <context>
     <name>ProtocolFiles</name>
     <message>
-        <source>the protocol&apos;s force_limit_N of %1 N exceeds the largest force of the device &quot;%2&quot;, %3 N</source>
-        <translation>force_limit_N des Protokolls, %1 N, übersteigt die größte Kraft des Geräts „%2“, %3 N</translation>
+        <source>the protocol&apos;s force_limit_N of %1 N exceeds the peak force of the device &quot;%2&quot;, %3 N</source>
+        <translation>force_limit_N des Protokolls, %1 N, übersteigt die Spitzenkraft des Geräts „%2“, %3 N</translation>
     </message>
     <message>
         <source>the protocol&apos;s rate_Hz of %1 Hz exceeds the highest rate of the device &quot;%2&quot;, %3 Hz</source>
@@ -4152,6 +4152,10 @@
     <message>
         <source>the session began on a device with which no participant can feel the surfaces, and is resumed in the same way; its report states this</source>
         <translation>die Sitzung begann an einem Gerät, an dem keine Versuchsperson die Oberflächen fühlen kann, und wird ebenso fortgesetzt; das steht in ihrem Bericht</translation>
+    </message>
+    <message>
+        <source>%1; choose another device, or lower the requirement in the protocol</source>
+        <translation>%1; ein anderes Gerät wählen oder die Anforderung im Protokoll senken</translation>
     </message>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
@@ -5174,8 +5178,8 @@
         <translation>Sitzung abbrechen?</translation>
     </message>
     <message>
-        <source>Why is the session aborted?</source>
-        <translation>Warum wird die Sitzung abgebrochen?</translation>
+        <source>Reason for aborting the session</source>
+        <translation>Grund für den Abbruch der Sitzung</translation>
     </message>
     <message>
         <source>Abort session</source>
@@ -5296,8 +5300,8 @@
         <translation>Verblindung während einer Sitzung</translation>
     </message>
     <message>
-        <source>A session of %1 is running. Its results by name are shown once it has ended.</source>
-        <translation>Eine Sitzung von %1 läuft. Ihre Ergebnisse mit Namen werden gezeigt, sobald sie beendet ist.</translation>
+        <source>A session of the protocol %1 is running. The protocol&apos;s results are shown by name once the session has ended.</source>
+        <translation>Eine Sitzung des Protokolls %1 läuft. Die Ergebnisse dieses Protokolls werden erst nach ihrem Ende mit Namen gezeigt.</translation>
     </message>
     <message>
         <source>Counting the responses…</source>
@@ -8778,24 +8782,24 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::SessionQuestions</name>
     <message>
-        <source>Why is the last trial repeated? Its response remains stored but no longer counts.</source>
-        <translation>Warum wird der letzte Durchgang wiederholt? Die Antwort bleibt gespeichert, zählt aber nicht mehr.</translation>
+        <source>Reason for repeating the last trial. Its response remains stored but no longer counts.</source>
+        <translation>Grund für die Wiederholung des letzten Durchgangs. Seine Antwort bleibt gespeichert, zählt aber nicht mehr.</translation>
     </message>
     <message>
         <source>Repeat last trial</source>
         <translation>Letzten Durchgang wiederholen</translation>
     </message>
     <message>
-        <source>Why is trial %1 skipped? It is stored as skipped and not presented again.</source>
-        <translation>Warum wird Durchgang %1 übersprungen? Er wird als übersprungen gespeichert und nicht erneut dargeboten.</translation>
+        <source>Reason for skipping trial %1. It is stored as skipped and not presented again.</source>
+        <translation>Grund für das Überspringen von Durchgang %1. Dieser wird als übersprungen gespeichert und nicht erneut dargeboten.</translation>
     </message>
     <message>
         <source>Skip this trial</source>
         <translation>Diesen Durchgang überspringen</translation>
     </message>
     <message>
-        <source>Why do you need to know the conditions? The reason is stored with the session, and the window stays marked.</source>
-        <translation>Warum müssen die Bedingungen bekannt sein? Der Grund wird mit der Sitzung gespeichert, und das Fenster bleibt gekennzeichnet.</translation>
+        <source>Reason for unblinding. It is stored with the session, and the window stays marked.</source>
+        <translation>Grund für die Entblindung. Er wird mit der Sitzung gespeichert, und das Fenster bleibt gekennzeichnet.</translation>
     </message>
     <message>
         <source>Unblind</source>
@@ -9682,8 +9686,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>&amp;Farben</translation>
     </message>
     <message>
-        <source>As the &amp;system</source>
-        <translation>Wie das S&amp;ystem</translation>
+        <source>Use &amp;system setting</source>
+        <translation>S&amp;ystemeinstellung verwenden</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -10239,7 +10243,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
     </message>
     <message>
-        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact, the time and the reason of the withdrawal remain stored.</source>
+        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact and the time of the withdrawal and its reason remain stored.</source>
         <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur die Tatsache, der Zeitpunkt und der Grund des Rückzugs.</translation>
     </message>
     <message>
@@ -10310,8 +10314,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Spektrum des Profils</translation>
     </message>
     <message>
-        <source>Waves per mm</source>
-        <translation>Wellen pro mm</translation>
+        <source>Spatial frequency, 1/mm</source>
+        <translation>Ortsfrequenz, 1/mm</translation>
     </message>
     <message>
         <source>Power, µm² mm</source>
@@ -10382,7 +10386,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Nach einer Viertelsekunde</translation>
     </message>
     <message>
-        <source>The relief in the workbench is not saved and would be lost: save it, then change theme or language.</source>
+        <source>The relief in the workbench is not saved and would be lost: save it, then change the theme or the language.</source>
         <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren: erst speichern, dann Farben oder Sprache wechseln.</translation>
     </message>
     <message>

@@ -368,7 +368,7 @@ void StudyWindow::make_view_menu() {
     action->setChecked(theme_choice() == choice);
     theme_group->addAction(action);
   };
-  add_theme(tr("As the &system"), ThemeChoice::system);
+  add_theme(tr("Use &system setting"), ThemeChoice::system);
   add_theme(tr("&Light"), ThemeChoice::light);
   add_theme(tr("&Dark"), ThemeChoice::dark);
 
@@ -380,7 +380,7 @@ void StudyWindow::make_view_menu() {
     action->setChecked(language_choice() == code);
     language_group->addAction(action);
   };
-  add_language(tr("As the &system"), "system");
+  add_language(tr("Use &system setting"), "system");
   for (const QString& code : available_languages()) {
     // "en" alone is American English to Qt, which says so.
     add_language(code == "en" ? QString("English") : QLocale(code).nativeLanguageName(), code);

@@ -171,7 +171,7 @@ QWidget* WorkbenchPage::make_workspace() {
                               .x = tr("Position, mm"),
                               .y = tr("Height, µm")},
                              {.heading = tr("Spectrum of the profile"),
-                              .x = tr("Waves per mm"),
+                              .x = tr("Spatial frequency, 1/mm"),
                               .y = tr("Power, µm² mm"),
                               .x_scale = PlotScale::logarithmic,
                               .y_scale = PlotScale::logarithmic},
@@ -463,7 +463,7 @@ void WorkbenchPage::show_forces() {
 void WorkbenchPage::keep_unsaved(bool unsaved) {
   setProperty("keep", unsaved
                           ? tr("The relief in the workbench is not saved and would be lost: save "
-                               "it, then change theme or language.")
+                               "it, then change the theme or the language.")
                           : QString());
 }
 

@@ -190,10 +190,13 @@ std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const T
   for (char& letter : code) {
     if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
   }
+  std::string codes{};
   for (const PlannedPresentation& surface : trial.presentations) {
     if (surface.code == code) return surface.position;
+    codes += (codes.empty() ? "" : ", ") + surface.code;
   }
-  output_ << "There is no surface " << code << ".\n";
+  output_ << "There is no surface " << code
+          << ". Please type feel and one of these letters: " << codes << ".\n";
   return {};
 }
 

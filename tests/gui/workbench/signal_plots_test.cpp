@@ -36,7 +36,7 @@ TEST(SignalPlot, HasTwoNumbersAtEachAxisHoweverNarrowItIs) {
   }
   for (const double high : {2.0, 7.0, 15.0, 90.0}) {
     SignalPlot plot({.heading = "Spectrum of the profile",
-                     .x = "Waves per mm",
+                     .x = "Spatial frequency, 1/mm",
                      .y = "Power",
                      .x_scale = PlotScale::logarithmic,
                      .y_scale = PlotScale::logarithmic});
