@@ -31,9 +31,10 @@ ConfusionCounts confusion_counts(std::span<const LabelPair> trials, std::size_t 
 
 void refuse_impossible_counts(const ConfusionCounts& counts) {
   if (counts.rows() != counts.cols() || counts.rows() < 2) {
-    throw std::invalid_argument("counts has " + std::to_string(counts.rows()) + " rows and " +
-                                std::to_string(counts.cols()) +
-                                " columns; confusions need a square of at least two labels");
+    throw std::invalid_argument(
+        "counts has " + std::to_string(counts.rows()) + " rows and " +
+        std::to_string(counts.cols()) +
+        " columns; a confusion matrix must be square, with at least 2 labels");
   }
   if (!counts.allFinite() || counts.minCoeff() < 0.0) {
     throw std::invalid_argument("counts: a count is negative or not finite");

@@ -10,8 +10,7 @@ namespace asperity {
 
 double equal_error_bits(double share, std::size_t labels) {
   if (labels < 2) {
-    throw std::invalid_argument("labels is " + std::to_string(labels) +
-                                "; information needs at least two");
+    throw std::invalid_argument("labels is " + std::to_string(labels) + "; it must be at least 2");
   }
   if (!(share >= 0.0 && share <= 1.0)) {
     throw std::invalid_argument("share is " + number_text(share) + "; it must lie between 0 and 1");

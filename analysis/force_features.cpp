@@ -32,7 +32,7 @@ void refuse_unusable_force(const FeltForce& felt) {
     throw std::invalid_argument(
         "FeltForce: time_s, travel_m, normal_N and lateral_N have " + std::to_string(count) + ", " +
         std::to_string(felt.travel_m.size()) + ", " + std::to_string(felt.normal_N.size()) +
-        " and " + std::to_string(felt.lateral_N.size()) + " samples; they must have the same");
+        " and " + std::to_string(felt.lateral_N.size()) + " samples; the numbers must be equal");
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(felt.time_s[i]) || !std::isfinite(felt.travel_m[i]) ||

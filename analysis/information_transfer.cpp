@@ -44,7 +44,8 @@ InformationTransfer information_transfer(const ConfusionCounts& counts) {
   refuse_impossible_counts(counts);
   const double n = counts.sum();
   if (n == 0.0) {
-    throw std::invalid_argument("counts: no trial was answered; information needs at least one");
+    throw std::invalid_argument(
+        "counts: no trial was answered; at least one answered trial is needed");
   }
   const Entropies entropies = entropies_of(counts);
   const double transfer = entropies.transfer();

@@ -46,7 +46,8 @@ struct LeastSquares {
 LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.x.size() != curves.log10.cols() || !curves.x.allFinite() ||
       !curves.log10.allFinite()) {
-    throw std::invalid_argument("x must have one finite level per column of log10, all finite");
+    throw std::invalid_argument(
+        "x must have one level per column of log10, and all values of x and log10 must be finite");
   }
   LeastSquares fit{.powers = powers_of(curves.x, coefficients)};
   fit.solver.compute(fit.powers);

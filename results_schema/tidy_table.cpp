@@ -197,7 +197,8 @@ TidyTable::TidyTable(std::string whole, std::string name)
               std::to_string(found) + (found == 1 ? " cell" : " cells") + ", the header has " +
               std::to_string(columns_.size()) + (columns_.size() == 1 ? " column" : " columns") +
               (separator == ',' && found > columns_.size()
-                   ? "; is there a comma in a number or in a text without quotes?"
+                   ? "; put quotes around a text that contains a comma, and write numbers "
+                     "with a decimal point"
                    : ""),
           name_);
     }

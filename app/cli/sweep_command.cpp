@@ -571,7 +571,10 @@ void add_sweep(CLI::App& program, Job& job) {
                    "Number of spacings computed in parallel (default: one for each processor); "
                    "does not affect the result")
       ->check(number_within(1, 256));
-  command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
+  command
+      ->add_option("--out", options->out,
+                   "Table of the results, one row per spacing and level (TSV)")
+      ->required();
   std::map<std::string, SweepMeasure> measures{};
   for (const SweepMeasure measure :
        {SweepMeasure::max_accel, SweepMeasure::rms_accel, SweepMeasure::fa1, SweepMeasure::fa2,

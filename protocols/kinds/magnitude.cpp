@@ -75,7 +75,7 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
   for (const auto& [level, spacing_m] : protocol.estimation->spacing_m) spacings.insert(spacing_m);
   constexpr std::size_t kCoefficients = 3;  // of a parabola
   if (spacings.size() < kCoefficients) {
-    problems.report(at_levels, "a curve needs at least three different spacings, but there are " +
+    problems.report(at_levels, "a curve needs at least three different spacings; number given: " +
                                    std::to_string(spacings.size()));
   }
 }

@@ -37,9 +37,9 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
   }
   if (question.pictures.size() != checked.block.presented.size()) {
     problems.report(place + (question.pictures.empty() ? "" : "/pictures"),
-                    "a matching needs as many pictures as surfaces, but there are " +
-                        std::to_string(question.pictures.size()) + " and " +
-                        std::to_string(checked.block.presented.size()));
+                    "a matching needs as many pictures as surfaces; pictures given: " +
+                        std::to_string(question.pictures.size()) +
+                        ", surfaces given: " + std::to_string(checked.block.presented.size()));
   }
   if (question.allow_cannot_tell) {
     problems.report(place + "/allow_cannot_tell",

@@ -80,7 +80,9 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
                     "\"code\" on its label");
   }
   if (protocol.observer.expectation != ObserverDeclaration::Expectation::none && texture.empty()) {
-    problems.report(presented, "nothing can be expected of surfaces without a texture");
+    problems.report(presented,
+                    "the observer's \"expectation\" requires surfaces with a texture: give them a "
+                    "texture, or set \"expectation\" to \"none\"");
   }
 }
 

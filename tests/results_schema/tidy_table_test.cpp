@@ -98,8 +98,8 @@ TEST(TidyTable, SaysWhatADecimalCommaIs) {
       "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
       "tabs) and decimal points");
   EXPECT_EQ(table_refusal("id,k\na,1,5\n"),
-            "file.csv:2:3: the row has 3 cells, the header has 2 columns; is there a comma in a "
-            "number or in a text without quotes?");
+            "file.csv:2:3: the row has 3 cells, the header has 2 columns; put quotes around a text "
+            "that contains a comma, and write numbers with a decimal point");
   EXPECT_EQ(table_refusal("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
             "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");
 }

@@ -52,12 +52,12 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   require_sound(sampling.law);
   const std::optional<int> cells = cells_per_step(sampling);
   if (!cells) {
-    return ParameterConflict{
-        .parameters = {"step_m", "cell_m"},
-        .message = "step_m is " + number_text(std::get<HardMaximum>(sampling.law).step_m) +
-                   " and cell_m " + number_text(sampling.cell_m) +
-                   "; the step has to be 1, 2, 4 or 8 cells, with this cell_m " +
-                   whole_steps_m(sampling.cell_m) + "."};
+    return ParameterConflict{.parameters = {"step_m", "cell_m"},
+                             .message = "step_m is " +
+                                        number_text(std::get<HardMaximum>(sampling.law).step_m) +
+                                        " and cell_m " + number_text(sampling.cell_m) +
+                                        "; step_m has to be 1, 2, 4 or 8 times cell_m, here " +
+                                        whole_steps_m(sampling.cell_m) + "."};
   }
   const int least = kSamplesPerStep * *cells;
   if (sampling.most_samples >= least) return std::nullopt;
