@@ -1,4 +1,4 @@
-// run with a label that is in the study already, or nearly.
+// run with a participant's label that is already in the study, or differs from one only in letter case.
 
 #include <csignal>
 

@@ -148,8 +148,8 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
 Phrase note_on_course(const Table& course, const std::string& kind) {
   Phrase note =
       phrase("Analysis",
-             "Means over the participants in blocks of counted trials, as numbered in the "
-             "plan through each participant's sessions. Times: geometric means.");
+             "Means over the participants, by range of counted trials; trials are numbered in the "
+             "planned order across each participant's sessions. Times: geometric means.");
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };

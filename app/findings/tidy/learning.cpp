@@ -163,7 +163,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
       if (by_block[block].empty()) continue;
       of_blocks[block].push_back(geometric_mean_of(by_block[block], logarithms));
       add_single("subject.block", both(name, blocks.name(block)), of_blocks[block].back(),
-                 "geometric mean of a participant's times in a block of trials", "s");
+                 "geometric mean of a participant's times in a range of trials", "s");
     }
   }
   FindingList findings{};
@@ -191,7 +191,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
             "least-squares lines of ln t over the number of the trial");
   for (std::size_t block = 0; block < of_blocks.size(); ++block) {
     add_time("block", blocks.name(block), of_blocks[block],
-             "geometric mean time in a block of trials");
+             "geometric mean time in a range of trials");
   }
   std::vector<Finding> all = findings.take();
   for (Finding& one : single.take()) all.push_back(std::move(one));
@@ -275,7 +275,7 @@ std::vector<Finding> proportions_over_trials(const TidyTable& table, const Famil
       of_blocks[block].push_back(hits_of(by_block[block], results));
       single.number("subject.block", both(name, blocks.name(block)),
                     proportion(of_blocks[block].back()),
-                    {.n = 1, .method = "proportion correct of a participant in a block of trials"});
+                    {.n = 1, .method = "proportion correct of a participant in a range of trials"});
     }
   }
   FindingList findings{};
@@ -289,7 +289,7 @@ std::vector<Finding> proportions_over_trials(const TidyTable& table, const Famil
   add_difference(differences, confidence, findings);
   for (std::size_t block = 0; block < of_blocks.size(); ++block) {
     add_mean("block", blocks.name(block), of_blocks[block],
-             "mean proportion correct in a block of trials");
+             "mean proportion correct in a range of trials");
   }
   std::vector<Finding> all = findings.take();
   for (Finding& one : single.take()) all.push_back(std::move(one));

@@ -340,12 +340,14 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
                    .method = way_of_counting(relabelling.drawn) +
-                             " relabelling within participants, sum of squared totals"});
+                             " permutation within participants, sum of squared totals"});
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
       {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
   findings.count("relabel.draws", "", relabelling.drawn,
-                 {.n = n, .method = "random relabellings; 0 if all were enumerated"});
+                 {.n = n,
+                  .method = "permutations within participants drawn at random; 0 if all were "
+                            "enumerated"});
   const Eigen::ArrayXd totals = counts.colwise().sum().cast<double>().array();
   findings.number("relabel.X2", "", (totals - totals.mean()).square().sum() / totals.mean(),
                   {.n = n,
