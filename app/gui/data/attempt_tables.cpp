@@ -136,7 +136,7 @@ QString limit_words(const std::string& kind) {
     return MeasureTables::tr("a contact was too wide for the requested step");
   }
   if (kind == "left_out") {
-    return MeasureTables::tr("there were more contacts than can be held");
+    return MeasureTables::tr("there were more contacts than the model supports; some were omitted");
   }
   if (kind == "kept") return MeasureTables::tr("a contact persisted although nothing intersected");
   if (kind == "wholly_inside") {

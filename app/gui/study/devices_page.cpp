@@ -42,7 +42,7 @@ std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& de
        device.continuous_force_N > 0.0
            ? DevicesPage::tr("%1 N").arg(fixed_number(device.continuous_force_N, 1))
            : DevicesPage::tr("not stated")},
-      {DevicesPage::tr("Resolution of position"),
+      {DevicesPage::tr("Position resolution"),
        device.position_resolution_m > 0.0
            ? DevicesPage::tr("%1 µm").arg(fixed_number(1e6 * device.position_resolution_m, 1))
            : DevicesPage::tr("exact (simulated)")},

@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Responses in trials without a declared correct response, left out: %1.</source>
-        <translation>Antworten in Durchgängen ohne festgelegte richtige Antwort, weggelassen: %1.</translation>
+        <translation>Weggelassene Antworten in Durchgängen ohne festgelegte richtige Antwort: %1.</translation>
     </message>
     <message>
         <source>Correct responses (counts)</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>Proportion of choices of each model, by texture</source>
-        <translation>Anteil jedes Modells an den Wahlen nach Textur</translation>
+        <translation>Anteil jedes Modells an den Wahlen, nach Textur</translation>
     </message>
     <message>
         <source>Chosen as the most realistic (counts)</source>
@@ -133,7 +133,7 @@
     </message>
     <message>
         <source>The chance level is 1 divided by the number of surfaces presented. p: exact binomial test, two-sided, uncorrected for the number of rows; the proportions of one column are not independent of each other.</source>
-        <translation>Das Zufallsniveau ist 1 durch die Zahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
+        <translation>Das Zufallsniveau ist 1 geteilt durch die Zahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
     </message>
     <message>
         <source>Pairwise comparisons of the models, among the choices of either model</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>Average linkage of the dissimilarities. Each row joins the cluster of the first texture with that of the second.</source>
-        <translation>Average Linkage der Unähnlichkeiten. Jede Zeile vereint die Gruppe der ersten Textur mit der der zweiten.</translation>
+        <translation>Average Linkage der Unähnlichkeiten. In jeder Zeile wird der Cluster der ersten Textur mit dem der zweiten zusammengeführt.</translation>
     </message>
     <message>
         <source>Are textures recognised above chance?</source>
@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant). Choices of a third model are not counted.</source>
-        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz beider Anzahlen jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
+        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
         <source>Chosen more often: %1.</source>
@@ -413,7 +413,7 @@
     </message>
     <message>
         <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
-        <translation>Das Zufallsniveau ist 1 durch die Zahl der gezeigten Bilder; „weiß nicht“ zählt als nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
+        <translation>Das Zufallsniveau ist 1 geteilt durch die Zahl der gezeigten Bilder; „weiß nicht“ zählt als nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
     </message>
     <message>
         <source>%1 “Cannot tell” responses are counted above and excluded here.</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>Responses left out because they are not numbers above 0, or because the protocol does not state their spacing: %1.</source>
-        <translation>Antworten, die keine Zahl über 0 sind oder für die das Protokoll keinen Abstand nennt, weggelassen: %1.</translation>
+        <translation>Weggelassene Antworten (keine Zahl über 0, oder im Protokoll ist kein Abstand angegeben): %1.</translation>
     </message>
     <message>
         <source>Estimates of anchors, which are not analysed: %1.</source>
@@ -565,7 +565,7 @@
     </message>
     <message>
         <source>%1 pairs are confused equally often, and none more often; number of confusions, counted in both directions: %2.</source>
-        <translation>%1 Paare werden gleich häufig verwechselt, keines häufiger; Zahl der Verwechslungen, in beiden Richtungen gezählt: %2.</translation>
+        <translation>%1 Paare wurden gleich häufig verwechselt, keines häufiger; Zahl der Verwechslungen, in beiden Richtungen gezählt: %2.</translation>
     </message>
     <message>
         <source>%1 and %2 are confused most often; number of confusions, counted in both directions: %3.</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant), on the trials in which both were presented.</source>
-        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz beider Anzahlen jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht), in den Durchgängen, in denen beide dargeboten wurden.</translation>
+        <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht), in den Durchgängen, in denen beide dargeboten wurden.</translation>
     </message>
     <message>
         <source>No choice was made between two models.</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>1 divided by the number of items, which differs between trials</source>
-        <translation>1 durch die Zahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
+        <translation>1 geteilt durch die Zahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
     </message>
     <message>
         <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
@@ -869,7 +869,7 @@
     </message>
     <message>
         <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
-        <translation>95-%-KI: t-Intervalle mit CR2-Standardfehlern, den Versuchspersonen als Clustern und Freiheitsgraden nach Satterthwaite.</translation>
+        <translation>95-%-KI: t-Intervalle aus CR2-Standardfehlern mit den Versuchspersonen als Clustern; Freiheitsgrade nach Satterthwaite.</translation>
     </message>
     <message>
         <source>No CI: at least %1 participants are needed.</source>
@@ -993,7 +993,7 @@
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
-        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n die Zahl der Antworten oder Durchgänge ist, sind diese zusammengefasst, als wären sie unabhängig. %2</translation>
+        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1 The p values of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
@@ -1037,11 +1037,11 @@
     </message>
     <message>
         <source>Bayes factor of the pooled t with a Cauchy prior of scale √2/2 on the standardised difference; values below 1 favour no difference.</source>
-        <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung der Skala √2/2 auf der standardisierten Differenz; Werte unter 1 sprechen gegen einen Unterschied.</translation>
+        <translation>Bayes-Faktor des gepoolten t mit einer Cauchy-A-priori-Verteilung mit dem Skalenparameter √2/2 für die standardisierte Differenz; Werte unter 1 sprechen gegen einen Unterschied.</translation>
     </message>
     <message>
         <source>Welch&apos;s 90 % CI of the difference of the participants&apos; proportions. %1</source>
-        <translation>90-%-Konfidenzintervall der Differenz der Anteile der Versuchspersonen nach Welch. %1</translation>
+        <translation>90-%-Konfidenzintervall nach Welch für die Differenz der Anteile der Versuchspersonen. %1</translation>
     </message>
     <message>
         <source>Two one-sided Welch t tests of the participants&apos; proportions, each at 5 %: they show equivalence where the 90 % CI lies within the margin. %1</source>
@@ -1145,7 +1145,7 @@
     </message>
     <message>
         <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test is also valid for participants who guess one assignment and keep it.</source>
-        <translation>%1 Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
+        <translation>%1 Die Gesamtzahl richtiger Zuordnungen wird mit ihrer exakten Permutationsverteilung unter der Nullhypothese verglichen: Die Bilder werden einmal je Versuchsperson umbenannt, in allen Durchgängen gleich, sodass der Test auch für Versuchspersonen gilt, die eine Zuordnung raten und beibehalten.</translation>
     </message>
     <message>
         <source>Each participant&apos;s proportion of correctly matched items</source>
@@ -1181,7 +1181,7 @@
     </message>
     <message>
         <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that the test is valid however the choices of a participant depend on each other.</source>
-        <translation>%1 Gleiche Wahlwahrscheinlichkeiten werden mit einem Permutationstest innerhalb der Versuchspersonen geprüft: Die Modelle werden innerhalb der Wahlen jeder Versuchsperson vertauscht, sodass er gilt, wie auch immer die Wahlen einer Versuchsperson voneinander abhängen.</translation>
+        <translation>%1 Gleiche Wahlwahrscheinlichkeiten werden mit einem Permutationstest innerhalb der Versuchspersonen geprüft: Die Modelle werden innerhalb der Wahlen jeder Versuchsperson vertauscht, sodass der Test unabhängig davon gültig ist, wie die Wahlen einer Versuchsperson voneinander abhängen.</translation>
     </message>
     <message>
         <source>Each participant&apos;s proportion of choices</source>
@@ -1193,7 +1193,7 @@
     </message>
     <message>
         <source>%1 The CIs of the means are t-based, for proportions on the logit scale; that of the difference is Welch&apos;s CI. p is computed by a different method: in borderline cases p may be below .05 although the CI contains 0, or the reverse.</source>
-        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; das der Differenz ist das nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
+        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; für die Differenz gilt das Konfidenzintervall nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
     </message>
     <message>
         <source>%1 The permutation test uses all divisions of the participants into groups of these sizes.</source>
@@ -1320,7 +1320,7 @@
     <name>AnalysisPage</name>
     <message>
         <source>%1 Enter them with Study → Metadata…</source>
-        <translation>%1 Sie lassen sich mit Studie → Angaben… eintragen.</translation>
+        <translation>%1 Sie lassen sich mit Studie → Metadaten… eintragen.</translation>
     </message>
 </context>
 <context>
@@ -1354,8 +1354,8 @@
         <translation>gewählt</translation>
     </message>
     <message>
-        <source>Clopper–Pearson, 95 %</source>
-        <translation>Clopper-Pearson, 95 %</translation>
+        <source>Clopper–Pearson 95 % CI</source>
+        <translation>Clopper-Pearson-95-%-KI</translation>
     </message>
     <message>
         <source>correct</source>
@@ -1410,8 +1410,8 @@
         <translation>Textur</translation>
     </message>
     <message>
-        <source>Wilson, 95 %</source>
-        <translation>Wilson, 95 %</translation>
+        <source>Wilson 95 % CI</source>
+        <translation>Wilson-95-%-KI</translation>
     </message>
     <message>
         <source>Female</source>
@@ -1462,12 +1462,12 @@
         <translation>Log-Nutzwert</translation>
     </message>
     <message>
-        <source>log-worth, 95 %</source>
-        <translation>Log-Nutzwert, 95 %</translation>
+        <source>log-worth, 95 % CI</source>
+        <translation>Log-Nutzwert, 95-%-KI</translation>
     </message>
     <message>
-        <source>mean, 95 %</source>
-        <translation>Mittelwert, 95 %</translation>
+        <source>mean, 95 % CI</source>
+        <translation>Mittelwert, 95-%-KI</translation>
     </message>
     <message>
         <source>measure</source>
@@ -1487,7 +1487,7 @@
     </message>
     <message>
         <source>position</source>
-        <translation>Platz</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>second</source>
@@ -1510,12 +1510,12 @@
         <translation>Wert</translation>
     </message>
     <message>
-        <source>value, 95 %</source>
-        <translation>Wert, 95 %</translation>
+        <source>value, 95 % CI</source>
+        <translation>Wert, 95-%-KI</translation>
     </message>
     <message>
         <source>worth</source>
-        <translation>Wert</translation>
+        <translation>Nutzwert</translation>
     </message>
     <message>
         <source>x</source>
@@ -1554,8 +1554,8 @@
         <translation>F</translation>
     </message>
     <message>
-        <source>Fieller, m, 95 %</source>
-        <translation>Fieller, m, 95 %</translation>
+        <source>Fieller 95 % CI, m</source>
+        <translation>Fieller-95-%-KI, m</translation>
     </message>
     <message>
         <source>inverted U</source>
@@ -1566,16 +1566,16 @@
         <translation>normiert</translation>
     </message>
     <message>
-        <source>normalised, 95 %</source>
-        <translation>normiert, 95 %</translation>
+        <source>normalised, 95 % CI</source>
+        <translation>normiert, 95-%-KI</translation>
     </message>
     <message>
         <source>partial η²</source>
         <translation>partielles η²</translation>
     </message>
     <message>
-        <source>peak, m, 95 %</source>
-        <translation>Maximum, m, 95 %</translation>
+        <source>peak, m, 95 % CI</source>
+        <translation>Maximum, m, 95-%-KI</translation>
     </message>
     <message>
         <source>peak, m</source>
@@ -1586,8 +1586,8 @@
         <translation>Verhältnis</translation>
     </message>
     <message>
-        <source>ratio, 95 %</source>
-        <translation>Verhältnis, 95 %</translation>
+        <source>ratio, 95 % CI</source>
+        <translation>Verhältnis, 95-%-KI</translation>
     </message>
     <message>
         <source>raw</source>
@@ -1690,16 +1690,16 @@
         <translation>Reaktionszeit, s</translation>
     </message>
     <message>
-        <source>response time, s, 95 %</source>
-        <translation>Reaktionszeit, s, 95 %</translation>
+        <source>response time, s, 95 % CI</source>
+        <translation>Reaktionszeit, s, 95-%-KI</translation>
     </message>
     <message>
         <source>change</source>
         <translation>Änderung</translation>
     </message>
     <message>
-        <source>change, 95 %</source>
-        <translation>Änderung, 95 %</translation>
+        <source>change, 95 % CI</source>
+        <translation>Änderung, 95-%-KI</translation>
     </message>
     <message>
         <source>first half</source>
@@ -1710,16 +1710,16 @@
         <translation>zweite Hälfte</translation>
     </message>
     <message>
-        <source>proportion, 95 %</source>
-        <translation>Anteil, 95 %</translation>
+        <source>proportion, 95 % CI</source>
+        <translation>Anteil, 95-%-KI</translation>
     </message>
     <message>
         <source>responses</source>
         <translation>Antworten</translation>
     </message>
     <message>
-        <source>95 % under guessing</source>
-        <translation>95 % bei Raten</translation>
+        <source>95 % interval under guessing</source>
+        <translation>95-%-Bereich beim Raten</translation>
     </message>
     <message>
         <source>stimulus</source>
@@ -1913,7 +1913,7 @@
     </message>
     <message>
         <source>peaks</source>
-        <translation>Gipfel</translation>
+        <translation>Maxima</translation>
     </message>
     <message>
         <source>spacing</source>
@@ -2299,7 +2299,7 @@
     </message>
     <message>
         <source>A device is being measured for this study. Stop the measurement or wait until it has ended, then start the session.</source>
-        <translation>Für diese Studie wird gerade ein Gerät gemessen. Die Messung abbrechen oder ihr Ende abwarten, dann die Sitzung starten.</translation>
+        <translation>Für diese Studie wird gerade ein Gerät gemessen. Die Messung stoppen oder ihr Ende abwarten, dann die Sitzung starten.</translation>
     </message>
     <message>
         <source>Unknown for %1, which the simulated device models.</source>
@@ -2889,7 +2889,7 @@
     </message>
     <message>
         <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t-based 95 % CIs.</source>
-        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals wählte. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
+        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals gewählt hat. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
     </message>
     <message>
         <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows of one trial depend on each other.</source>
@@ -3061,7 +3061,7 @@
     </message>
     <message>
         <source>Average linkage (UPGMA): clusters join at the mean dissimilarity of their textures.</source>
-        <translation>Average Linkage (UPGMA): Gruppen vereinen sich bei der mittleren Unähnlichkeit ihrer Texturen.</translation>
+        <translation>Average Linkage (UPGMA): Cluster werden bei der mittleren Unähnlichkeit ihrer Texturen zusammengeführt.</translation>
     </message>
     <message>
         <source>trials of a participant, as numbered in the plan</source>
@@ -3135,7 +3135,7 @@
     </message>
     <message>
         <source>Noise, standard deviation</source>
-        <translation>Rauschen, Streuung</translation>
+        <translation>Rauschen, SD</translation>
     </message>
     <message>
         <source>Noise, mean</source>
@@ -3419,7 +3419,7 @@
     </message>
     <message>
         <source>no response in time</source>
-        <translation>keine Antwort in der Zeit</translation>
+        <translation>keine rechtzeitige Antwort</translation>
     </message>
     <message>
         <source>not explored as instructed</source>
@@ -3517,7 +3517,7 @@
     </message>
     <message>
         <source>Any number above 0</source>
-        <translation>Jede Zahl über 0</translation>
+        <translation>Eine beliebige Zahl über 0</translation>
     </message>
     <message>
         <source>Force</source>
@@ -3612,11 +3612,11 @@
     </message>
     <message>
         <source>Please enter a number of at least %1.</source>
-        <translation>Bitte geben Sie eine Zahl an, %1 oder mehr.</translation>
+        <translation>Bitte geben Sie eine Zahl von mindestens %1 an.</translation>
     </message>
     <message>
         <source>Please enter a number of at most %1.</source>
-        <translation>Bitte geben Sie eine Zahl an, %1 oder weniger.</translation>
+        <translation>Bitte geben Sie eine Zahl von höchstens %1 an.</translation>
     </message>
     <message>
         <source>Please enter a number.</source>
@@ -3648,7 +3648,7 @@
     </message>
     <message>
         <source>The session continues where it was interrupted. Confirm when you are ready.</source>
-        <translation>Die Sitzung geht dort weiter, wo sie unterbrochen wurde. Bestätigen Sie, wenn Sie bereit sind.</translation>
+        <translation>Die Sitzung wird dort fortgesetzt, wo sie unterbrochen wurde. Bestätigen Sie, wenn Sie bereit sind.</translation>
     </message>
     <message>
         <source>You have finished with surface %1. Please lift the handle.</source>
@@ -3680,7 +3680,7 @@
     </message>
     <message>
         <source>Please check the number %1: enter it again, or enter the number that you meant.</source>
-        <translation>Bitte prüfen Sie die Zahl %1: Geben Sie sie noch einmal ein oder die Zahl, die Sie meinten.</translation>
+        <translation>Bitte prüfen Sie die Zahl %1: Geben Sie dieselbe Zahl noch einmal ein oder die Zahl, die Sie gemeint haben.</translation>
     </message>
     <message>
         <source>Please wait for the experimenter.</source>
@@ -4056,19 +4056,19 @@
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at most %2; the measured value is %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 höchstens %2 beträgt; der gemessene Wert ist %3.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; der gemessene Wert ist %3.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at least %2; the measured value is %3.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 mindestens %2 beträgt; der gemessene Wert ist %3.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; der gemessene Wert ist %3.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at most %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 höchstens %2 beträgt; diese wurde nicht gemessen.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 höchstens %2 beträgt; dieser wurde nicht gemessen.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at least %2, which was not measured.</source>
-        <translation>Das Protokoll verlangt ein Gerät, dessen Größe %1 mindestens %2 beträgt; diese wurde nicht gemessen.</translation>
+        <translation>Das Protokoll verlangt ein Gerät, dessen Kennwert %1 mindestens %2 beträgt; dieser wurde nicht gemessen.</translation>
     </message>
     <message>
         <source>requirements of the protocol that the device does not meet: %1. %2</source>
@@ -4088,7 +4088,7 @@
     </message>
     <message>
         <source>the protocol requires a device that meets its limits, and the study has no profile of &quot;%1&quot;; measure it with %2</source>
-        <translation>das Protokoll verlangt ein Gerät, das seine Grenzen einhält, und die Studie hat kein Profil von „%1“; das Gerät mit %2 messen</translation>
+        <translation>das Protokoll verlangt ein Gerät, das die Grenzwerte des Protokolls einhält, und die Studie hat kein Profil von „%1“; das Gerät mit %2 messen</translation>
     </message>
     <message>
         <source>the protocol requires a device measured within %1 days, and the study has no profile of &quot;%2&quot;; measure it with %3</source>
@@ -4928,11 +4928,11 @@
     </message>
     <message>
         <source>try the session out in Pilot, or choose a device that a participant holds</source>
-        <translation>zum Ausprobieren Pilot oder ein Gerät wählen, das von einer Versuchsperson gehalten wird</translation>
+        <translation>die Sitzung im Modus „Pilot“ ausprobieren oder ein Gerät wählen, das von einer Versuchsperson gehalten wird</translation>
     </message>
     <message>
         <source>try the session out in Pilot, or choose a device with motors; if the study needs no force, set device.input_only to true in the protocol, which allows a device without motors</source>
-        <translation>zum Ausprobieren Pilot oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, dann ist ein Gerät ohne Motoren erlaubt</translation>
+        <translation>die Sitzung im Modus „Pilot“ ausprobieren oder ein Gerät mit Motoren wählen; wenn die Studie keine Kraft braucht, im Protokoll device.input_only auf true setzen, was ein Gerät ohne Motoren erlaubt</translation>
     </message>
 </context>
 <context>
@@ -5015,7 +5015,7 @@
     </message>
     <message>
         <source>permutation test, pictures relabelled per participant, one-sided</source>
-        <translation>Permutationstest, Bilder je Versuchsperson vertauscht, einseitig</translation>
+        <translation>Permutationstest, Bilder je Versuchsperson umbenannt, einseitig</translation>
     </message>
     <message>
         <source>permutation test of group labels</source>
@@ -5047,7 +5047,7 @@
     </message>
     <message>
         <source>number correct</source>
-        <translation>Anzahl der richtigen</translation>
+        <translation>Anzahl richtiger Antworten</translation>
     </message>
     <message>
         <source>difference of the means</source>
@@ -5079,7 +5079,7 @@
     </message>
     <message>
         <source>difference of the numbers of choices</source>
-        <translation>Differenz der Anzahlen der Wahlen</translation>
+        <translation>Differenz der Wahlhäufigkeiten</translation>
     </message>
     <message>
         <source>Cohen’s d of paired differences</source>
@@ -5249,7 +5249,7 @@
     </message>
     <message>
         <source>When a session has been run or simulated, its responses are counted and tested here. Start a session on the Protocols page.</source>
-        <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und getestet. Eine Sitzung auf der Seite „Protokolle“ starten.</translation>
+        <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und statistisch geprüft. Eine Sitzung auf der Seite „Protokolle“ starten.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5378,7 +5378,7 @@
     </message>
     <message>
         <source>Last response</source>
-        <translation>Zuletzt</translation>
+        <translation>Letzte Antwort</translation>
     </message>
     <message>
         <source>%1, correct</source>
@@ -5890,7 +5890,7 @@
     </message>
     <message>
         <source>Stopped: the force is zero, and nothing was stored.</source>
-        <translation>Angehalten: Die Kraft ist null, und nichts wurde gespeichert.</translation>
+        <translation>Gestoppt: Die Kraft ist null, und nichts wurde gespeichert.</translation>
     </message>
     <message>
         <source>Nothing was measured: %1</source>
@@ -5930,7 +5930,7 @@
     </message>
     <message>
         <source>A device is being measured. Stop the measurement first.</source>
-        <translation>Ein Gerät wird gemessen. Zuerst die Messung anhalten.</translation>
+        <translation>Ein Gerät wird gemessen. Zuerst die Messung stoppen.</translation>
     </message>
     <message>
         <source>The device is being opened.</source>
@@ -5938,7 +5938,7 @@
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten…</translation>
+        <translation>Wird gestoppt…</translation>
     </message>
     <message>
         <source>Esc, F12, Pause and Ctrl+Space do the same.</source>
@@ -5958,7 +5958,7 @@
     </message>
     <message>
         <source>Stopped, and nothing was stored: %1</source>
-        <translation>Angehalten, und nichts wurde gespeichert: %1</translation>
+        <translation>Gestoppt, und nichts wurde gespeichert: %1</translation>
     </message>
     <message>
         <source>The profile is stored as %1.</source>
@@ -6071,8 +6071,8 @@
         <translation>nicht angegeben</translation>
     </message>
     <message>
-        <source>Resolution of position</source>
-        <translation>Auflösung der Position</translation>
+        <source>Position resolution</source>
+        <translation>Positionsauflösung</translation>
     </message>
     <message>
         <source>%1 µm</source>
@@ -6557,11 +6557,11 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>%1: RMS %2 m/s², maximum %3 m/s², %4 dB above the vibrotactile threshold</source>
-        <translation>%1: effektiv %2 m/s², höchstens %3 m/s², %4 dB über der vibrotaktilen Schwelle</translation>
+        <translation>%1: Effektivwert %2 m/s², Maximum %3 m/s², %4 dB über der vibrotaktilen Schwelle</translation>
     </message>
     <message>
         <source>%1: RMS %2 m/s², maximum %3 m/s²</source>
-        <translation>%1: effektiv %2 m/s², höchstens %3 m/s²</translation>
+        <translation>%1: Effektivwert %2 m/s², Maximum %3 m/s²</translation>
     </message>
 </context>
 <context>
@@ -6698,7 +6698,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>in band %1 %</source>
-        <translation>im Soll %1 %</translation>
+        <translation>im Sollbereich %1 %</translation>
     </message>
     <message>
         <source>no stroke yet</source>
@@ -6781,7 +6781,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>period: maximum</source>
-        <translation>Periode: größte</translation>
+        <translation>Periode: Maximum</translation>
     </message>
     <message>
         <source>lateness: 99th percentile</source>
@@ -6789,7 +6789,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>lateness: maximum</source>
-        <translation>Verspätung: größte</translation>
+        <translation>Verspätung: Maximum</translation>
     </message>
     <message>
         <source>missed deadlines</source>
@@ -6893,7 +6893,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>In band</source>
-        <translation>Im Band</translation>
+        <translation>Im Sollbereich</translation>
     </message>
     <message>
         <source>Met</source>
@@ -6941,7 +6941,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>check</source>
-        <translation>ansehen</translation>
+        <translation>prüfen</translation>
     </message>
     <message>
         <source>Surfaces felt, by name (the session has ended)</source>
@@ -6976,8 +6976,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>ein Kontakt war zu breit für den verlangten Schritt</translation>
     </message>
     <message>
-        <source>there were more contacts than can be held</source>
-        <translation>es gab mehr Kontakte, als verwaltet werden können</translation>
+        <source>there were more contacts than the model supports; some were omitted</source>
+        <translation>es gab mehr Kontakte, als das Modell zulässt; einige wurden weggelassen</translation>
     </message>
     <message>
         <source>a contact persisted although nothing intersected</source>
@@ -7009,7 +7009,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The options, in the order in which they were shown.</source>
-        <translation>Die Optionen in der Reihenfolge, in der sie gezeigt wurden.</translation>
+        <translation>Die Antwortmöglichkeiten in der Reihenfolge, in der sie gezeigt wurden.</translation>
     </message>
     <message>
         <source>the tool lay completely inside the surface, where no force is rendered</source>
@@ -7032,7 +7032,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <name>asperity::MetadataDialog</name>
     <message>
         <source>Metadata of the study</source>
-        <translation>Angaben zur Studie</translation>
+        <translation>Metadaten der Studie</translation>
     </message>
     <message>
         <source>Exports include the metadata: data archives require authors and a licence.</source>
@@ -7649,7 +7649,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Options as shown</source>
-        <translation>Auswahl, wie gezeigt</translation>
+        <translation>Antwortmöglichkeiten, wie gezeigt</translation>
     </message>
     <message>
         <source>1 trial</source>
@@ -8371,7 +8371,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <name>asperity::ResponseKeys</name>
     <message>
         <source>Keys now enter the response</source>
-        <translation>Tasten geben jetzt die Antwort ein</translation>
+        <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
     </message>
 </context>
 <context>
@@ -8639,7 +8639,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Note: the keys now enter the response; use a phrase.</source>
-        <translation>Notiz: Die Tasten geben gerade die Antwort ein; einen Textbaustein verwenden.</translation>
+        <translation>Notiz: Die Antwort wird gerade mit den Tasten eingegeben; einen Textbaustein verwenden.</translation>
     </message>
     <message>
         <source>Brings the participant&apos;s window back to its place, in front of the others.</source>
@@ -8864,7 +8864,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den Not-Halt aufheben.</translation>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den NOT-HALT aufheben.</translation>
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>
@@ -8903,7 +8903,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Keys now enter the response</source>
-        <translation>Tasten geben jetzt die Antwort ein</translation>
+        <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
     </message>
     <message>
         <source>%1 – Asperity</source>
@@ -9370,7 +9370,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The program assigns the labels of virtual participants; the first of the next %n is %1.</source>
         <translation>
             <numerusform>Das Programm vergibt die Kürzel virtueller Versuchspersonen; das nächste (%n) ist %1.</numerusform>
-            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die erste der nächsten %n ist %1.</numerusform>
+            <numerusform>Das Programm vergibt die Kürzel virtueller Versuchspersonen; das erste der nächsten %n ist %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -9573,7 +9573,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, or copy files into the folder: they appear here at once.</source>
-        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Einen aus einem Foto auf der Seite „Werkstatt“ erzeugen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
+        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Auf der Seite „Werkstatt“ einen Reiz aus einem Foto erzeugen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
     </message>
     <message>
         <source>data file</source>
@@ -9743,15 +9743,15 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>&amp;Metadata…</source>
-        <translation>&amp;Angaben…</translation>
+        <translation>&amp;Metadaten…</translation>
     </message>
     <message>
         <source>The metadata of the study are stored.</source>
-        <translation>Die Angaben zur Studie sind gespeichert.</translation>
+        <translation>Die Metadaten der Studie sind gespeichert.</translation>
     </message>
     <message>
         <source>The metadata could not be stored: %1</source>
-        <translation>Die Angaben zur Studie konnten nicht gespeichert werden: %1</translation>
+        <translation>Die Metadaten der Studie konnten nicht gespeichert werden: %1</translation>
     </message>
     <message>
         <source>This study is read-only: its folder, or the medium that it is on, cannot be written to. It can be viewed, analysed and exported; to run sessions, copy it to a folder that you may write to.</source>
@@ -10051,7 +10051,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Recent studies</source>
-        <translation>Letzte Studien</translation>
+        <translation>Zuletzt benutzte Studien</translation>
     </message>
     <message>
         <source>None yet. The studies that you open are listed here, the latest first.</source>
@@ -10095,7 +10095,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Textures and protocols of every kind, ready to run with the simulated device. No hardware and no network are needed.</source>
-        <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
+        <translation>Texturen und Protokolle jeder Art, bereit für das simulierte Gerät. Weder Hardware noch ein Netzwerk ist nötig.</translation>
     </message>
     <message>
         <source>Creating the demo study in %1…</source>
@@ -10244,7 +10244,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact and the time of the withdrawal and its reason remain stored.</source>
-        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur die Tatsache, der Zeitpunkt und der Grund des Rückzugs.</translation>
+        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur Tatsache, Zeitpunkt und Grund des Rückzugs.</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -10407,7 +10407,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>RMS acceleration, m/s²</source>
-        <translation>Beschleunigung, effektiv, m/s²</translation>
+        <translation>Effektivwert der Beschleunigung, m/s²</translation>
     </message>
     <message>
         <source>After half a second</source>
