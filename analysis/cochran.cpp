@@ -13,7 +13,7 @@ CochranTest cochran_test(const CountMatrix& answers) {
   if (answers.cols() < 1)
     throw std::invalid_argument("answers has no column; a condition is needed");
   if (answers.size() > 0 && (answers.minCoeff() < 0 || answers.maxCoeff() > 1)) {
-    throw std::invalid_argument("answers must hold zeros and ones");
+    throw std::invalid_argument("answers must contain only zeros and ones");
   }
   CochranTest test{.df = static_cast<double>(answers.cols() - 1)};
   const std::int64_t conditions = answers.cols();

@@ -75,7 +75,7 @@ class CrossedLikelihood final {
       throw std::invalid_argument("model: neither participants nor items vary");
     }
     if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
-      throw std::invalid_argument("design: its columns depend on each other");
+      throw std::invalid_argument("design: its columns are linearly dependent");
     }
     for (const CrossedHits& one : responses) {
       static_cast<void>(proportion(one.count));  // refuses impossible counts
@@ -407,7 +407,8 @@ SampledError intercept_error(const CrossedFit& fit, std::size_t participants, st
   double df = std::numeric_limits<double>::infinity();
   const auto add = [&](double sigma, std::size_t intercepts) {
     if (sigma == 0.0) return;
-    if (intercepts < 2) throw std::invalid_argument("a factor that varies needs two intercepts");
+    if (intercepts < 2)
+      throw std::invalid_argument("a factor that varies needs at least two intercepts");
     const auto k = static_cast<double>(intercepts);
     variance += sigma * sigma / (k * (k - 1.0));
     df = std::min(df, k - 1.0);

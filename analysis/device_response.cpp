@@ -15,7 +15,7 @@ namespace {
 
 void require_equal(std::size_t one, std::size_t other) {
   if (one != other) {
-    throw std::invalid_argument("times and values have to be equally many, and there are " +
+    throw std::invalid_argument("the numbers of times and of values must be equal; they are " +
                                 std::to_string(one) + " and " + std::to_string(other));
   }
 }

@@ -21,7 +21,7 @@ Eigen::MatrixXd conditional_probabilities(const ConfusionCounts& counts) {
 
 void refuse_impossible_matrix(const Dissimilarities& d) {
   if (d.rows() != d.cols() || d.rows() < 2) {
-    throw std::invalid_argument("dissimilarities must be a square of at least two items");
+    throw std::invalid_argument("dissimilarities must be a square matrix of at least 2 items");
   }
   if (!d.allFinite() || d.minCoeff() < 0.0 || d.diagonal().maxCoeff() > 0.0 || d != d.transpose()) {
     throw std::invalid_argument(

@@ -115,7 +115,7 @@ std::optional<Reliability> reliability_of(const Eigen::MatrixXd& ratings, double
                                 std::to_string(ratings.cols()) +
                                 " raters; a reliability needs at least two of each");
   }
-  if (!ratings.allFinite()) throw std::invalid_argument("ratings: one is not finite");
+  if (!ratings.allFinite()) throw std::invalid_argument("ratings: a rating is not finite");
   static_cast<void>(normal_limit(confidence));  // refuses what is no confidence
   MeanSquares ms = mean_squares(ratings);
   // What rounding leaves of a sum of squares that is 0.

@@ -475,7 +475,7 @@ std::optional<PeakShift> peak_shift(const TwoConditions& conditions) {
   const QuadraticFit& first = conditions.first;
   const QuadraticFit& second = conditions.second;
   if (first.participants.size() != second.participants.size()) {
-    throw std::invalid_argument("second has other participants than first");
+    throw std::invalid_argument("first and second must have the same participants");
   }
   const std::optional<double> peak_1 = first.mean.peak();
   const std::optional<double> peak_2 = second.mean.peak();

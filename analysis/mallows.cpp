@@ -65,7 +65,7 @@ MallowsFit mallows_fit(std::span<const std::size_t> right, std::size_t items, do
   for (const std::size_t one : right) {
     if (one > items) {
       throw std::invalid_argument("right is " + std::to_string(one) + " of " +
-                                  std::to_string(items) + " items");
+                                  std::to_string(items) + " items; it cannot exceed items");
     }
   }
   const auto n = static_cast<double>(right.size());

@@ -44,7 +44,7 @@ Groups groups_of(std::span<const GroupedHits> participants) {
     group.trials += one.count.trials;
   }
   if (groups.first.trials == 0 || groups.second.trials == 0) {
-    throw std::invalid_argument("participants: a group is empty; a comparison needs two");
+    throw std::invalid_argument("participants: a group is empty; a comparison needs two groups");
   }
   return groups;
 }

@@ -47,7 +47,8 @@ std::optional<ConfidenceInterval> mean_share_interval(std::span<const HitCount> 
   }
   if (!(question.least_design_effect >= 1.0)) {
     throw std::invalid_argument("least_design_effect is " +
-                                number_text(question.least_design_effect) + "; it is at least 1");
+                                number_text(question.least_design_effect) +
+                                "; it must be at least 1");
   }
   const auto n = static_cast<double>(participants.size());
   const std::optional<double> t = t_limit({.confidence = question.confidence, .df = n - 1.0});

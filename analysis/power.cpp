@@ -290,7 +290,7 @@ UniformPower uniform_power(const UniformPlan& plan) {
   constexpr double kRounding = 1e-6;
   if (std::abs(sum - 1.0) > kRounding) {
     throw std::invalid_argument("truth: the probabilities add up to " + number_text(sum) +
-                                "; of all alternatives they must add up to 1");
+                                "; those of all alternatives must add up to 1");
   }
   // C(n + K − 1, K − 1) of them.
   const auto choices = static_cast<double>(plan.choices);
@@ -346,7 +346,7 @@ MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
 MatchingPower known_items_power(const MatchingPlan& plan, std::size_t known) {
   if (known > plan.items) {
     throw std::invalid_argument("known is " + std::to_string(known) + " of " +
-                                std::to_string(plan.items) + " items; at most all can be");
+                                std::to_string(plan.items) + " items; known cannot exceed items");
   }
   std::vector<double> alternative(known, 0.0);
   const std::vector<double> rest =
@@ -377,7 +377,7 @@ WithinPower within_power(const WithinPlan& plan) {
   if (!(plan.correlation < 1.0) || !(plan.epsilon > 0.0 && plan.epsilon <= 1.0)) {
     throw std::invalid_argument("correlation is " + number_text(plan.correlation) +
                                 " and epsilon " + number_text(plan.epsilon) +
-                                "; they must be below 1, and above 0 and at most 1");
+                                "; correlation must be below 1, and epsilon above 0 and at most 1");
   }
   WithinPower answer;
   answer.noncentrality = plan.f * plan.f * n * levels / (1.0 - plan.correlation) * plan.epsilon;

@@ -67,7 +67,7 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   refuse_rate(model.lambda, "lambda");
   refuse_rate(model.greatest_lambda, "greatest_lambda");
   if (model.gamma.value_or(0.0) + model.lambda.value_or(0.0) >= 1.0) {
-    throw std::invalid_argument("gamma and lambda leave no room for the function");
+    throw std::invalid_argument("the sum of gamma and lambda must be below 1");
   }
   std::vector<PsychometricBlock> kept;
   for (const PsychometricBlock& block : blocks) {

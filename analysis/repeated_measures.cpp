@@ -30,8 +30,9 @@ void refuse_no_table(const RepeatedMeasures& data) {
   }
   if (data.levels.empty() || static_cast<std::size_t>(data.y.cols()) != cells ||
       !data.y.allFinite()) {
-    throw std::invalid_argument("y has " + std::to_string(data.y.cols()) + " cells for " +
-                                std::to_string(cells) + ", or numbers that are not finite");
+    throw std::invalid_argument("y has " + std::to_string(data.y.cols()) +
+                                " columns; it must have one per cell, " + std::to_string(cells) +
+                                ", and all its values must be finite");
   }
   const auto participants = static_cast<std::size_t>(data.y.rows());
   if (participants <= data.groups) {

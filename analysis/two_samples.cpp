@@ -16,7 +16,7 @@ namespace {
 
 std::vector<double> pooled(const TwoSamples& samples) {
   if (samples.first.empty() || samples.second.empty()) {
-    throw std::invalid_argument("a sample is empty; two samples need a number each");
+    throw std::invalid_argument("a sample is empty; each sample needs at least one value");
   }
   std::vector<double> all(samples.first.begin(), samples.first.end());
   all.insert(all.end(), samples.second.begin(), samples.second.end());

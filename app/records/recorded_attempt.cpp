@@ -102,7 +102,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
     if (builder.models().find(row.model) == nullptr) {
       throw std::runtime_error("this program has no force model \"" + row.model +
                                "\", which attempt " + natural_key(session, attempt) +
-                               " was rendered with");
+                               " was rendered with; use the version of Asperity that recorded it");
     }
     StimulusDescription described =
         trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;

@@ -60,7 +60,7 @@ void require_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
   if (folder.empty() || std::filesystem::is_directory(folder)) return;
   throw std::invalid_argument("there is no folder " + folder.string() + " for " +
-                              file.filename().string());
+                              file.filename().string() + "; create it first, or choose another");
 }
 
 double log10_frequency(const SweepRow& row) { return -std::log10(row.spacing_m); }

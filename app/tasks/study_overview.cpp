@@ -209,7 +209,8 @@ void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
       std::as_bytes(std::span(png)), read_file(sidecar_of(file), kSidecarFile), stimulus.path);
   if (sha256_of(png) != stored.sha256) {
     throw std::runtime_error(stimulus.path +
-                             " is not the picture that its sidecar describes: the SHA-256 differs");
+                             " is not the picture that its sidecar describes: the SHA-256 differs; "
+                             "make both again");
   }
   const HeightField& field = stored.field;
   stimulus.made_from = stored.provenance.kind;

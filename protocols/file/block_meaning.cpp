@@ -158,17 +158,18 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   const std::string place = pointer + "/until";
   if (!kind_.has_correct_responses) {
     report(place, "a criterion needs correct responses, and no response of a " +
-                      std::string(kind_.id) + " is correct or incorrect");
+                      std::string(kind_.id) + " is correct or incorrect; remove this key");
   }
   if (criterion.correct > criterion.of_last) {
     report(place + "/correct", "the criterion cannot be met: it requires " +
                                    std::to_string(criterion.correct) + " correct of " +
-                                   std::to_string(criterion.of_last));
+                                   std::to_string(criterion.of_last) +
+                                   "; lower this number or raise of_last");
   }
   if (criterion.correct > criterion.maximum_trials) {
     report(place + "/maximum_trials", "the block ends before " + std::to_string(criterion.correct) +
                                           " responses can be correct: maximum_trials is " +
-                                          std::to_string(criterion.maximum_trials));
+                                          std::to_string(criterion.maximum_trials) + "; raise it");
   }
 }
 
@@ -213,7 +214,8 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
       trials % block.presented.size() != 0) {
     report(pointer + "/positions",
            "balanced positions need a multiple of " + std::to_string(block.presented.size()) +
-               " trials, the number of surfaces, but the block has " + std::to_string(trials));
+               " trials, the number of surfaces, but the block has " + std::to_string(trials) +
+               "; change the repetitions or the levels, or leave positions out");
   }
   if (block.maximum_in_a_row.empty()) return;
   const OrderProblem problem = order_problem(block, rows_of(protocol_, block));

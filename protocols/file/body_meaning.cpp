@@ -39,8 +39,9 @@ void Meaning::check_bodies() {
     if (texture == protocol_.textures.end()) {
       report(pointer + "/texture", unknown_name("texture", *body.texture, protocol_.textures));
     } else if (!texture->second.height_field) {
-      report(pointer + "/texture", "the texture " + in_quotes(*body.texture) +
-                                       " cannot be put on a body: it has no \"height_field\"");
+      report(pointer + "/texture",
+             "the texture " + in_quotes(*body.texture) +
+                 " cannot be put on a body: it has no \"height_field\"; give it one");
     }
   }
 }

@@ -98,8 +98,8 @@ class JsonDocument::Handler {
     key_start_ = start();
     last_end_ = read_;
     if (given.size() > kMaximumKey) {
-      return refuse(key_start_,
-                    "this key is longer than " + std::to_string(kMaximumKey) + " bytes");
+      return refuse(key_start_, "this key is longer than " + std::to_string(kMaximumKey) +
+                                    " bytes; shorten it");
     }
     Open& parent = stack_.back();
     key_ = given;
@@ -120,7 +120,7 @@ class JsonDocument::Handler {
     if (error.id == 406) {  // out_of_range: the number does not fit into a double
       const std::size_t end = std::min(text.find_first_of(" \t\r\n,]}", from), text.size());
       return refuse(from, "the number " + printable(text.substr(from, end - from)) +
-                              " is too large to be read");
+                              " is too large to be read; write a smaller one");
     }
     if (const std::size_t at = what.find("invalid string: "); at != std::string::npos) {
       const std::size_t end = what.find("; last read", at);

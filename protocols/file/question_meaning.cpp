@@ -19,7 +19,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     if (texture == protocol_.textures.end()) {
       report(at, unknown_name("texture", name, protocol_.textures));
     } else if (!texture->second.picture) {
-      report(at, "the texture " + in_quotes(name) + " has no \"picture\" to show");
+      report(at, "the texture " + in_quotes(name) + " has no \"picture\" to show; give it one");
     }
     if (std::find(question.pictures.begin(), here, name) != here) {
       report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");

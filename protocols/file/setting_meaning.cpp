@@ -23,7 +23,8 @@ void Meaning::check_head() {
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
     report("/surface/edge_width_m",
            "two edges of " + digits(patch.edge_width_m) + " m leave no surface of a patch of " +
-               digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
+               digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
+               " m; reduce edge_width_m or enlarge the patch");
   }
 }
 
@@ -54,7 +55,7 @@ void Meaning::check_path(const std::optional<std::string>& path, const std::stri
   while (from <= text.size()) {
     const std::size_t end = std::min(text.find('/', from), text.size());
     const std::string_view part = std::string_view(text).substr(from, end - from);
-    if (part == "..") return refuse("leaves the study");
+    if (part == "..") return refuse("points outside the study");
     if (part.empty() || part == ".") return refuse("has an empty part");
     from = end + 1;
   }
@@ -238,7 +239,8 @@ void Meaning::check_explorations() {
       }
       report(pointer + "/stroke_length_m/" + key,
              "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
-                 digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
+                 digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
+                 " m; shorten the stroke or enlarge the patch");
     };
     too_long(exploration.stroke_length_m.minimum, "minimum");
     too_long(exploration.stroke_length_m.target, "target");
@@ -246,7 +248,8 @@ void Meaning::check_explorations() {
       report(pointer + "/minimum_contact_s",
              "at least " + digits(exploration.minimum_contact_s) +
                  " s of contact are requested, but the surface is removed after " +
-                 digits(exploration.maximum_contact_s) + " s");
+                 digits(exploration.maximum_contact_s) +
+                 " s; lower minimum_contact_s or raise maximum_contact_s");
     }
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (exploration.required_fraction_in_band > 0.0 && !bounded(exploration.normal_force_N) &&
@@ -294,7 +297,8 @@ void Meaning::check_questions() {
       }
     } else if (question.minimum && question.maximum && *question.minimum > *question.maximum) {
       report(pointer + "/minimum", "no number is at least " + digits(*question.minimum) +
-                                       " and at most " + digits(*question.maximum));
+                                       " and at most " + digits(*question.maximum) +
+                                       "; lower the minimum or raise the maximum");
     }
     for (std::size_t i = 0; i < question.options.size(); ++i) {
       const auto here = question.options.begin() + static_cast<std::ptrdiff_t>(i);

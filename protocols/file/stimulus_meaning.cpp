@@ -72,8 +72,8 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
                           " is on neither body: the surface has its own relief");
       }
     } else if (!texture->second.height_field && !all_need_assets_alone) {
-      report(place,
-             "the texture " + in_quotes(name) + " cannot be felt: it has no \"height_field\"");
+      report(place, "the texture " + in_quotes(name) +
+                        " cannot be felt: it has no \"height_field\"; give it one");
     }
   }
   for (const auto& [name, binding] : stimulus.parameters) {
@@ -171,7 +171,8 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   }
   if (equal.band_high_Hz > 0.5 * protocol_.rate_Hz) {
     report(place, "the band ends at " + digits(equal.band_high_Hz) +
-                      " Hz, above half of the servo rate of " + digits(protocol_.rate_Hz) + " Hz");
+                      " Hz, above half of the servo rate of " + digits(protocol_.rate_Hz) +
+                      " Hz; lower its upper limit");
   }
   if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
     report(place + "/rms_N", digits(*equal.rms_N) + " N are above the force limit of " +

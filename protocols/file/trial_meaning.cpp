@@ -83,8 +83,9 @@ void Meaning::check_trials() {
     std::set<std::string> pictures(trial.question.correct.begin(), trial.question.correct.end());
     for (const Option& option : trial.question.options) pictures.erase(option.value);
     if (!pictures.empty()) {
-      report(pointer + "/question/pictures",
-             "the correct response " + in_quotes(*pictures.begin()) + " is not among the pictures");
+      report(pointer + "/question/pictures", "the correct response " +
+                                                 in_quotes(*pictures.begin()) +
+                                                 " is not among the pictures; add its picture");
     }
     if (kind_.check_trial != nullptr) {
       const Block& block = protocol_.blocks.at(trial.block);

@@ -43,7 +43,7 @@ void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems)
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",
-                    "no response of a selection is correct or incorrect");
+                    "no response of a selection is correct or incorrect; remove this key");
   }
   if (checked.protocol.realism_standard == RealismStandard::physical_sample &&
       question.experimenter_prompt.find("{code}") == std::string::npos) {

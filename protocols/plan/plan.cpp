@@ -293,8 +293,9 @@ class Planner {
     }
     auto order = random_order(problem, random);
     if (!order) {
-      throw std::runtime_error("block " + block.name +
-                               ": no order of its trials meets maximum_in_a_row");
+      throw std::runtime_error(
+          "block " + block.name +
+          ": no order of its trials satisfies maximum_in_a_row; allow more in a row");
     }
     return std::move(*order);
   }

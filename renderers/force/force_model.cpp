@@ -109,8 +109,8 @@ std::unique_ptr<ForceRenderer> ModelRegistry::make(std::string_view id,
   for (const ForceModel& model : models_) {
     known += (known.empty() ? "" : ", ") + model.declaration.id;
   }
-  throw std::invalid_argument("there is no force model \"" + std::string(id) + "\"; there are " +
-                              known);
+  throw std::invalid_argument("there is no force model \"" + std::string(id) +
+                              "\"; this program has: " + known);
 }
 
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {

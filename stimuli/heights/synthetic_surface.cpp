@@ -143,7 +143,7 @@ HeightField make_surface(std::string_view kind, const ParameterValues& values,
       names += (names.empty() ? "" : ", ") + known.declaration.kind;
     }
     throw std::invalid_argument("There is no synthetic surface \"" + std::string(kind) +
-                                "\"; there are " + names + ".");
+                                "\"; this program has: " + names + ".");
   }
   const ParameterValues complete =
       complete_values(maker->declaration.kind, maker->declaration.parameters, values);

@@ -215,7 +215,7 @@ TEST(Noise, HasItsRmsAndOnlyItsWavelengths) {
 
 TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
   EXPECT_THAT(surface_refusal("marble", {}, {}),
-              HasSubstr("no synthetic surface \"marble\"; there are sinusoid,"));
+              HasSubstr("no synthetic surface \"marble\"; this program has: sinusoid,"));
   EXPECT_THAT(surface_refusal("wood", {{"grain_m", 1.0}}, {}),
               HasSubstr("wood has no parameter \"grain_m\""));
   EXPECT_THAT(surface_refusal("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));

@@ -112,8 +112,8 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
   if (participants.size() < kFewestParticipants || textures.size() < kFewestTextures) {
     const std::string reason = "it needs at least " + std::to_string(kFewestParticipants) +
                                " participants and " + std::to_string(kFewestTextures) +
-                               " textures; there are " + std::to_string(participants.size()) +
-                               " and " + std::to_string(textures.size());
+                               " textures; participants: " + std::to_string(participants.size()) +
+                               ", textures: " + std::to_string(textures.size());
     add_no_crossed_model("too_few", reason, outcome);
     return;
   }

@@ -89,7 +89,7 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
     // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
     const std::string what = error.what();
     throw std::runtime_error(
-        file_name + ": the options hold a number that is too large, " +
+        file_name + ": the options contain a number that is too large, " +
         what.substr(what.rfind(' ') + 1) +
         "; the largest possible number is 1.8e308. Correct it, then analyse again");
   }

@@ -236,7 +236,7 @@ class MagnitudeList final {
     const auto found = std::find(read_.spacings.begin(), read_.spacings.end(), standard);
     if (found == read_.spacings.end()) {
       throw std::runtime_error("the option \"standard_spacing\" is " + number_text(standard) +
-                               "; no spacing of the table is");
+                               "; it must be a spacing of the table");
     }
     return normalised_to_standard(
         cells, {.level = static_cast<std::size_t>(found - read_.spacings.begin()),

@@ -74,7 +74,7 @@ ChoiceTable choice_table(const TidyTable& table) {
   }
   const auto target = std::find(read.renderers.begin(), read.renderers.end(), kTarget);
   if (target == read.renderers.end() || read.renderers.size() < 2) {
-    throw std::runtime_error(table.name() + " must hold the renderer \"" + kTarget +
+    throw std::runtime_error(table.name() + " must contain the renderer \"" + kTarget +
                              "\" and another one");
   }
   read.target = target - read.renderers.begin();

@@ -135,8 +135,8 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
 
 const TidyTable& TidyInput::table(std::size_t index) const {
   if (index < tables.size()) return tables[index];
-  throw std::runtime_error("this analysis needs " + std::to_string(index + 1) +
-                           " tables; there are " + std::to_string(tables.size()));
+  throw std::runtime_error("this analysis needs more tables; needed: " + std::to_string(index + 1) +
+                           ", given: " + std::to_string(tables.size()));
 }
 
 std::span<const TidyFamily> tidy_families() { return kFamilies; }
@@ -154,8 +154,8 @@ const TidyFamily& tidy_family(const std::string& name) {
       std::find_if(kFamilies.begin(), kFamilies.end(),
                    [&name](const TidyFamily& family) { return family.name == name; });
   if (found != kFamilies.end()) return *found;
-  throw std::runtime_error("there is no family of analyses \"" + name + "\"; there are " +
-                           family_names());
+  throw std::runtime_error("there is no family of analyses \"" + name +
+                           "\"; this program has: " + family_names());
 }
 
 }  // namespace asperity

@@ -4162,8 +4162,8 @@
         <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; nichts wurde gespeichert</translation>
     </message>
     <message>
-        <source>the new label &quot;%1&quot; is not that of the participant of the session, %2</source>
-        <translation>das neue Kürzel „%1“ ist nicht das der Versuchsperson der Sitzung, %2</translation>
+        <source>the new label &quot;%1&quot; is not that of the participant of the session, %2; enter the label of that participant</source>
+        <translation>das neue Kürzel „%1“ ist nicht das der Versuchsperson der Sitzung, %2; das Kürzel dieser Versuchsperson eingeben</translation>
     </message>
     <message>
         <source>session %1 of participant %2 runs on a simulated clock; resume it without --realtime</source>
