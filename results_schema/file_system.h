@@ -90,7 +90,7 @@ std::string network_file_system_of(long type) noexcept;
 /// The same for the file system that holds `path`.
 std::string network_file_system_at(const std::filesystem::path& path);
 
-/// `path` below `study`, or ResultsError when it is absolute, empty or points outside the study by "..".
+/// `path` below `study`, or ResultsError when it is absolute, empty or outside the study ("..").
 std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path);
 
 }  // namespace asperity

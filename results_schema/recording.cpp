@@ -254,7 +254,7 @@ class Reader {
   }
   [[noreturn]] void fail_at(std::size_t chunk, std::size_t offset, const std::string& what) const {
     fail("is damaged in chunk " + std::to_string(chunk) + ", at byte " + std::to_string(offset) +
-         ": " + what);
+         ": " + what + "; restore the file from a copy of the study");
   }
 
   RecordingHeader header() {
@@ -268,7 +268,10 @@ class Reader {
       fail("has the format \"" + format + "\"; this program reads \"" + kFormat + "\"");
     }
     if (take_line() != sha256_of(line)) {
-      fail("is damaged in its first line, whose SHA-256 differs from the one in its second line");
+      fail(
+          "is damaged in its first line, whose SHA-256 differs from the one in its second line; "
+          "restore "
+          "the file from a copy of the study");
     }
     try {
       RecordingHeader header;

@@ -8370,7 +8370,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ResponseKeys</name>
     <message>
-        <source>Keys now enter the response</source>
+        <source>The response is now entered with the keys</source>
         <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
     </message>
 </context>
@@ -8638,7 +8638,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Überspringen: Es läuft kein Durchgang.</translation>
     </message>
     <message>
-        <source>Note: the keys now enter the response; use a phrase.</source>
+        <source>Note: the response is now entered with the keys; use a phrase.</source>
         <translation>Notiz: Die Antwort wird gerade mit den Tasten eingegeben; einen Textbaustein verwenden.</translation>
     </message>
     <message>
@@ -8902,7 +8902,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Sitzung ist zu Ende</translation>
     </message>
     <message>
-        <source>Keys now enter the response</source>
+        <source>The response is now entered with the keys</source>
         <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
     </message>
     <message>

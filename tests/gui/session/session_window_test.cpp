@@ -579,7 +579,8 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   window->refresh();
   EXPECT_FALSE(note.isEnabled());
   EXPECT_EQ(note.text(), "half");
-  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(), "Keys now enter the response");
+  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(),
+            "The response is now entered with the keys");
   const QWidget* focus = QApplication::focusWidget();
   EXPECT_EQ(qobject_cast<const QPushButton*>(focus), nullptr)
       << "the participant's Space would press it";
