@@ -72,7 +72,7 @@ void refuse_link(const std::filesystem::path& study, const std::filesystem::path
   if (error) return;
   throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
                          " is a symbolic link to " + target.string() +
-                         ", and a copy cannot hold links. Replace the link with its target, or "
+                         ", and a copy cannot contain links. Replace the link with its target, or "
                          "remove it, then copy again",
                      study / relative, ELOOP);
 }

@@ -201,7 +201,7 @@ void add_device_test(CLI::App& program, Job& job) {
       options->drivers.hand = &hand;
       const std::unique_ptr<HapticDevice> device =
           built_in_drivers().open(options->device, options->drivers);
-      interrupt.will_say("asperity: stopping, the force goes to zero");
+      interrupt.will_say("asperity: stopping; the force is set to zero");
       if (kind_of_device(options->device) != DeviceKind::simulated) {
         ask_before_it_moves(*device, order.test, options->agreed, interrupt.token());
         if (isatty(STDIN_FILENO) != 0) order.borders_s = kBorders_s;

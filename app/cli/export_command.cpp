@@ -53,7 +53,7 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
       if (cells > 0) say(file.name + ": in " + counted(cells, "cell") + ' ' + what);
     };
     remark(file.spaced_cells,
-           "tabs or line breaks, which TSV cannot hold, were replaced by spaces");
+           "tabs or line breaks, which TSV cannot contain, were replaced by spaces");
     remark(file.marked_cells,
            "an apostrophe prevents a text from being read as a formula (README.txt)");
     remark(file.cut_cells,

@@ -50,7 +50,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
 
 /// Geometric means of response times by condition, with single participants behind them.
 Figure response_times_figure(const FoundNumbers& found);
-/// Response times, and proportions correct, in blocks of trials: the mean over participants and a line for each.
+/// Response times, and proportions correct, by range of trials: the mean over participants and a line for each.
 Figure times_over_trials_figure(const FoundNumbers& found);
 Figure correct_over_trials_figure(const FoundNumbers& found);
 

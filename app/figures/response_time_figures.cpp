@@ -89,7 +89,7 @@ FigureSeries lines_of_singles(const FoundNumbers& found,
   return series;
 }
 
-/// Means of blocks of trials as points on a line, with single participants behind them. The caller
+/// Means of ranges of trials as points on a line, with single participants behind them. The caller
 /// sets the axis of the means.
 Figure course_figure(const FoundNumbers& found) {
   Figure figure{};

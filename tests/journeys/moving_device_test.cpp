@@ -93,7 +93,7 @@ TEST_F(MovingDevice, IsLetGoOfWhereSomebodyStopsInsteadOfAnswering) {
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.err.find("a handle that moves by itself is stopped"), std::string::npos)
       << outcome.err;
-  EXPECT_EQ(outcome.err.find("the force goes to zero"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("the force is set to zero"), std::string::npos) << outcome.err;
   EXPECT_NE(said().find("dhdClose"), std::string::npos) << said();
   EXPECT_FALSE(has_moved());
 }
@@ -125,7 +125,8 @@ TEST_F(MovingDevice, IsSaidToLoseItsForceWhereSomebodyStopsOnceItIsOpen) {
   program.send(SIGINT);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("stopping, the force goes to zero"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("stopping; the force is set to zero"), std::string::npos)
+      << outcome.err;
   EXPECT_EQ(outcome.err.find("a handle that moves by itself is stopped"), std::string::npos)
       << outcome.err;
 }

@@ -11,7 +11,7 @@ namespace asperity {
 inline constexpr const char* kLearningOfTimes = "learning_times";
 inline constexpr const char* kLearningCorrect = "learning_correct";
 
-/// The tables of changes between the halves of the trials, and of blocks of trials.
+/// The tables of changes between the halves of the trials, and of ranges of trials.
 inline constexpr const char* kLearning = "learning";
 inline constexpr const char* kTrialCourse = "trial_course";
 

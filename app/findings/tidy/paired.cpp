@@ -137,7 +137,7 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
       number("bt.pij", key, 1.0 / (1.0 + std::exp(-difference)), method);
     }
   }
-  const std::string order = "advantage of the item presented first, in log odds";
+  const std::string order = "order effect: advantage of the item presented first, in log odds";
   if (fit.order) {
     number("bt.order.beta", "first", fit.order->advantage, order);
     number("bt.order.se", "first", fit.order->standard_error, order);

@@ -231,10 +231,10 @@ class PsychometricList final {
     number("deviance", fit.deviance, "against one proportion per block");
     number("deviance.df", fit.deviance_df, "number of blocks minus number of parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
-    number(
-        "deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
-        "χ² of the deviance; indicative only: in simulations p was at most .05 in up to 8 % of the "
-        "tables that the function fitted");
+    number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
+           "χ² test of the deviance; indicative only: in simulations p was at most .05 in up to 8 "
+           "% of the "
+           "tables that the function fitted");
   }
 
   void overdispersion(const PsychometricFit& fit) {

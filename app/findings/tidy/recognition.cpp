@@ -268,10 +268,11 @@ class Recognition final {
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "jackknife over the trials");
     number("G", "", it.G, "likelihood ratio against independence");
     number("G.df", "", it.df, "degrees of freedom of G");
-    list_.number("G.p", "", it.p.value_or(kUndefined),
-                 of_trials("χ² of G, trials treated as independent; too small where trials are "
-                           "few: in simulations of 24 to 144 trials without information p was at "
-                           "most .05 in 6 to 12 % of the tables"));
+    list_.number(
+        "G.p", "", it.p.value_or(kUndefined),
+        of_trials("χ² test of G, trials treated as independent; too small where trials are "
+                  "few: in simulations of 24 to 144 trials without information p was at "
+                  "most .05 in 6 to 12 % of the tables"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
          "if all errors were equally frequent (Fano's bound)");
@@ -300,7 +301,7 @@ class Recognition final {
     number("scm.G2", "", model.G2, "deviance of Luce's similarity choice model");
     number("scm.X2", "", model.X2, "Pearson's X² of Luce's similarity choice model");
     number("scm.df", "", model.df, "(m−1)(m−2)/2");
-    number("scm.p", "", model.p.value_or(kUndefined), "χ² of the deviance");
+    number("scm.p", "", model.p.value_or(kUndefined), "χ² test of the deviance");
     const PairConfusions pairs = pair_confusions(trials_.counts);
     list_.count("scm.confusions", "", pairs.confusions, of_trials("incorrect responses"));
     list_.count("scm.pairs", "", pairs.pairs, of_trials("pairs of stimuli"));

@@ -36,7 +36,7 @@ constexpr std::array kFamilies{
                "subject,trial,time_s: one response per row, time_s empty where it has no time; or "
                "subject,trial,correct,items: correct responses of a trial; trials numbered from 1 "
                "within each subject",
-               "blocks: largest number of blocks of trials, 12 if absent; conf", learning_findings,
+               "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
                "blocks,conf"},
     TidyFamily{"magnitude",
                "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "

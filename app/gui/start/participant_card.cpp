@@ -310,7 +310,7 @@ std::vector<QString> ParticipantCard::complaints() const {
   } else if (std::any_of(people_.begin(), people_.end(), [this](const ParticipantRow& person) {
                return person.label == label();
              })) {
-    complaints.push_back(tr("%1 is in the study already: choose them under “Already in the "
+    complaints.push_back(tr("%1 is in the study already: choose it under “Already in the "
                             "study”, or enter another label.")
                              .arg(QString::fromStdString(label())));
   }

@@ -7398,7 +7398,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Kürzel muss aus 1 bis 32 Buchstaben und Ziffern bestehen (0-9, A-Z, a-z) und darf nicht mit „virtual“ beginnen.</translation>
     </message>
     <message>
-        <source>%1 is in the study already: choose them under “Already in the study”, or enter another label.</source>
+        <source>%1 is in the study already: choose it under “Already in the study”, or enter another label.</source>
         <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
     </message>
     <message>

@@ -160,7 +160,7 @@ ReportTable times_table(const ReportedServo& servo) {
   table.columns = {{"measure", false}, {"median attempt", true}, {"worst attempt", true}};
   table.rows = {time_row("lateness, median", servo.lateness_p50_s),
                 time_row("lateness, 99th percentile", servo.lateness_p99_s),
-                time_row("lateness, latest tick", servo.lateness_maximum_s),
+                time_row("lateness, maximum", servo.lateness_maximum_s),
                 time_row("period, 99th percentile", servo.period_p99_s),
                 time_row("duration of a tick, 99th percentile", servo.execution_p99_s)};
   table.note =
@@ -176,7 +176,7 @@ ReportTable counts_table(const ReportFacts& facts) {
   table.columns = {{"event", false},
                    {"ticks in total", true},
                    {"attempts affected", true},
-                   {"most in one attempt", true}};
+                   {"maximum per attempt", true}};
   table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("lost records", servo.lost_records, "attempts"),
