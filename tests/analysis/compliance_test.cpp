@@ -242,7 +242,7 @@ TEST(HandStrokes, TellAHandThatRestsAtSomeOfItsTurnsNoOtherSpeedThanItHas) {
 
 // A stroke is told as what it is where the last one says nothing of it: farther than that went, and in
 // another contact.
-TEST(HandStrokes, TellAHandThatGoesOnAsNeverBeforeWhatItDoes) {
+TEST(HandStrokes, TellAHandThatContinuesAsNeverBeforeWhatItDoes) {
   HandStrokes strokes(0.05);
   std::int64_t time_ns = 0;
   for (int i = 0; i <= 500; ++i)

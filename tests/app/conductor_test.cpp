@@ -487,7 +487,7 @@ TEST_F(ConductorTest, EndsTheSessionWhereThePracticeFailsAndTheProtocolSaysSo) {
   EXPECT_THAT(kinds_of(study_->events(session_.row.id)), testing::Contains("criterion_not_met"));
 }
 
-TEST_F(ConductorTest, GoesOnMarkedWhereThePracticeFailsAndTheProtocolSaysSo) {
+TEST_F(ConductorTest, ContinuesMarkedWhereThePracticeFailsAndTheProtocolSaysSo) {
   begin(practised_protocol("continue_flagged"));
   person_.at_question = [](int, const Trial& trial) { return incorrect_reply(trial); };
   EXPECT_EQ(run().state, SessionState::completed);
@@ -549,7 +549,7 @@ TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) 
   }
 }
 
-TEST_F(ConductorTest, TakesALateAnswerForNoneAndGoesOn) {
+TEST_F(ConductorTest, TakesALateAnswerForNoneAndContinues) {
   begin(small_protocol());
   person_.at_question = [](int question, const Trial&) -> Reply {
     return question == 2 ? Reply{} : chooses(0);
@@ -694,7 +694,7 @@ TEST_F(ConductorTest, AsksAnAnchorThatWasNotExploredAsAskedAgainAtOnceAndOthersA
 }
 
 // The program ends while trials wait to be asked again: first amid the block, then amid the repeats.
-TEST_F(ConductorTest, GoesOnAfterACrashWithTheTrialsThatWaitToBeAskedAgain) {
+TEST_F(ConductorTest, ContinuesAfterACrashWithTheTrialsThatWaitToBeAskedAgain) {
   begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.999, "maximum": 1.001},
        "required_fraction_in_band": 0.99, "on_failure": "requeue_at_end_of_block",
        "maximum_repeats": 1)"));

@@ -685,7 +685,7 @@ TEST_F(WhileFeeling, AnAnswerIsRefusedUntilAllWasFelt) {
   EXPECT_TRUE(options_of(ask(trial, 1.0)).empty());
 }
 
-TEST_F(WhileFeeling, NextGoesOnOnceTheSurfaceWasFeltLongEnough) {
+TEST_F(WhileFeeling, NextContinuesOnceTheSurfaceWasFeltLongEnough) {
   person_.begin_attempt(1, 1);
   announce(selection(), 1);
   EXPECT_FALSE(person_.wants_next(true)) << "nothing was pressed";
@@ -714,7 +714,7 @@ TEST_F(WhileFeeling, TheSurfaceThatComesNextMayBeNamed) {
   EXPECT_TRUE(person_.wants_next(true));
 }
 
-TEST_F(WhileFeeling, TheFirstDeviceButtonGoesOnAndTheSecondIsAnAnswerTooEarly) {
+TEST_F(WhileFeeling, TheFirstDeviceButtonContinuesAndTheSecondIsAnAnswerTooEarly) {
   person_.begin_attempt(1, 1);
   announce(selection(), 1);
   hold_button(0.1, 2, 0.1);
@@ -787,7 +787,7 @@ TEST_F(WhileFeeling, AWishFromBeforeTheSurfaceIsNone) {
 
 class Reading : public PersonAtWindowTest {};
 
-TEST_F(Reading, GoesOnWithAConfirmation) {
+TEST_F(Reading, ContinuesWithAConfirmation) {
   press(1.0, Kind::option, 1);
   press(1.1, Kind::next);
   press(2.0, Kind::confirm);
@@ -821,7 +821,7 @@ TEST_F(Reading, LastsAsLongAsABreakHasTo) {
   EXPECT_NEAR(1e-9 * static_cast<double>(now_ns_ - began_ns), 61.2, 0.011);
 }
 
-TEST_F(Reading, GoesOnWhenTheCountdownOfABreakIsAtItsEnd) {
+TEST_F(Reading, ContinuesWhenTheCountdownOfABreakIsAtItsEnd) {
   ParticipantScene rest = scene_to_read("Please rest.");
   rest.kind = ParticipantScene::Kind::rest;
   rest.rest_until_ns = now_ns_ + nanoseconds(60.0);

@@ -367,13 +367,13 @@ class ResumedSession : public RunSession {
   }
 };
 
-constexpr const char* kGoesOn =
+constexpr const char* kContinues =
     "The session continues where it was interrupted. Confirm when you are ready.";
 
 TEST_F(ResumedSession, BeginsWithTheLastTextTheChecksAndAScreenToStartFrom) {
   interrupt(protocol_with_texts(""));
   EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(person_.texts, testing::ElementsAre("The keys.", kGoesOn, "Thank you."));
+  EXPECT_THAT(person_.texts, testing::ElementsAre("The keys.", kContinues, "Thank you."));
   std::vector<std::string> kinds{};
   for (const EventRow& event : study().events(study().sessions().at(0).id)) {
     if (event.kind == "session_resumed" || event.kind == "check_passed") {
@@ -387,13 +387,13 @@ TEST_F(ResumedSession, BeginsWithTheTextsOfTheProtocol) {
   interrupt(protocol_with_texts(R"("resume": {"screens": ["Welcome back.", "Sit as before."]}, )"));
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_THAT(person_.texts,
-              testing::ElementsAre("Welcome back.", "Sit as before.", kGoesOn, "Thank you."));
+              testing::ElementsAre("Welcome back.", "Sit as before.", kContinues, "Thank you."));
 }
 
 TEST_F(ResumedSession, BeginsWithNoTextWhereTheProtocolWantsNone) {
   interrupt(protocol_with_texts(R"("resume": {"screens": []}, )"));
   EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(person_.texts, testing::ElementsAre(kGoesOn, "Thank you."));
+  EXPECT_THAT(person_.texts, testing::ElementsAre(kContinues, "Thank you."));
 }
 
 TEST_F(ResumedSession, HasTheEarlierNotesAndTime) {

@@ -632,7 +632,7 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
 }
 
-TEST_F(WatchedSession, GoesOnAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
+TEST_F(WatchedSession, ContinuesAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
   begin(one_trial());
   links_.monitor = nullptr;  // as on a terminal
   person_.at_question = [&](int question, const Trial&) -> Reply {
@@ -1035,7 +1035,7 @@ TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
 }
 
 // What counts the samples of a card that is not there may be late: nobody hears the difference.
-TEST_F(WatchedSession, GoesOnWithoutASoundCardAndSaysThatNobodyHearsItsNoise) {
+TEST_F(WatchedSession, ContinuesWithoutASoundCardAndSaysThatNobodyHearsItsNoise) {
   play_sound();
   sound_.is_heard = false;
   begin(one_trial(with_noise(small_protocol())));

@@ -279,7 +279,7 @@ TEST_F(MovingForceDimension, IsStoppedWhereItMovesAndHasNoForceThen) {
   EXPECT_EQ(std::find(calls.begin(), at_rest, "drdClose 3"), at_rest) << "while it still moved";
 }
 
-TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkGoesOnAlthoughItWasStopped) {
+TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkContinuesAlthoughItWasStopped) {
   constexpr int kOnAndOn = 1'000'000'000;
   bench->axes_to_search = kOnAndOn;
   std::vector<std::string> sentences;

@@ -496,7 +496,7 @@ TEST_F(Inverse3Victim, HasZeroAskedForHoweverItDies) {
 }
 
 // The service keeps the last force as long as the connection is open.
-TEST_F(Inverse3Victim, HasZeroAskedForWhileItStandsStillAndGoesOnAfterwards) {
+TEST_F(Inverse3Victim, HasZeroAskedForWhileItStandsStillAndContinuesAfterwards) {
   const pid_t victim = start_victim();
   EXPECT_TRUE(eventually([&] { return is_pushed(); }));
   const int connections = bench([](auto& it) { return it.connections; });

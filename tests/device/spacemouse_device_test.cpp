@@ -361,7 +361,7 @@ TEST_F(SpaceMouse, IsNotMovedByReportsThatAreCutShort) {
   EXPECT_EQ(state->velocity_m_per_s, glm::dvec3(0.0));
 }
 
-TEST_F(SpaceMouse, StandsStillAtOnceWhenItIsUnpluggedInMidMotionAndGoesOnWhenItIsBack) {
+TEST_F(SpaceMouse, StandsStillAtOnceWhenItIsUnpluggedInMidMotionAndContinuesWhenItIsBack) {
   EmulatedSpaceMouse emulated(bus(), {.serial = "SM042"});
   const auto device = open();
   emulated.hold({report_of(1, {kFull, 0, 0}), report_of(2, {0, 0, kFull})});

@@ -117,7 +117,7 @@ TEST(Kill, LosesNoTrialOfASimulationThatWasReportedDone) {
   EXPECT_GE(after_the_first_done, 15);
 }
 
-TEST(Kill, BeforeTheFirstTrialLeavesAStudyThatGoesOn) {
+TEST(Kill, BeforeTheFirstTrialLeavesAStudyThatContinues) {
   const SmallStudy small(1);
   std::mt19937 random(21);
   for (int i = 0; i < 5; ++i) {

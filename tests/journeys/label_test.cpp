@@ -25,7 +25,7 @@ std::vector<std::string> participants_with_sessions(const SmallStudy& small) {
   return tsv(exported(small.study(), tables).at("sessions.tsv")).column("participant");
 }
 
-TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichGoesOn) {
+TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichContinues) {
   const SmallStudy small(1);
   const Outcome first = virtual_run(small, "standin1");
   ASSERT_EQ(first.status, 0) << first.err;
@@ -38,7 +38,7 @@ TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichGoesOn) {
                         "begins; for another participant, use another --participant\n"));
 }
 
-TEST(Label, ThatDiffersInLetterCaseIsStatedToAScriptWhichGoesOn) {
+TEST(Label, ThatDiffersInLetterCaseIsStatedToAScriptWhichContinues) {
   const SmallStudy small(1);
   ASSERT_EQ(virtual_run(small, "standin1").status, 0);
   const Outcome other = virtual_run(small, "StandIn1");

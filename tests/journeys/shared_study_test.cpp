@@ -183,7 +183,7 @@ TEST(Copy, OfAStudyThatIsBeingSimulatedIsConsistent) {
   }
 }
 
-TEST(FullDisk, KeepsEveryFinishedTrialAndTheSessionGoesOn) {
+TEST(FullDisk, KeepsEveryFinishedTrialAndTheSessionContinues) {
   const SmallStudy small(30);  // 60 trials
   const fs::path never_full = small.place() / "never_full";
   copy_stimuli(small, never_full);

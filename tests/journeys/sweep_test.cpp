@@ -61,7 +61,7 @@ TEST(Sweep, HasTheSameRowsWhateverTheJobs) {
   EXPECT_GT(number_in(greatest[0]).value(), number_in(greatest[3]).value());
 }
 
-TEST(Sweep, GoesOnWithTheRowsThatAreThere) {
+TEST(Sweep, ContinuesWithTheRowsThatAreThere) {
   const TemporaryFolder place{};
   const fs::path out = place / "sweep.tsv";
   ASSERT_EQ(asperity(sweep_into(out, kSmall)).status, 0);
@@ -79,7 +79,7 @@ TEST(Sweep, GoesOnWithTheRowsThatAreThere) {
 }
 
 // So many strokes that none of the two commands can have come to the end before it is interrupted.
-TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndGoesOnWithThem) {
+TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndContinuesWithThem) {
   const TemporaryFolder place{};
   const std::vector<std::string> order{"--model",  "pd_gradient", "--vary", "applied_force",
                                        "--values", "0.5",         "--jobs", "1"};

@@ -202,7 +202,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   EXPECT_NE(outcome.err.find("Falcon"), std::string::npos) << outcome.err;
 }
 
-TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
+TEST(Terminal, StopsAfterTheTrialAndContinuesLater) {
   const SmallStudy small(2);  // four trials
   Invocation invocation{};
   invocation.arguments = terminal_run_arguments(small, small.recognition());

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr DeadlineGrid kGrid{.first_ns = 100 * kMs, .period_ns = kMs};
 
-TEST(DeadlineGrid, GoesOnAfterAPunctualTick) {
+TEST(DeadlineGrid, ContinuesAfterAPunctualTick) {
   const NextTick next = kGrid.after(105 * kMs + 20'000, 105 * kMs + 90'000);
   EXPECT_EQ(next.due_ns, 106 * kMs);
   EXPECT_EQ(next.wake_ns, 106 * kMs);

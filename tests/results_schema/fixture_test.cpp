@@ -106,7 +106,7 @@ TEST_P(StudyOfSchemaVersion, Verifies) {
   EXPECT_THAT(Study::open(fixture.path(), Access::read_only).verify({}), testing::IsEmpty());
 }
 
-TEST_P(StudyOfSchemaVersion, GoesOnInACopy) {
+TEST_P(StudyOfSchemaVersion, ContinuesInACopy) {
   const Fixture fixture(GetParam());
   const TemporaryFolder folder;
   Study::open(fixture.path(), Access::read_only).copy_to(folder / "copy");

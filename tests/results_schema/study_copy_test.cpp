@@ -183,7 +183,7 @@ TEST(StudyVerify, FindsADatabaseWrittenToSealedByTheLastToClose) {
   EXPECT_TRUE(says_unsealed());
 }
 
-TEST(StudyCopy, IsAStudyThatGoesOn) {
+TEST(StudyCopy, IsAStudyThatContinues) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
   Study::open(folder / "s", Access::read_only).copy_to(folder / "copy");
@@ -370,7 +370,7 @@ TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
 }
 
 // What cannot be asked after is one finding, and no end of the others.
-TEST(StudyVerify, GoesOnWhereAFileCannotBeAskedAfter) {
+TEST(StudyVerify, ContinuesWhereAFileCannotBeAskedAfter) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
   const std::filesystem::path recording = folder / "s" / "recordings/P01/a.asprec";

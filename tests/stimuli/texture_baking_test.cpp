@@ -252,7 +252,7 @@ TEST(Baking, OfAMeshOntoItselfDisplacesNothing) {
   }
 }
 
-TEST(Baking, CountsRaysThatMeetNothingAndGoesOnFromTheirNeighbours) {
+TEST(Baking, CountsRaysThatMeetNothingAndContinuesFromTheirNeighbours) {
   // The original lacks a cap that the simple mesh has: a ball and the same ball with a hole.
   const TriangleMesh whole = smooth_ball(5, 0.02);
   TriangleMesh open = whole;

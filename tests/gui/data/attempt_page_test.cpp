@@ -260,7 +260,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   EXPECT_EQ(history.text_at(1, 3), "included again");
 }
 
-TEST_F(DataView, FlagsWithAReasonAndGoesOnCounting) {
+TEST_F(DataView, FlagsWithAReasonAndContinuesCounting) {
   AttemptPage page(*study_);
   show_attempt(page, attempt(0));
   click(page, "attempt_flag");

@@ -84,7 +84,7 @@ TEST(FigureFiles, PutPointsWhereTheTicksOfTheirAxisSay) {
   EXPECT_NEAR(middle_of(svg, "chance"), zero + 0.5 * (one - zero), 1.0);
 }
 
-TEST(FigureFiles, EndAnIntervalThatGoesOnBeyondTheAxisWithAnArrow) {
+TEST(FigureFiles, EndAnIntervalThatContinuesBeyondTheAxisWithAnArrow) {
   Figure figure = small_forest();
   const DrawnSvg capped = drawn(figure);
   figure.series[0].points[1].x_interval->high = 3.0;

@@ -259,7 +259,7 @@ TEST(ParticipantView, AsksForMoreOrLessOfASurfaceWhileItIsFelt) {
   EXPECT_EQ(seat.inputs.size(), 5U);
 }
 
-TEST(ParticipantView, GoesOnByReturnOrClick) {
+TEST(ParticipantView, ContinuesByReturnOrClick) {
   Seat seat{};
   for (const ParticipantScene& scene :
        {scenes::to_read(), scenes::mask(true), scenes::mask(false), scenes::rest(0)}) {
@@ -627,7 +627,7 @@ TEST(ParticipantView, TakesItsSmallestLettersFromTheScreenThatItIsOn) {
   for (const Item& item : seat.view.items()) EXPECT_GE(item.size_px, px) << item.text.toStdString();
 }
 
-TEST(ParticipantView, TurnsThePagesOfALongTextAndGoesOnFromTheLast) {
+TEST(ParticipantView, TurnsThePagesOfALongTextAndContinuesFromTheLast) {
   Seat seat{};
   ParticipantScene scene = scenes::to_read();
   scene.text = scenes::sentences(25);

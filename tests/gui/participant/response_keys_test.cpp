@@ -123,7 +123,7 @@ TEST(ResponseKeys, LeavesTheNoteItsKeysOutsideResponses) {
   EXPECT_TRUE(desk.inputs.empty());
 }
 
-TEST(ResponseKeys, GoesOnFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
+TEST(ResponseKeys, ContinuesFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
   Desk desk{};
   desk.show(scenes::to_read());
   desk.focus(desk.button);

@@ -243,7 +243,7 @@ TEST_F(EmergencyStop, HappensWhenItsButtonIsPressedNotWhenItIsReleased) {
   EXPECT_EQ(fault(), Fault::emergency_stop);
 }
 
-TEST_F(EmergencyStop, SaysWhatWasZeroedAndGoesOnOnlyWhenItIsSafe) {
+TEST_F(EmergencyStop, SaysWhatWasZeroedAndContinuesOnlyWhenItIsSafe) {
   QTest::keyPress(window_.get(), Qt::Key_F12);
   EXPECT_TRUE(find<QLabel>("fault_text").isVisible());
   EXPECT_TRUE(find<QLabel>("fault_text").text().contains("is awaited"));

@@ -142,7 +142,7 @@ TEST_F(SessionInTrouble, LostMaskingNoisePausesWithABannerThatResumes) {
   EXPECT_FALSE(sound.is_masking());
 }
 
-TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswersAgain) {
+TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionContinuesOnceItAnswersAgain) {
   make_study();
   add_protocol({.minimum_contact_s = 0.6});
   open();
@@ -258,7 +258,7 @@ TEST_F(SessionInTrouble, AbortedByItsClosedWindowItLeavesNoForce) {
   }
 }
 
-TEST_F(SessionInTrouble, ClosedAndKilledInMidSessionItGoesOnInTheSameOrder) {
+TEST_F(SessionInTrouble, ClosedAndKilledInMidSessionItContinuesInTheSameOrder) {
   make_study();
   add_protocol({.kind = "recognition"});
   open();

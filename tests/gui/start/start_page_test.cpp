@@ -567,7 +567,7 @@ TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
   EXPECT_NE(find<QLineEdit>("participant_label").text(), suggested);
 }
 
-TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
+TEST_F(TheStartPage, ContinuesAtOnceWhenItIsToldTo) {
   run_unfinished("virtual0001");
   choose(protocol, "virtual0001", std::int64_t{1});
   EXPECT_TRUE(page->order().inputs.resume);
@@ -589,7 +589,7 @@ TEST_F(TheStartPage, OffersAnotherPersonTheirOwnUnfinishedSession) {
 }
 
 // Pages are made anew with the theme and the language.
-TEST_F(TheStartPage, GoesOnWithWhatWasFilledInWhenItIsMadeAnew) {
+TEST_F(TheStartPage, ContinuesWithWhatWasFilledInWhenItIsMadeAnew) {
   page->show();
   choose(protocol);
   click("mode_pilot");
@@ -617,7 +617,7 @@ TEST_F(TheStartPage, GoesOnWithWhatWasFilledInWhenItIsMadeAnew) {
   EXPECT_EQ(order.inputs.new_person->answers_json, R"({"hand_used":"right"})");
 }
 
-TEST_F(TheStartPage, GoesOnWithTheSameSessionWhenItIsMadeAnew) {
+TEST_F(TheStartPage, ContinuesWithTheSameSessionWhenItIsMadeAnew) {
   run_unfinished("virtual0001");
   choose(protocol, "virtual0001", std::int64_t{1});
   page.reset();

@@ -185,7 +185,7 @@ TEST_F(TroubledDesk, ChecksAgainWhenTheProtocolHasChangedSinceTheCheck) {
   EXPECT_EQ(start_page().order().inputs.mode, SessionMode::simulate);
 }
 
-TEST_F(TroubledDesk, GoesOnWithTheSessionThatFilledTheDisk) {
+TEST_F(TroubledDesk, ContinuesWithTheSessionThatFilledTheDisk) {
   order_a_simulation();
   desk_.begin(order_);
   QSignalSpy done(desk_.runner(), &SessionRunner::attempt_done);
