@@ -85,11 +85,11 @@
     </message>
     <message>
         <source>Proportion of correctly matched items</source>
-        <translation>Anteil der richtigen Zuordnungen</translation>
+        <translation>Anteil richtiger Zuordnungen</translation>
     </message>
     <message>
         <source>Proportion of correctly matched items, by texture</source>
-        <translation>Anteil der richtigen Zuordnungen nach Textur</translation>
+        <translation>Anteil richtiger Zuordnungen nach Textur</translation>
     </message>
     <message>
         <source>The chance level of each texture is 1/m. The rows are not independent of each other.</source>
@@ -389,7 +389,7 @@
     </message>
     <message>
         <source>The file study.sqlite has changed since Asperity last closed it: data read from it may be incorrect. Run &quot;asperity verify&quot; to list the errors and their possible causes.</source>
-        <translation>Die Datei study.sqlite hat sich geändert, seit Asperity sie zuletzt geschlossen hat: Daten daraus können falsch sein. „asperity verify“ nennt die Fehler und ihre möglichen Ursachen.</translation>
+        <translation>Die Datei study.sqlite hat sich geändert, seit Asperity sie zuletzt geschlossen hat: Daten daraus können falsch sein. „asperity verify“ listet die Fehler und ihre möglichen Ursachen auf.</translation>
     </message>
     <message>
         <source>%1 stopped by a fault</source>
@@ -1149,7 +1149,7 @@
     </message>
     <message>
         <source>Each participant&apos;s proportion of correctly matched items</source>
-        <translation>Anteil der richtigen Zuordnungen jeder Versuchsperson</translation>
+        <translation>Anteil richtiger Zuordnungen jeder Versuchsperson</translation>
     </message>
     <message>
         <source>%1 Exact permutation test: the pictures are relabelled once per participant, in all trials alike.</source>
@@ -1165,7 +1165,7 @@
     </message>
     <message>
         <source>Each participant&apos;s proportion correct</source>
-        <translation>Anteil der richtigen Antworten jeder Versuchsperson</translation>
+        <translation>Anteil richtiger Antworten jeder Versuchsperson</translation>
     </message>
     <message>
         <source>%1 Two-sided one-sample t test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
@@ -2145,7 +2145,7 @@
     </message>
     <message>
         <source>proportion of correctly matched items; change: second − first half</source>
-        <translation>Anteil der richtigen Zuordnungen; Änderung: zweite − erste Hälfte</translation>
+        <translation>Anteil richtiger Zuordnungen; Änderung: zweite − erste Hälfte</translation>
     </message>
 </context>
 <context>
@@ -2469,7 +2469,7 @@
     </message>
     <message>
         <source>Proportion of correct matches of each texture</source>
-        <translation>Anteil der richtigen Zuordnungen jeder Textur</translation>
+        <translation>Anteil richtiger Zuordnungen jeder Textur</translation>
     </message>
     <message>
         <source>Proportion correct for each stimulus</source>
@@ -4653,7 +4653,7 @@
     <name>SessionSetup</name>
     <message>
         <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3; copy the file into the study</source>
-        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt; die Datei in die Studie kopieren</translation>
+        <translation>das Protokoll „%1“ verwendet die Datei %2, die nicht in der Studie %3 liegt; die Datei in die Studie kopieren</translation>
     </message>
     <message>
         <source>session %1 of participant %2 cannot be resumed: the plan that this program makes from its protocol differs from the stored one. Resume it with the version with which it began: asperity %3, commit %4</source>
@@ -7190,11 +7190,11 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The protocol requires white noise and states no level.</source>
-        <translation>Das Protokoll verlangt weißes Rauschen und nennt keinen Pegel.</translation>
+        <translation>Das Protokoll verlangt weißes Rauschen und gibt keinen Pegel an.</translation>
     </message>
     <message>
         <source>The protocol requires pink noise and states no level.</source>
-        <translation>Das Protokoll verlangt rosa Rauschen und nennt keinen Pegel.</translation>
+        <translation>Das Protokoll verlangt rosa Rauschen und gibt keinen Pegel an.</translation>
     </message>
     <message>
         <source>Play noise</source>
