@@ -407,8 +407,9 @@ SampledError intercept_error(const CrossedFit& fit, std::size_t participants, st
   double df = std::numeric_limits<double>::infinity();
   const auto add = [&](double sigma, std::size_t intercepts) {
     if (sigma == 0.0) return;
-    if (intercepts < 2)
+    if (intercepts < 2) {
       throw std::invalid_argument("a factor that varies needs at least two intercepts");
+    }
     const auto k = static_cast<double>(intercepts);
     variance += sigma * sigma / (k * (k - 1.0));
     df = std::min(df, k - 1.0);

@@ -270,8 +270,7 @@ class Reader {
     if (take_line() != sha256_of(line)) {
       fail(
           "is damaged in its first line, whose SHA-256 differs from the one in its second line; "
-          "restore "
-          "the file from a copy of the study");
+          "restore the file from a copy of the study");
     }
     try {
       RecordingHeader header;
