@@ -151,7 +151,7 @@ bool ResponseKeys::released(const QKeyEvent& event) {
 void ResponseKeys::tell_why(QWidget& field) const {
   if (field.window() == view_.window()) return;
   QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()),
-                     tr("The response is now entered with the keys"), &field);
+                     tr("Keys reserved for the response"), &field);
 }
 
 bool ResponseKeys::eventFilter(QObject* watched, QEvent* event) {

@@ -146,7 +146,7 @@ void SessionControls::write() {
       why += tr("Repeat: no trial has been finished yet.");
     }
     if (!s.in_trial) why += tr("Skip: no trial is under way.");
-    if (s.note_locked) why += tr("Note: the response is now entered with the keys; use a phrase.");
+    if (s.note_locked) why += tr("Note: the keys are reserved for the response; use a phrase.");
   }
   reason_->setText(why.join("  "));
 }

@@ -305,8 +305,7 @@ void SessionWindow::write_blindness() {
 
 QString SessionWindow::field_lock() const {
   if (ended_) return tr("The session has ended");
-  if (!own_keyboard_ && shown_.scene->response_open)
-    return tr("The response is now entered with the keys");
+  if (!own_keyboard_ && shown_.scene->response_open) return tr("Keys reserved for the response");
   return {};
 }
 

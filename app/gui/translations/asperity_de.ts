@@ -8370,8 +8370,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ResponseKeys</name>
     <message>
-        <source>The response is now entered with the keys</source>
-        <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
+        <source>Keys reserved for the response</source>
+        <translation>Tasten für die Antwort reserviert</translation>
     </message>
 </context>
 <context>
@@ -8638,8 +8638,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Überspringen: Es läuft kein Durchgang.</translation>
     </message>
     <message>
-        <source>Note: the response is now entered with the keys; use a phrase.</source>
-        <translation>Notiz: Die Antwort wird gerade mit den Tasten eingegeben; einen Textbaustein verwenden.</translation>
+        <source>Note: the keys are reserved for the response; use a phrase.</source>
+        <translation>Notiz: Die Tasten sind gerade für die Antwort reserviert; einen Textbaustein verwenden.</translation>
     </message>
     <message>
         <source>Brings the participant&apos;s window back to its place, in front of the others.</source>
@@ -8902,8 +8902,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Sitzung ist zu Ende</translation>
     </message>
     <message>
-        <source>The response is now entered with the keys</source>
-        <translation>Die Antwort wird jetzt mit den Tasten eingegeben</translation>
+        <source>Keys reserved for the response</source>
+        <translation>Tasten für die Antwort reserviert</translation>
     </message>
     <message>
         <source>%1 – Asperity</source>

@@ -448,7 +448,7 @@ TEST(ResponseKeys, GreysTheTextFieldsOfEveryWindowWhileAResponseIsOpenAndSaysWhy
   EXPECT_EQ(ground(field), ground(*desk.note));
   EXPECT_EQ(QToolTip::text(), "");
   desk.key(Qt::Key_Q);
-  EXPECT_EQ(QToolTip::text(), "The response is now entered with the keys");
+  EXPECT_EQ(QToolTip::text(), "Keys reserved for the response");
   desk.show(ParticipantScene{});
   EXPECT_EQ(ground(*desk.note), usual);
   EXPECT_EQ(ground(field), usual);

@@ -579,8 +579,7 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   window->refresh();
   EXPECT_FALSE(note.isEnabled());
   EXPECT_EQ(note.text(), "half");
-  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(),
-            "The response is now entered with the keys");
+  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(), "Keys reserved for the response");
   const QWidget* focus = QApplication::focusWidget();
   EXPECT_EQ(qobject_cast<const QPushButton*>(focus), nullptr)
       << "the participant's Space would press it";
