@@ -6698,7 +6698,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>in band %1 %</source>
-        <translation>im Sollbereich %1 %</translation>
+        <translation>%1 % im Sollbereich</translation>
     </message>
     <message>
         <source>no stroke yet</source>
