@@ -123,7 +123,7 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
   keep(good());
   EXPECT_THAT(
       warnings(compared("simulated")),
-      Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
+      Contains(HasSubstr("no value of force_resolution_N, position_resolution_m, "
                          "damping_N_s_per_m, stiffness_N_per_m, latency_s, moving_mass_kg")));
 }
 

@@ -284,7 +284,7 @@ TEST(TidyFamilies, AnswerTablesWithoutARowOrRefuseThem) {
                    .empty());
   EXPECT_THAT(refusal_of<std::runtime_error>(
                   [] { matching_findings(input_of("subject,trial,stimulus,response\n", "{}")); }),
-              HasSubstr("no row"));
+              HasSubstr("has no trials"));
   EXPECT_FALSE(
       paired_findings(input_of("subject,first,second,winner\n", R"({"items": ["a", "b"]})"))
           .empty());

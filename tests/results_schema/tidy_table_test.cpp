@@ -134,7 +134,7 @@ TEST(TidyTable, FindsAColumnAmongMany) {
   }
   EXPECT_THAT(table_refusal(header + '\n' + row + '\n',
                             [](const TidyTable& read) { read.counts("absent"); }),
-              testing::EndsWith(" c98, c99 and 199900 others"));
+              testing::EndsWith(" c98, c99 and 199900 more"));
 }
 
 TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {

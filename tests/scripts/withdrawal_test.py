@@ -107,7 +107,7 @@ with tempfile.TemporaryDirectory() as folder:
     for (label,) in rows_of(study, "SELECT label FROM participant WHERE withdrawn = 0"):
         asperity("withdraw", study, label)
     nobody = run("analyze", study)
-    assert nobody.returncode == 0 and "who have not withdrawn" in nobody.stderr, nobody
+    assert nobody.returncode == 0 and "who have withdrawn" in nobody.stderr, nobody
     asperity("report", study, "--out", folder / "report.html")
     report = (folder / "report.html").read_text(encoding="utf-8")
     assert "four withdrawals of participants" in report and "no sessions yet" not in report, report[:3000]

@@ -5378,7 +5378,7 @@
     </message>
     <message>
         <source>Last response</source>
-        <translation>Letzte Antwort</translation>
+        <translation>Zuletzt</translation>
     </message>
     <message>
         <source>%1, correct</source>

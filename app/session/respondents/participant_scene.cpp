@@ -215,6 +215,7 @@ ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& f
                   [](const ParticipantScene::Surface& surface) { return surface.felt; });
   if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
   scene.form = trial.question.form;
+  if (scene.is_answered_by<AssignmentForm>()) scene.assigning = 0;
   scene.standard_picture = trial.question.standard_picture;
   scene.response_open = true;
   return scene;

@@ -553,7 +553,7 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
     return trials.model()->headerData(column, Qt::Horizontal, role).toString();
   };
   EXPECT_EQ(header(7, Qt::DisplayRole), "After contact, s");
-  EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("after the first contact"));
+  EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("from the first contact"));
   EXPECT_EQ(header(8, Qt::DisplayRole), "After cue, s");
   EXPECT_TRUE(header(8, Qt::ToolTipRole).contains("the question was first asked"));
   take_screenshot(window, "data-trials-matching", {1366, 768});

@@ -367,7 +367,7 @@ TEST_F(DriversToSetUp, AreSpokenOfInWordsOfTheWindow) {
     FAIL() << "it moved";
   } catch (const std::exception& refusal) {
     const QString said = words_of(phrase_of(refusal));
-    EXPECT_TRUE(said.contains("First run “Test this device…” on the Devices page, which asks"))
+    EXPECT_TRUE(said.contains("First run “Test this device…” on the Devices page, which requests"))
         << said.toStdString();
   }
 }
