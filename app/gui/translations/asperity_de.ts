@@ -3090,8 +3090,8 @@
 <context>
     <name>FormWords</name>
     <message>
-        <source>Unchanged</source>
-        <translation>Unverändert</translation>
+        <source>Original</source>
+        <translation>Original</translation>
     </message>
     <message>
         <source>Equalized</source>
@@ -3337,7 +3337,7 @@
     </message>
     <message>
         <source>Lifted early</source>
-        <translation>Zu früh abgehoben</translation>
+        <translation>Früh abgehoben</translation>
     </message>
     <message>
         <source>Grip changed</source>

@@ -191,7 +191,7 @@ QString words_of(std::string name) {
 
 QString choice_words(const Parameter& parameter, const std::string& choice) {
   if (parameter.name == "histogram")
-    return choice == "none" ? FormWords::tr("Unchanged") : FormWords::tr("Equalized");
+    return choice == "none" ? FormWords::tr("Original") : FormWords::tr("Equalized");
   return words_of(choice);
 }
 
