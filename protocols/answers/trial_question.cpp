@@ -17,6 +17,18 @@ constexpr bool belongs_to() {
   };
 }
 
+/// How many of the answers belong to a form.
+template <typename Form, typename... Given>
+constexpr int answers_of(const std::variant<Given...>*) {
+  return (0 + ... + (belongs_to<Form, Given>() ? 1 : 0));
+}
+template <typename... Form>
+constexpr bool has_one_answer_each(const std::variant<Form...>*) {
+  return (... && (answers_of<Form>(static_cast<const Answer*>(nullptr)) == 1));
+}
+static_assert(has_one_answer_each(static_cast<const AnswerForm*>(nullptr)),
+              "a form of answer needs its answer in `Answer`, and an items_of for the two");
+
 }  // namespace
 
 std::string_view name_of(const AnswerForm& form) {

@@ -62,8 +62,8 @@ void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
   const std::string& correct = trial.question.correct.front();
   if (texture.empty() || correct == texture) return;
   problems.report(checked.pointer + "/question/correct_factor",
-                  "the correct response would be " + in_quotes(correct) + ", but the texture felt is " +
-                      in_quotes(texture));
+                  "the correct response would be " + in_quotes(correct) +
+                      ", but the texture felt is " + in_quotes(texture));
 }
 
 VirtualResponse judge_recognition(const Judgement& judgement) {

@@ -2,6 +2,7 @@
 
 #include "protocols/kinds/selection.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -79,7 +80,10 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
                     "realism is measured against a physical sample here: give the texture the "
                     "\"code\" on its label");
   }
-  if (protocol.observer.expectation != ObserverDeclaration::Expectation::none && texture.empty()) {
+  const bool shows_a_texture = std::any_of(
+      trial.presentations.begin(), trial.presentations.end(),
+      [](const PlannedPresentation& planned) { return !planned.stimulus.texture.empty(); });
+  if (protocol.observer.expectation != ObserverDeclaration::Expectation::none && !shows_a_texture) {
     problems.report(presented,
                     "the observer's \"expectation\" requires surfaces with a texture: give them a "
                     "texture, or set \"expectation\" to \"none\"");

@@ -57,6 +57,11 @@ TEST(Kinds, HaveAnAnalysisAndNoAnalysisIsWithoutAKind) {
           << test.name << " has no words";
     }
     for (const TestClaim& claim : analysis.claims) {
+      for (const std::string_view words : {claim.higher, claim.lower, claim.nothing}) {
+        const bool names_chance = words.find("the chance level") != std::string_view::npos;
+        EXPECT_EQ(names_chance, words.find("the chance level%3") != std::string_view::npos)
+            << claim.test << ": the chance level has no place for its value";
+      }
       EXPECT_TRUE(std::any_of(kind.tests.begin(), kind.tests.end(),
                               [&claim](const KindTest& test) { return claim.test == test.name; }))
           << claim.test << " is not a test of this kind";

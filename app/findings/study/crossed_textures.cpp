@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/crossed_textures.h"
 #include "app/findings/study/group_equivalence.h"

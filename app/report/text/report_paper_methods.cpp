@@ -208,7 +208,6 @@ std::string presented_text(const ReportFacts& facts) {
   return text;
 }
 
-/// " among six"; where the number of pictures differs between the blocks, " among several".
 std::string paper_task(const ReportFacts& facts) {
   const Protocol& protocol = *facts.file.protocol;
   return presented_text(facts) + find_analysis(protocol.kind)->task_for_paper(protocol);

@@ -17,7 +17,7 @@ constexpr std::array kMatchingClaims{
         "level%3",
         "",
         "The proportion of trials with all items correct was not significantly above the chance "
-        "level"},
+        "level%3"},
     TestClaim{
         "textures", "",
         "The proportion of correct matches of %1 was significantly above the chance level%3", "",
