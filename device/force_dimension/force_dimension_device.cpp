@@ -143,7 +143,7 @@ void ForceDimensionDevice::keep() {
     if (!is_given_up_.load(std::memory_order_acquire)) continue;
     if (!is_closed_) close_device(*sdk_, {.id = id_, .is_robotic = is_robotic_});
     is_closed_ = true;
-    // While somebody searches for devices or opens one, the next trial follows.
+    // While devices are searched for or one is opened, the next trial follows.
     const std::unique_lock alone(UnitInUse::looking(), std::try_to_lock);
     if (!alone.owns_lock() || !reopen()) continue;
     is_closed_ = false;

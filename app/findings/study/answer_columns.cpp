@@ -2,9 +2,14 @@
 
 namespace asperity {
 
-LabelColumn column_of_people(const GatheredAnswers& gathered) {
+LabelColumn labels_of_people(const GatheredAnswers& gathered) {
   LabelColumn people{};
   for (const AnsweringPerson& person : gathered.people) people.names.push_back(person.label);
+  return people;
+}
+
+LabelColumn column_of_people(const GatheredAnswers& gathered) {
+  LabelColumn people = labels_of_people(gathered);
   for (const GatheredAnswer& answer : gathered.answers) people.codes.push_back(answer.person);
   return people;
 }

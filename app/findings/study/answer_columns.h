@@ -11,6 +11,8 @@
 
 namespace asperity {
 
+/// The participants by label, as names of a column without rows yet.
+LabelColumn labels_of_people(const GatheredAnswers& gathered);
 /// The participants, by label.
 LabelColumn column_of_people(const GatheredAnswers& gathered);
 /// Response times in seconds; missing where there is none.

@@ -92,8 +92,7 @@ TidyInput trials_table(const GatheredAnswers& gathered, const std::vector<Judged
       label_of[word] = static_cast<std::size_t>(found - labels.begin());
     }
   }
-  LabelColumn people{};
-  for (const AnsweringPerson& person : gathered.people) people.names.push_back(person.label);
+  LabelColumn people = labels_of_people(gathered);
   LabelColumn felt{.names = labels};
   LabelColumn chosen{.names = labels};
   for (const Judged& one : judged) {

@@ -24,12 +24,6 @@ void sort_names(const GatheredAnswers& gathered, const std::set<std::uint32_t>& 
   }
 }
 
-LabelColumn labels_of_people(const GatheredAnswers& gathered) {
-  LabelColumn people{};
-  for (const AnsweringPerson& person : gathered.people) people.names.push_back(person.label);
-  return people;
-}
-
 /// Collects the rows of a table of choices.
 class ChoiceRows final {
  public:
