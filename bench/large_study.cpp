@@ -124,7 +124,7 @@ AttemptRow attempt_of(const Trial& trial, int segment, Random& random) {
       attempt.compliance.push_back(row);
     }
   }
-  attempt.responses = responses_to(trial.question, random);
+  attempt.responses = responses_to(trial.questions.front(), random);
   for (ResponseRow& response : attempt.responses) response.time_ns = attempt.offset_ns;
   attempt.servo.emplace();
   attempt.servo->rate_Hz = 1000.0;

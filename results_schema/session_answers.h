@@ -31,6 +31,7 @@ struct SessionAnswers {
     std::optional<double> achieved_texture_force_N{};
   };
   struct Reply {
+    std::uint32_t question = 0;
     int item = 1;  ///< as ResponseRow::item
     std::uint32_t answer = 0;
     std::uint32_t options_json = 0;
@@ -54,7 +55,7 @@ struct SessionAnswers {
   std::vector<Trial> trials{};      ///< the plan, in order
   std::vector<Attempt> attempts{};  ///< by trial, attempt
   std::vector<Surface> surfaces{};  ///< of an attempt together, by position
-  std::vector<Reply> replies{};     ///< of an attempt together, by item
+  std::vector<Reply> replies{};     ///< of an attempt together, by question and item
 
   std::span<const Surface> surfaces_of(const Attempt& attempt) const {
     return std::span(surfaces).subspan(attempt.first_surface, attempt.surfaces);

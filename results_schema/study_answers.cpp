@@ -94,17 +94,19 @@ void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& 
 void read_replies(Database& database, std::int64_t session_id, SessionAnswers& answers,
                   const Places& attempts, WordPlaces& words) {
   Statement statement(database,
-                      std::string("SELECT attempt_id, item, answer, correct, answer_number, "
-                                  "options_json, from_cue_s FROM response") +
-                          kOfSession + "ORDER BY attempt_id, item, id");
+                      std::string("SELECT attempt_id, question, item, answer, correct, "
+                                  "answer_number, options_json, from_cue_s FROM response") +
+                          kOfSession + "ORDER BY attempt_id, question, item");
   statement.bind(session_id);
+  std::string question;
   std::string answer;
   std::string options_json;
   while (statement.step()) {
     std::int64_t id = 0;
     SessionAnswers::Reply reply{};
-    statement.read(id, reply.item, answer, reply.correct, reply.number, options_json,
+    statement.read(id, question, reply.item, answer, reply.correct, reply.number, options_json,
                    reply.from_cue_s);
+    reply.question = words.place(question);
     reply.answer = words.place(answer);
     reply.options_json = words.place(options_json);
     SessionAnswers::Attempt& attempt = *attempts.at(id);

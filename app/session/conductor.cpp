@@ -536,11 +536,13 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
   const bool right = is_right(attempt);
   std::string right_answer{};
   if (feedback == Feedback::correct_answer) {
-    for (const std::string& correct : trial.question.correct) {
-      for (const Option& option : trial.question.options) {
-        if (option.value != correct) continue;
-        if (!right_answer.empty()) right_answer += ' ';
-        right_answer += option.label;
+    for (const TrialQuestion& question : trial.questions) {
+      for (const std::string& correct : question.correct) {
+        for (const Option& option : question.options) {
+          if (option.value != correct) continue;
+          if (!right_answer.empty()) right_answer += ' ';
+          right_answer += option.label;
+        }
       }
     }
   }

@@ -130,7 +130,9 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   summary.flagged = attempt.flagged;
   summary.reason = phrase_of(attempt.valid ? attempt.flag_reason : attempt.invalid_reason);
   for (const ResponseRow& response : attempt.responses) {
-    summary.answers.push_back(label_of(trial.question, response.answer));
+    const TrialQuestion* const question = find_question(trial, response.question);
+    summary.answers.push_back(question == nullptr ? response.answer
+                                                  : label_of(*question, response.answer));
   }
   if (!attempt.responses.empty()) {
     if (attempt.responses.front().correct) summary.correct = is_right(attempt);

@@ -87,7 +87,7 @@ AttemptRow TrialAttempt::make() {
     row_.valid = false;
     row_.invalid_reason = stored(interruption_->reason);
   } else {
-    answer();
+    store_answers();
     judge();
   }
   row_.events = course_.take_attempt_events();
@@ -143,8 +143,8 @@ void TrialAttempt::prepare() {
 
 void TrialAttempt::carry_out() {
   course_.enter(SessionPhase::fore);
-  if (!trial_.question.experimenter_prompt.empty()) {
-    course_.ask_experimenter(trial_.question.experimenter_prompt, waiting_);
+  if (!trial_.experimenter_prompt.empty()) {
+    course_.ask_experimenter(trial_.experimenter_prompt, waiting_);
   }
   course_.put_mask(true, waiting_);
   course_.show({});
@@ -160,45 +160,64 @@ void TrialAttempt::carry_out() {
     }
     feel(i);
   }
-  if (!trial_.question.allow_revisit) course_.set_masking(false);
+  if (!trial_.allow_revisit) course_.set_masking(false);
+  for (const std::span<const TrialQuestion> page : pages_of(trial_)) {
+    if (!answer_page(page)) return;
+  }
+}
+
+bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
+  Asking asking{.page = page};
+  Reply reply{};
   for (;;) {
-    reply_ = ask();
-    const FeelAgain* const wish = reply_.feel_again();
+    reply = ask(asking);
+    const FeelAgain* const wish = reply.feel_again();
     if (wish == nullptr) {
-      if (!is_doubtful()) break;
-      doubt();
+      if (!is_doubtful(asking, reply)) break;
+      doubt(asking, reply);
       continue;
     }
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
     feel(static_cast<std::size_t>(wish->position - 1));
   }
-  if (reply_.answer() == nullptr && doubted_) {
-    reply_ = *doubted_;
-    answer_ns_ = reply_.answered_ns.value_or(answer_ns_);
+  if (reply.answers() == nullptr && asking.doubted) {
+    reply = *asking.doubted;
+    asking.answer_ns = reply.answered_ns.value_or(asking.answer_ns);
   }
-  if (reply_.answer() != nullptr) course_.play(Cue::accepted);
+  const GivenAnswers* const given = reply.answers();
+  if (given == nullptr) return false;
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    answered_.push_back({.question = page[i],
+                         .answer = given->at(i).answer,
+                         .cue_ns = asking.cue_ns.value(),
+                         .answer_ns = given->at(i).given_ns.value_or(asking.answer_ns),
+                         .source = course_.respondent().source()});
+  }
+  course_.play(Cue::accepted);
+  return true;
 }
 
-bool TrialAttempt::is_doubtful() const {
-  const std::optional<double> number = reply_.number();
-  if (!number || !order_.earlier_estimate || doubted_) return false;
+bool TrialAttempt::is_doubtful(const Asking& asking, const Reply& reply) const {
+  const std::optional<double> number = reply.number();
+  if (!number || !order_.earlier_estimate || asking.doubted) return false;
   const double ratio = *number / *order_.earlier_estimate;
   return ratio >= kDoubtfulRatio || ratio <= 1.0 / kDoubtfulRatio;
 }
 
-void TrialAttempt::doubt() {
-  doubted_ = reply_;
-  doubted_->answered_ns = answer_ns_;
-  const double number = reply_.number().value();
+void TrialAttempt::doubt(Asking& asking, const Reply& reply) {
+  asking.doubted = reply;
+  asking.doubted->answered_ns = asking.answer_ns;
+  const double number = reply.number().value();
   course_.event("estimate_doubted", number_text(number),
-                nlohmann::ordered_json{{"estimate", number},
-                                       {"earlier_estimate", *order_.earlier_estimate},
-                                       {"from_cue_s", seconds_between(cue_ns_.value(), answer_ns_)}}
+                nlohmann::ordered_json{
+                    {"estimate", number},
+                    {"earlier_estimate", *order_.earlier_estimate},
+                    {"from_cue_s", seconds_between(asking.cue_ns.value(), asking.answer_ns)}}
                     .dump());
 }
 
-Reply TrialAttempt::ask() {
+Reply TrialAttempt::ask(Asking& asking) {
   std::vector<ForceFeatures> features{};
   for (const PlannedPresentation& planned : trial_.presentations) {
     features.push_back(recorded_force_features({course_.recorder().records(),
@@ -208,22 +227,23 @@ Reply TrialAttempt::ask() {
   course_.respondent().refuse_answers();  // inputs from the time in between
   if (has_to_be_seen()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
-  Trial asked = trial_;
-  if (doubted_) {
-    ParticipantScene scene = scene_of_doubt(trial_, felt_, doubted_->number().value());
-    asked.question.prompt = scene.text;
+  std::vector<TrialQuestion> questions(asking.page.begin(), asking.page.end());
+  if (asking.doubted) {
+    ParticipantScene scene =
+        scene_of_doubt(trial_, asking.page, felt_, asking.doubted->number().value());
+    questions.front().prompt = scene.text;
     course_.show(std::move(scene));
   } else {
-    course_.show(scene_of_question(trial_, felt_));
+    course_.show(scene_of_question(trial_, asking.page, felt_));
   }
   course_.play(Cue::question);
   const std::int64_t asked_ns = course_.now_ns();
-  if (!cue_ns_) cue_ns_ = asked_ns;
+  if (!asking.cue_ns) asking.cue_ns = asked_ns;
   std::optional<double> left_s = block_.response_deadline_s;
-  if (left_s) left_s = std::max(0.0, *left_s - answerable_s_);
-  Reply reply = course_.respondent().ask(asked, features, left_s, waiting_);
-  answer_ns_ = reply.answered_ns.value_or(course_.now_ns());
-  answerable_s_ += seconds_between(asked_ns, answer_ns_);
+  if (left_s) left_s = std::max(0.0, *left_s - asking.answerable_s);
+  Reply reply = course_.respondent().ask(trial_, questions, features, left_s, waiting_);
+  asking.answer_ns = reply.answered_ns.value_or(course_.now_ns());
+  asking.answerable_s += seconds_between(asked_ns, asking.answer_ns);
   return reply;
 }
 
@@ -344,27 +364,25 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
   }
 }
 
-void TrialAttempt::answer() {
-  const Answer* const answer = reply_.answer();
-  if (answer == nullptr) {
-    // A missed deadline is an outcome of the trial, which has no response.
-    row_.outcome = AttemptOutcome::timed_out;
-    return;
-  }
-  for (AnsweredItem& item : items_of(trial_.question, *answer)) {
-    ResponseRow response{.question = trial_.question.name,
-                         .item = item.item,
-                         .answer = std::move(item.answer),
-                         .answer_number = item.number,
-                         .correct = item.correct,
-                         .options_json = options_json_of(trial_),
-                         .time_ns = answer_ns_};
-    response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
-    if (const auto contact_ns = row_.presentations.front().contact_ns) {
-      response.from_contact_s = seconds_between(*contact_ns, answer_ns_);
+void TrialAttempt::store_answers() {
+  // A missed deadline is an outcome of the trial; the question that it ended has no response.
+  if (answered_.size() < trial_.questions.size()) row_.outcome = AttemptOutcome::timed_out;
+  for (const Answered& answered : answered_) {
+    for (AnsweredItem& item : items_of(answered.question, answered.answer)) {
+      ResponseRow response{.question = answered.question.name,
+                           .item = item.item,
+                           .answer = std::move(item.answer),
+                           .answer_number = item.number,
+                           .correct = item.correct,
+                           .options_json = options_json_of(answered.question),
+                           .time_ns = answered.answer_ns};
+      response.from_cue_s = seconds_between(answered.cue_ns, answered.answer_ns);
+      if (const auto contact_ns = row_.presentations.front().contact_ns) {
+        response.from_contact_s = seconds_between(*contact_ns, answered.answer_ns);
+      }
+      response.source = answered.source;
+      row_.responses.push_back(std::move(response));
     }
-    response.source = course_.respondent().source();
-    row_.responses.push_back(std::move(response));
   }
 }
 
@@ -433,9 +451,12 @@ void TrialAttempt::take_surface_away() {
 }
 
 bool TrialAttempt::has_to_be_seen() const {
-  return trial_.question.standard_picture.has_value() ||
-         std::any_of(trial_.question.options.begin(), trial_.question.options.end(),
-                     [](const Option& option) { return option.picture.has_value(); });
+  const auto has_pictures = [](const TrialQuestion& question) {
+    return std::any_of(question.options.begin(), question.options.end(),
+                       [](const Option& option) { return option.picture.has_value(); });
+  };
+  return trial_.standard_picture.has_value() ||
+         std::any_of(trial_.questions.begin(), trial_.questions.end(), has_pictures);
 }
 
 std::string TrialAttempt::recording_path() const {

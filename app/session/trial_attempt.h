@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,10 +32,13 @@ struct AttemptOrder {
 ///
 /// An attempt that was interrupted has a row as well, invalid, with the reason.
 ///
-/// Where surfaces are felt again the question is asked more than once. The response time from the
-/// cue counts from the first time, feeling again included: it is the time until the decision. The
+/// Pages of questions (pages_of) are asked one after another, each with its own cue and deadline.
+/// Where a deadline passes, the attempt has timed out; the answers to earlier pages are stored.
+///
+/// Where surfaces are felt again the page is asked more than once. The response time from the cue
+/// counts from the first time, feeling again included: it is the time until the decision. The
 /// deadline limits the time in which an answer was possible: it stands still from the wish to feel
-/// again until the question is asked again.
+/// again until the page is asked again.
 ///
 /// A number that is ten times an earlier one of the same stimulus, or a tenth of it, is asked for
 /// once more: the second number is the answer, and the first is stored as the event
@@ -67,16 +72,35 @@ class TrialAttempt final {
     double felt_s = 0.0;  ///< contact in the visits so far
   };
 
+  /// A page of questions while it is asked.
+  struct Asking {
+    std::span<const TrialQuestion> page{};
+    std::optional<std::int64_t> cue_ns{};  ///< when it was asked first
+    std::int64_t answer_ns = 0;            ///< of the last reply
+    double answerable_s = 0.0;             ///< how long an answer was possible, over all times
+    std::optional<Reply> doubted{};        ///< the answer before it was asked for once more
+  };
+  /// An answer as it is stored.
+  struct Answered {
+    const TrialQuestion& question;
+    Answer answer{};
+    std::int64_t cue_ns = 0;
+    std::int64_t answer_ns = 0;
+    std::string source{};
+  };
+
   void prepare();
   void carry_out();
-  Reply ask();
+  /// Asks until the page is answered (true) or its deadline has passed (false).
+  bool answer_page(std::span<const TrialQuestion> page);
+  Reply ask(Asking& asking);
   /// Whether the reply is a number that has to be confirmed.
-  bool is_doubtful() const;
-  void doubt();
+  bool is_doubtful(const Asking& asking, const Reply& reply) const;
+  void doubt(Asking& asking, const Reply& reply);
   void feel(std::size_t index);
   void explore(Surface& surface);
   void measure(const std::vector<TickRecord>& records);
-  void answer();
+  void store_answers();
   void judge();
   void take_surface_away();
   /// The question requires sight: it has pictures to choose from or to compare with.
@@ -94,12 +118,7 @@ class TrialAttempt final {
   Wait waiting_{};
   std::vector<Surface> surfaces_{};
   std::vector<int> felt_{};  ///< positions, in the order of feeling
-  Reply reply_{};
-  std::optional<Reply> doubted_{};        ///< the answer before it was asked for once more
-  std::optional<std::int64_t> cue_ns_{};  ///< when the question was asked first
-  std::int64_t answer_ns_ = 0;
-  /// How long an answer was possible, over all times the question was asked.
-  double answerable_s_ = 0.0;
+  std::vector<Answered> answered_{};
   std::optional<Interruption> interruption_{};
   AttemptRow row_{};
 };

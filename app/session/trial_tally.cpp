@@ -8,9 +8,10 @@
 namespace asperity {
 
 bool is_right(const AttemptRow& attempt) {
-  return !attempt.responses.empty() &&
+  const auto is_judged = [](const ResponseRow& response) { return response.correct.has_value(); };
+  return std::any_of(attempt.responses.begin(), attempt.responses.end(), is_judged) &&
          std::all_of(attempt.responses.begin(), attempt.responses.end(),
-                     [](const ResponseRow& response) { return response.correct.value_or(false); });
+                     [](const ResponseRow& response) { return response.correct.value_or(true); });
 }
 
 bool failed_technically(const AttemptRow& attempt) {
@@ -97,11 +98,18 @@ int TrialTally::coming(std::size_t step, int block, int tried, Again again) cons
 }
 
 std::optional<double> TrialTally::earlier_estimate(const Trial& trial) const {
+  const auto asked = std::find_if(trial.questions.begin(), trial.questions.end(),
+                                  [](const TrialQuestion& question) {
+                                    return std::holds_alternative<NumberForm>(question.form);
+                                  });
+  if (asked == trial.questions.end()) return {};
   for (auto attempt = attempts_.rbegin(); attempt != attempts_.rend(); ++attempt) {
-    if (!attempt->valid || attempt->responses.empty()) continue;
+    if (!attempt->valid) continue;
     const Trial& tried = plan_.trials.at(static_cast<std::size_t>(attempt->trial - 1));
-    const std::optional<double>& number = attempt->responses.front().answer_number;
-    if (number && are_of_one_stimulus(tried, trial)) return number;
+    if (!are_of_one_stimulus(tried, trial)) continue;
+    for (const ResponseRow& response : attempt->responses) {
+      if (response.question == asked->name && response.answer_number) return response.answer_number;
+    }
   }
   return {};
 }

@@ -121,18 +121,25 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     if (!are_as_planned(answers.surfaces_of(attempt), answers.words, planned)) {
       problems.push_back(where() + ": its surfaces differ from those of the planned trial");
     }
-    const TrialQuestion& question = planned.question;
-    const std::string options_json = options_json_of(planned);
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
       const std::string& answer = answers.words[reply.answer];
-      const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
-      if (answers.words[reply.options_json] != options_json) {
+      const std::string& name = answers.words[reply.question];
+      const auto item = [&] {
+        return where() + (planned.questions.size() > 1 ? ", question " + name : std::string()) +
+               ", item " + std::to_string(reply.item) + ": ";
+      };
+      const TrialQuestion* const question = find_question(planned, name);
+      if (question == nullptr) {
+        problems.push_back(item() + "the planned trial does not ask the question " + name);
+        continue;
+      }
+      if (answers.words[reply.options_json] != options_json_of(*question)) {
         problems.push_back(
             item() + "the options stored with the answer differ from those of the planned trial");
       }
       const AnsweredItem stored{
           .item = reply.item, .answer = answer, .number = reply.number, .correct = reply.correct};
-      for (const std::string& problem : problems_with(question, stored)) {
+      for (const std::string& problem : problems_with(*question, stored)) {
         problems.push_back(item() + problem);
       }
     }

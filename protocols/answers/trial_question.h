@@ -1,4 +1,4 @@
-// The question of a trial, the forms in which it can be answered, and what an answer amounts to.
+// A question of a trial, the forms in which it can be answered, and what an answer amounts to.
 
 #pragma once
 
@@ -28,18 +28,13 @@ struct Option {
   std::optional<std::string> picture{};  ///< study-relative
 };
 
-/// The question of a trial.
+/// A question of a trial.
 struct TrialQuestion {
-  std::string name{};
+  std::string name{};  ///< stored with every response to it
   std::string prompt{};
-  std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
-  /// Study-relative picture of the texture that realism is measured against, where it is shown.
-  std::optional<std::string> standard_picture{};
   AnswerForm form{};
   std::vector<Option>
       options{};  ///< what the form lets a participant choose from; a number has none
-  bool allow_revisit = true;
-  bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
   /// The correct responses, one per item of the answer; empty where no response is correct or incorrect.
   std::vector<std::string> correct{};
 };

@@ -139,7 +139,7 @@ struct Factor {
   std::vector<Level> levels{};
 };
 
-/// A question of the questionnaire or about the participant; the question of a trial is a TrialQuestion (plan.h).
+/// A question of the questionnaire or about the participant; the questions of a trial are a TrialQuestion each.
 struct Question {
   enum class Form { choice, number, text };
   std::string name{};
@@ -253,13 +253,10 @@ struct Protocol {
   struct TrialQuestionTemplate {
     std::string name{};
     std::string prompt{};
-    std::string experimenter_prompt{};  ///< "{code}" stands for the code of the trial's texture
     /// The options are the felt alternatives or pictures of these textures.
     std::vector<std::string> pictures{};  ///< empty: the felt alternatives
     bool reshuffle_pictures = false;      ///< for every trial; otherwise once per session
-    bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
     bool allow_cannot_tell = false;
-    bool allow_revisit = true;     ///< free switching between the surfaces before the response
     std::string correct_factor{};  ///< recognition: the factor with the correct picture
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
@@ -287,7 +284,10 @@ struct Protocol {
     std::map<std::string, int, std::less<>> maximum_in_a_row{};
     std::vector<Presented> presented{};
     Positions positions = Positions::as_listed;
-    TrialQuestionTemplate question{};
+    std::vector<TrialQuestionTemplate> questions{};  ///< of every trial; at least one
+    std::string experimenter_prompt{};    ///< "{code}" stands for the code of the trial's texture
+    bool pictures_after_feeling = false;  ///< hidden until all surfaces were felt (an eye mask)
+    bool allow_revisit = true;  ///< free switching between the surfaces before the response
     Binding<std::string> exploration{};
     double pause_before_trial_s = 0.5;
     double pause_between_surfaces_s = 0.5;

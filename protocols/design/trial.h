@@ -1,9 +1,10 @@
-// Declares one trial of a session: its surfaces and its question.
+// Declares one trial of a session: its surfaces and its questions.
 
 #pragma once
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,21 @@ struct Trial {
   int repetition = 1;  ///< 0 of an anchor
   std::map<std::string, Level, std::less<>> factors{};
   std::vector<PlannedPresentation> presentations{};
-  TrialQuestion question{};
+  std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
+  /// Study-relative picture of the texture that realism is measured against, where it is shown.
+  std::optional<std::string> standard_picture{};
+  bool allow_revisit = true;            ///< surfaces may be felt again before a response
+  bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
+  /// At least one, in the order in which they are asked.
+  std::vector<TrialQuestion> questions{};
+  bool on_one_page = false;   ///< all questions are shown together; otherwise one after another
+  std::string page_prompt{};  ///< shown above the questions of one page; may be empty
 };
+
+/// The questions that are shown together, page after page.
+std::vector<std::span<const TrialQuestion>> pages_of(const Trial& trial);
+
+/// Null where the trial does not ask a question of that name.
+const TrialQuestion* find_question(const Trial& trial, const std::string& name) noexcept;
 
 }  // namespace asperity

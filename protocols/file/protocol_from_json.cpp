@@ -231,12 +231,9 @@ Protocol::TrialQuestionTemplate trial_question_of(const json& object) {
   Protocol::TrialQuestionTemplate question{};
   read(object, "name", question.name);
   read(object, "prompt", question.prompt);
-  read(object, "experimenter_prompt", question.experimenter_prompt);
   read(object, "pictures", question.pictures);
   read(object, "reshuffle_pictures", question.reshuffle_pictures);
-  read(object, "pictures_after_feeling", question.pictures_after_feeling);
   read(object, "allow_cannot_tell", question.allow_cannot_tell);
-  read(object, "allow_revisit", question.allow_revisit);
   read(object, "correct_factor", question.correct_factor);
   return question;
 }
@@ -291,7 +288,11 @@ Block block_of(const std::string& name, const json& object, const ExperimentKind
               {{"as_listed", Block::Positions::as_listed},
                {"shuffle", Block::Positions::shuffle},
                {"balanced", Block::Positions::balanced}});
-  block.question = trial_question_of(object.at("question"));
+  const json& asked = object.at("question");
+  block.questions = {trial_question_of(asked)};
+  read(asked, "experimenter_prompt", block.experimenter_prompt);
+  read(asked, "pictures_after_feeling", block.pictures_after_feeling);
+  read(asked, "allow_revisit", block.allow_revisit);
   read(object, "exploration", block.exploration);
   read(object, "pause_before_trial_s", block.pause_before_trial_s);
   read(object, "pause_between_surfaces_s", block.pause_between_surfaces_s);

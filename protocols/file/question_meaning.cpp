@@ -9,7 +9,7 @@ namespace asperity {
 using Block = Protocol::Block;
 
 void Meaning::check_question(const Block& block, const std::string& pointer) {
-  const Protocol::TrialQuestionTemplate& question = block.question;
+  const Protocol::TrialQuestionTemplate& question = block.questions.front();
   const std::string place = pointer + "/question";
   for (std::size_t i = 0; i < question.pictures.size(); ++i) {
     const std::string& name = question.pictures[i];
@@ -27,19 +27,20 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
   }
   if (question.pictures.empty()) {
     for (const char* const key : {"reshuffle_pictures", "pictures_after_feeling"}) {
-      if (question.reshuffle_pictures || question.pictures_after_feeling) {
+      if (question.reshuffle_pictures || block.pictures_after_feeling) {
         if (document_.root().at("blocks").at(block.name).at("question").contains(key)) {
           report_key(place + "/" + key,
                      "this question shows no pictures to choose from; remove this key");
         }
       }
     }
-  } else if (question.pictures_after_feeling && question.allow_revisit) {
+  } else if (block.pictures_after_feeling && block.allow_revisit) {
     report(place + "/pictures_after_feeling",
            "a participant who may return to a surface feels it with the pictures in view; set "
            "allow_revisit to false");
   }
-  if (kind_.check_block != nullptr) kind_.check_block({protocol_, block, pointer}, *this);
+  if (kind_.check_block != nullptr)
+    kind_.check_block({protocol_, block, question, pointer, place}, *this);
   if (block.feedback != Block::Feedback::none && !kind_.has_correct_responses) {
     report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
                                       std::string(kind_.id) + " is correct or incorrect");

@@ -18,8 +18,9 @@ void Meaning::check_expectation(const Trial& trial,
   for (const PlannedPresentation& planned : trial.presentations) {
     expected.insert(planned.stimulus.texture);
   }
-  const auto& pictures = protocol_.blocks.at(trial.block).question.pictures;
-  expected.insert(pictures.begin(), pictures.end());
+  for (const auto& question : protocol_.blocks.at(trial.block).questions) {
+    expected.insert(question.pictures.begin(), question.pictures.end());
+  }
   expected.erase("");
   for (const std::string& name : expected) {
     const Texture& texture = protocol_.textures.at(name);
@@ -80,16 +81,18 @@ void Meaning::check_trials() {
                        pointer_to("/stimuli", planned.stimulus_template));
       }
     }
-    std::set<std::string> pictures(trial.question.correct.begin(), trial.question.correct.end());
-    for (const Option& option : trial.question.options) pictures.erase(option.value);
+    const std::string at_question = pointer + "/question";
+    const TrialQuestion& question = trial.questions.front();
+    std::set<std::string> pictures(question.correct.begin(), question.correct.end());
+    for (const Option& option : question.options) pictures.erase(option.value);
     if (!pictures.empty()) {
-      report(pointer + "/question/pictures", "the correct response " +
-                                                 in_quotes(*pictures.begin()) +
-                                                 " is not among the pictures; add its picture");
+      report(at_question + "/pictures", "the correct response " + in_quotes(*pictures.begin()) +
+                                            " is not among the pictures; add its picture");
     }
     if (kind_.check_trial != nullptr) {
       const Block& block = protocol_.blocks.at(trial.block);
-      kind_.check_trial({protocol_, block, pointer}, trial, *this);
+      kind_.check_trial({protocol_, block, block.questions.front(), pointer, at_question}, trial,
+                        *this);
     }
     check_expectation(trial, on_bodies);
   }

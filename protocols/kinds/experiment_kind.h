@@ -38,13 +38,16 @@ struct KindKey {
 struct BlockOfKind {
   const Protocol& protocol;
   const Protocol::Block& block;
-  std::string pointer{};  ///< "/blocks/NAME"
+  const Protocol::TrialQuestionTemplate& question;
+  std::string pointer{};      ///< "/blocks/NAME"
+  std::string at_question{};  ///< "/blocks/NAME/question"
 };
 
 /// What a virtual participant has to judge, and on what basis.
 struct Judgement {
   const Protocol& protocol;
   const Trial& trial;
+  const TrialQuestion& question;
   std::span<const ForceFeatures> felt{};  ///< by position
   const Expectations& expectations;       ///< by texture
   VirtualObserver& observer;

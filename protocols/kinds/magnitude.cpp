@@ -31,8 +31,8 @@ constexpr std::array kMagnitudeKeys{
 std::string item_of_magnitude(const StimulusDescription& stimulus) { return stimulus.texture; }
 
 void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.block.question;
-  const std::string place = checked.pointer + "/question";
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
                     "a magnitude presents exactly one surface per trial");

@@ -29,8 +29,8 @@ std::vector<std::string> correct_of_matching(const Protocol::TrialQuestionTempla
 }
 
 void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.block.question;
-  const std::string place = checked.pointer + "/question";
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
     problems.report(checked.pointer + "/presented",
                     "a matching needs at least two surfaces to assign");
@@ -53,7 +53,7 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
 }
 
 VirtualResponse judge_matching(const Judgement& judgement) {
-  const TrialQuestion& question = judgement.trial.question;
+  const TrialQuestion& question = judgement.question;
   const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
   const std::vector<ForceFeatures> expected =
       expected_of(judgement.expectations, textures_of(question, open));

@@ -27,8 +27,8 @@ std::vector<std::string> correct_of_recognition(const Protocol::TrialQuestionTem
 }
 
 void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.block.question;
-  const std::string place = checked.pointer + "/question";
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
                     "a recognition presents exactly one surface per trial");
@@ -59,15 +59,15 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
 void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
                                 ProblemSink& problems) {
   const std::string& texture = trial.presentations.front().stimulus.texture;
-  const std::string& correct = trial.question.correct.front();
+  const std::string& correct = trial.questions.front().correct.front();
   if (texture.empty() || correct == texture) return;
-  problems.report(checked.pointer + "/question/correct_factor",
+  problems.report(checked.at_question + "/correct_factor",
                   "the correct response would be " + in_quotes(correct) +
                       ", but the texture felt is " + in_quotes(texture));
 }
 
 VirtualResponse judge_recognition(const Judgement& judgement) {
-  const TrialQuestion& question = judgement.trial.question;
+  const TrialQuestion& question = judgement.question;
   const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
   const std::vector<ForceFeatures> expected =
       expected_of(judgement.expectations, textures_of(question, open));

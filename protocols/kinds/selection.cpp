@@ -31,8 +31,8 @@ constexpr std::array kSelectionKeys{
 std::string item_of_selection(const StimulusDescription& stimulus) { return stimulus.model; }
 
 void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.block.question;
-  const std::string place = checked.pointer + "/question";
+  const Protocol::TrialQuestionTemplate& question = checked.question;
+  const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
     problems.report(checked.pointer + "/presented",
                     "a selection needs at least two surfaces to choose from");
@@ -47,7 +47,7 @@ void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems)
                     "no response of a selection is correct or incorrect; remove this key");
   }
   if (checked.protocol.realism_standard == RealismStandard::physical_sample &&
-      question.experimenter_prompt.find("{code}") == std::string::npos) {
+      checked.block.experimenter_prompt.find("{code}") == std::string::npos) {
     problems.report(place,
                     "with the standard \"physical_sample\" the experimenter needs to know which "
                     "sample to place: add \"experimenter_prompt\" with {code} in it, such as "
@@ -68,8 +68,7 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
                                    in_quotes(planned.stimulus.texture) +
                                    "); a selection compares renderings of one texture");
   }
-  if (protocol.realism_standard == RealismStandard::photograph &&
-      !trial.question.standard_picture) {
+  if (protocol.realism_standard == RealismStandard::photograph && !trial.standard_picture) {
     problems.report(
         at_texture,
         "realism is measured against a photograph here: give the texture a \"picture\"");
@@ -100,7 +99,7 @@ std::size_t option_with(const TrialQuestion& question, const std::string& value)
 VirtualResponse judge_selection(const Judgement& judgement) {
   std::vector<std::size_t> surfaces{};
   for (const PlannedPresentation& planned : judgement.trial.presentations) {
-    surfaces.push_back(option_with(judgement.trial.question, planned.item));
+    surfaces.push_back(option_with(judgement.question, planned.item));
   }
   const std::vector<ForceFeatures> expected =
       expected_of(judgement.expectations, {judgement.trial.presentations.front().stimulus.texture});

@@ -144,25 +144,20 @@ std::string with_code(std::string prompt, const std::string& code) {
   return prompt;
 }
 
-TrialQuestion planned_question(const Protocol& protocol, const Block& block, const Trial& trial,
+/// The texture of the first surface, where it has one.
+const Texture* texture_of(const Protocol& protocol, const Trial& trial) {
+  const auto texture = protocol.textures.find(trial.presentations.front().stimulus.texture);
+  return texture == protocol.textures.end() ? nullptr : &texture->second;
+}
+
+TrialQuestion planned_question(const Protocol& protocol,
+                               const Protocol::TrialQuestionTemplate& source, const Trial& trial,
                                const std::vector<std::string>& pictures) {
   const ExperimentKind& kind = kind_of(protocol);
-  const Protocol::TrialQuestionTemplate& source = block.question;
   TrialQuestion question{};
   question.name = source.name;
   question.prompt = source.prompt;
-  question.allow_revisit = source.allow_revisit;
-  question.pictures_after_feeling = source.pictures_after_feeling;
   question.form = kind.form;
-  if (const auto texture = protocol.textures.find(trial.presentations.front().stimulus.texture);
-      texture != protocol.textures.end()) {
-    question.experimenter_prompt = with_code(source.experimenter_prompt, texture->second.code);
-    if (protocol.realism_standard == RealismStandard::photograph) {
-      question.standard_picture = texture->second.picture;
-    }
-  } else {
-    question.experimenter_prompt = source.experimenter_prompt;
-  }
   if (std::holds_alternative<NumberForm>(question.form)) return question;
   if (pictures.empty()) {
     for (const PlannedPresentation& planned : trial.presentations) {
@@ -277,7 +272,21 @@ class Planner {
       trial.presentations.back().position = static_cast<int>(trial.presentations.size());
       trial.presentations.back().code = place_code(trial.presentations.size() - 1);
     }
-    trial.question = planned_question(protocol_, block, trial, pictures_of(block, pictures));
+    const Texture* const texture = texture_of(protocol_, trial);
+    trial.experimenter_prompt = texture == nullptr
+                                    ? block.experimenter_prompt
+                                    : with_code(block.experimenter_prompt, texture->code);
+    if (texture != nullptr && protocol_.realism_standard == RealismStandard::photograph) {
+      trial.standard_picture = texture->picture;
+    }
+    trial.allow_revisit = block.allow_revisit;
+    trial.pictures_after_feeling = block.pictures_after_feeling;
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      // The first question has the stream that it had when it was the only one.
+      const Random of_question = trial.questions.empty() ? pictures : pictures.split(question.name);
+      trial.questions.push_back(
+          planned_question(protocol_, question, trial, pictures_of(question, of_question)));
+    }
     plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
     plan_.trials.push_back(std::move(trial));
   }
@@ -300,11 +309,12 @@ class Planner {
     return std::move(*order);
   }
 
-  /// Blocks with the same pictures show them at the same positions, unless they are reshuffled.
-  std::vector<std::string> pictures_of(const Block& block, Random of_trial) const {
-    std::vector<std::string> pictures = block.question.pictures;
+  /// Questions with the same pictures show them at the same positions, unless they are reshuffled.
+  std::vector<std::string> pictures_of(const Protocol::TrialQuestionTemplate& question,
+                                       Random of_trial) const {
+    std::vector<std::string> pictures = question.pictures;
     std::sort(pictures.begin(), pictures.end());
-    if (block.question.reshuffle_pictures) {
+    if (question.reshuffle_pictures) {
       of_trial.shuffle(std::span<std::string>(pictures));
     } else {
       Random of_session = random_.split("pictures of the session");

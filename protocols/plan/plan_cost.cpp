@@ -64,8 +64,10 @@ PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
       ++cost.trials;
       cost.contacts += static_cast<int>(trial.presentations.size());
       cost.contact_s += felt_s;
-      const double answers =
-          items_of(trial.question.form, static_cast<int>(trial.presentations.size()));
+      double answers = 0.0;
+      for (const TrialQuestion& question : trial.questions) {
+        answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
+      }
       spend(felt_s + block.pause_before_trial_s +
             (surfaces - 1.0) * block.pause_between_surfaces_s + kChoice_s * answers +
             (block.feedback == Protocol::Block::Feedback::none ? 0.0 : kFeedback_s));

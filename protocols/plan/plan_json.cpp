@@ -138,11 +138,7 @@ void add_presentation(JsonLine& line, const PlannedPresentation& planned) {
   line.close('}');
 }
 
-void add_question(JsonLine& line, const TrialQuestion& question) {
-  line.open('{');
-  line.field("name", question.name);
-  line.field("form", name_of(question.form));
-  line.field("standard_picture", question.standard_picture);
+void add_options_and_correct(JsonLine& line, const TrialQuestion& question) {
   line.key("options");
   line.open('[');
   for (const Option& option : question.options) {
@@ -157,7 +153,33 @@ void add_question(JsonLine& line, const TrialQuestion& question) {
   line.open('[');
   for (const std::string& answer : question.correct) line.add(answer);
   line.close(']');
+}
+
+/// The only question of a trial, as all versions of the program wrote it.
+void add_only_question(JsonLine& line, const Trial& trial) {
+  const TrialQuestion& question = trial.questions.front();
+  line.key("question");
+  line.open('{');
+  line.field("name", question.name);
+  line.field("form", name_of(question.form));
+  line.field("standard_picture", trial.standard_picture);
+  add_options_and_correct(line, question);
   line.close('}');
+}
+
+void add_questions(JsonLine& line, const Trial& trial) {
+  line.field("standard_picture", trial.standard_picture);
+  line.field("layout", trial.on_one_page ? "one_page" : "one_after_another");
+  line.key("questions");
+  line.open('[');
+  for (const TrialQuestion& question : trial.questions) {
+    line.open('{');
+    line.field("name", question.name);
+    line.field("form", name_of(question.form));
+    add_options_and_correct(line, question);
+    line.close('}');
+  }
+  line.close(']');
 }
 
 }  // namespace
@@ -176,8 +198,11 @@ std::string json_of(const Trial& trial) {
   line.open('[');
   for (const PlannedPresentation& planned : trial.presentations) add_presentation(line, planned);
   line.close(']');
-  line.key("question");
-  add_question(line, trial.question);
+  if (trial.questions.size() == 1) {
+    add_only_question(line, trial);
+  } else {
+    add_questions(line, trial);
+  }
   line.close('}');
   return std::move(line).take();
 }
@@ -188,10 +213,10 @@ std::string factors_json_of(const Trial& trial) {
   return std::move(line).take();
 }
 
-std::string options_json_of(const Trial& trial) {
+std::string options_json_of(const TrialQuestion& question) {
   JsonLine line{};
   line.open('[');
-  for (const Option& option : trial.question.options) line.add(option.value);
+  for (const Option& option : question.options) line.add(option.value);
   line.close(']');
   return std::move(line).take();
 }

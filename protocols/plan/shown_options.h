@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "protocols/plan/plan.h"
+#include "protocols/answers/trial_question.h"
 
 namespace asperity {
 
-/// The JSON of the values of a trial's options, in the order in which they are shown; "[]" if the response is a number.
-std::string options_json_of(const Trial& trial);
+/// The JSON of the values of a question's options, in the order in which they are shown; "[]" if it has none.
+std::string options_json_of(const TrialQuestion& question);
 
 }  // namespace asperity

@@ -612,7 +612,9 @@ TEST_F(ConductorTest, CountsReactionTimesFromTheFirstTimeTheQuestionWasPut) {
   EXPECT_GT(*response.from_cue_s, 1.5);  // the surface was felt twice again
 }
 
-bool is_doubt(const Trial& trial) { return trial.question.prompt.starts_with("Please check"); }
+bool is_doubt(const Trial& trial) {
+  return trial.questions.front().prompt.starts_with("Please check");
+}
 
 TEST_F(ConductorTest, AsksOnceMoreForANumberTenTimesAnEarlierOneAndKeepsBoth) {
   begin(estimated_protocol());
@@ -776,10 +778,11 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   std::ostringstream shown;
   TerminalRespondent person(ends[0], shown, {}, {});
   Trial trial{};
-  trial.question.form = NumberForm{};
-  trial.question.prompt = "How rough was it?";
-  trial.question.allow_revisit = false;
-  const Reply reply = person.ask(trial, {}, {}, [](double) {});
+  trial.questions.resize(1);
+  trial.questions.front().form = NumberForm{};
+  trial.questions.front().prompt = "How rough was it?";
+  trial.allow_revisit = false;
+  const Reply reply = person.ask(trial, trial.questions, {}, {}, [](double) {});
   EXPECT_EQ(reply.number(), 7.5);
   EXPECT_NE(shown.str().find("How rough was it?\nYour number: Please enter a number above 0"),
             std::string::npos)

@@ -67,7 +67,7 @@ TEST_P(Scenes, NameNoTextureModelOrFile) {
       shown.push_back(scene_of_surface(trial, {}, position));
       shown.push_back(scene_of_lifting(trial, {}, position));
     }
-    shown.push_back(scene_of_question(trial, all_positions(trial)));
+    shown.push_back(scene_of_question(trial, trial.questions, all_positions(trial)));
     for (const ParticipantScene& scene : shown) {
       const std::string words = scene_words(scene);
       for (const std::string& name : names) {
@@ -85,7 +85,8 @@ INSTANTIATE_TEST_SUITE_P(OfEveryLibraryProtocol, Scenes,
 
 TEST(SceneOfQuestion, PutsDigitsOnPicturesAndLettersOnSurfaces) {
   const Trial matching = make_plan(library_protocol("chapter_matching"), {1, 0}).trials.front();
-  const ParticipantScene pictures = scene_of_question(matching, all_positions(matching));
+  const ParticipantScene pictures =
+      scene_of_question(matching, matching.questions, all_positions(matching));
   ASSERT_EQ(pictures.choices.size(), 4U);
   EXPECT_EQ(pictures.choices[0].key, "1");
   EXPECT_EQ(pictures.choices[3].key, "4");
@@ -95,8 +96,9 @@ TEST(SceneOfQuestion, PutsDigitsOnPicturesAndLettersOnSurfaces) {
   EXPECT_TRUE(pictures.response_open);
 
   Trial selection = make_plan(library_protocol("chapter_selection"), {1, 0}).trials.front();
-  selection.question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
-  const ParticipantScene surfaces = scene_of_question(selection, all_positions(selection));
+  selection.questions.front().options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
+  const ParticipantScene surfaces =
+      scene_of_question(selection, selection.questions, all_positions(selection));
   ASSERT_EQ(surfaces.choices.size(), 4U);
   EXPECT_EQ(surfaces.choices[0].key, "A");
   EXPECT_EQ(surfaces.choices[2].key, "C");
@@ -108,13 +110,13 @@ TEST(SceneOfQuestion, PutsDigitsOnPicturesAndLettersOnSurfaces) {
 
 TEST(SceneOfQuestion, HidesPicturesUntilAllWasFeltWhereTheProtocolSaysSo) {
   const Trial trial = make_plan(library_protocol("chapter_matching"), {1, 0}).trials.front();
-  ASSERT_TRUE(trial.question.pictures_after_feeling);
+  ASSERT_TRUE(trial.pictures_after_feeling);
   EXPECT_TRUE(scene_of_surface(trial, {1, 2}, 3).choices.empty());
-  EXPECT_TRUE(scene_of_question(trial, {1, 2, 3}).choices.empty());
-  EXPECT_EQ(scene_of_question(trial, {1, 2, 3, 4}).choices.size(), 4U);
+  EXPECT_TRUE(scene_of_question(trial, trial.questions, {1, 2, 3}).choices.empty());
+  EXPECT_EQ(scene_of_question(trial, trial.questions, {1, 2, 3, 4}).choices.size(), 4U);
 
   Trial open = trial;
-  open.question.pictures_after_feeling = false;
+  open.pictures_after_feeling = false;
   EXPECT_EQ(scene_of_surface(open, {}, 1).choices.size(), 4U);
 }
 

@@ -28,28 +28,30 @@ std::int64_t nanoseconds(double time_s) {
 Trial selection() {
   Trial trial{};
   trial.ordinal = 1;
+  trial.questions.resize(1);
   for (int position = 1; position <= 3; ++position) {
     PlannedPresentation planned{};
     planned.position = position;
     planned.code = std::string(1, static_cast<char>('A' + position - 1));
     trial.presentations.push_back(planned);
-    trial.question.options.push_back({"item", planned.code, std::nullopt});
+    trial.questions.front().options.push_back({"item", planned.code, std::nullopt});
   }
-  trial.question.options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
-  trial.question.prompt = "Which one?";
+  trial.questions.front().options.push_back({"cannot_tell", "I cannot tell", std::nullopt});
+  trial.questions.front().prompt = "Which one?";
   return trial;
 }
 
 /// Three surfaces to as many pictures; nothing is felt again.
 Trial matching() {
   Trial trial = selection();
-  trial.question.form = AssignmentForm{};
-  trial.question.options.clear();
+  trial.questions.front().form = AssignmentForm{};
+  trial.questions.front().options.clear();
   for (int place = 1; place <= 3; ++place) {
-    trial.question.options.push_back({"texture", std::to_string(place), "stimuli/picture.png"});
+    trial.questions.front().options.push_back(
+        {"texture", std::to_string(place), "stimuli/picture.png"});
   }
-  trial.question.allow_revisit = false;
-  trial.question.pictures_after_feeling = true;
+  trial.allow_revisit = false;
+  trial.pictures_after_feeling = true;
   return trial;
 }
 
@@ -106,11 +108,11 @@ class PersonAtWindowTest : public testing::Test {
     monitor_.show({});
   }
   Reply ask(const Trial& trial, std::optional<double> deadline_s = {}) {
-    ParticipantScene scene = scene_of_question(trial, {1, 2, 3});
+    ParticipantScene scene = scene_of_question(trial, trial.questions, {1, 2, 3});
     scene.block = 3;
     scene.blocks = 6;
     monitor_.show(std::move(scene));
-    return person_.ask(trial, {}, deadline_s, wait_);
+    return person_.ask(trial, trial.questions, {}, deadline_s, wait_);
   }
   Reply feel_all_and_ask(const Trial& trial, std::optional<double> deadline_s = {}) {
     feel_all(trial);
@@ -157,10 +159,10 @@ class ANumber : public PersonAtWindowTest {
  protected:
   ANumber() {
     trial_.presentations.resize(1);
-    trial_.question = {};
-    trial_.question.form = NumberForm{};
-    trial_.question.prompt = "How rough did it feel?";
-    trial_.question.allow_revisit = false;
+    trial_.questions = {{}};
+    trial_.questions.front().form = NumberForm{};
+    trial_.questions.front().prompt = "How rough did it feel?";
+    trial_.allow_revisit = false;
   }
   Trial trial_ = one_surface();
 
@@ -201,7 +203,7 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
 }
 
 TEST_F(ANumber, AsksToFeelTheSurfaceAgainWhereThatIsAllowed) {
-  trial_.question.allow_revisit = true;
+  trial_.allow_revisit = true;
   feel_all(trial_);
   press(0.5, Kind::next);
   EXPECT_EQ(felt_again(ask(trial_)), 1);
@@ -352,11 +354,12 @@ TEST_F(AChoice, GoesByTheTimeThatTheSceneSaysItWasShownAt) {
   feel_all(selection());
   const std::int64_t pressed_ns = now_ns_ - nanoseconds(0.2);
   person_.post({.kind = Kind::option, .number = 1, .time_ns = pressed_ns});
-  ParticipantScene scene = scene_of_question(selection(), {1, 2, 3});
+  const Trial trial = selection();
+  ParticipantScene scene = scene_of_question(trial, trial.questions, {1, 2, 3});
   scene.shown_ns = pressed_ns - nanoseconds(PersonAtWindow::kTooSoon_s);
   monitor_.show(std::move(scene));
   press(1.0, Kind::confirm);
-  EXPECT_EQ(options_of(person_.ask(selection(), {}, 2.0, wait_)), Options{0});
+  EXPECT_EQ(options_of(person_.ask(trial, trial.questions, {}, 2.0, wait_)), Options{0});
 }
 
 // A pause or a fault is shown in the middle of a question.
@@ -525,7 +528,7 @@ TEST_F(FeelingAgain, LeavesTheChoiceAsItWas) {
 
 TEST_F(FeelingAgain, IsRefusedWhereTheProtocolDoesNotAllowIt) {
   Trial trial = selection();
-  trial.question.allow_revisit = false;
+  trial.allow_revisit = false;
   feel_all(trial);
   press(1.0, Kind::next);
   press(1.1, Kind::surface, 2);
@@ -1044,7 +1047,7 @@ TEST_F(DeviceButtons, ConfirmWithTheFirstWhenItIsHeld) {
 
 TEST_F(DeviceButtons, BeginAnewAfterTheLastOption) {
   Trial trial = selection();
-  trial.question.allow_revisit = false;
+  trial.allow_revisit = false;
   feel_all(trial);
   for (int step = 0; step < 5; ++step) hold_button(1.0 + step, 1, 0.1);
   hold_button(7.0, 2, 0.1);
@@ -1084,7 +1087,7 @@ TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
 
 TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
   Trial trial = matching();
-  trial.question.allow_revisit = true;
+  trial.allow_revisit = true;
   feel_all(trial);
   hold_button(1.0, 1, 0.1);
   hold_button(2.0, 2, 0.1);  // A gets 1
@@ -1100,7 +1103,7 @@ TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
 
 TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
   Trial trial = matching();
-  trial.question.allow_revisit = true;
+  trial.allow_revisit = true;
   feel_all(trial);
   press(1.0, Kind::option, 1);  // A gets 1
   for (int step = 0; step < 4; ++step) hold_button(2.0 + step, 1, 0.1);
@@ -1220,7 +1223,8 @@ TEST(PersonAtWindowThreads, HearWhatIsPostedFromAnother) {
     person.post({.kind = Kind::option, .number = 3, .time_ns = nanoseconds(2.0)});
     person.post({.kind = Kind::confirm, .time_ns = nanoseconds(3.0)});
   });
-  const Reply reply = person.ask(trial, {}, {}, [](double) { std::this_thread::yield(); });
+  const Reply reply =
+      person.ask(trial, trial.questions, {}, {}, [](double) { std::this_thread::yield(); });
   EXPECT_EQ(options_of(reply), Options{2});
   EXPECT_EQ(reply.answered_ns, nanoseconds(3.0));
 }

@@ -107,10 +107,12 @@ ColorPlanes sheet_of_a_question(bool in_grey) {
   TerminalRespondent person(ends[0], shown, folder.path(), folder.path() / "sheet.png");
   if (in_grey) person.show_in_grey();
   Trial trial{};
-  trial.question.options = {{.label = "1", .picture = "red.png"},
-                            {.label = "2", .picture = "blue.png"}};
+  trial.questions.resize(1);
+  trial.questions.front().options = {{.label = "1", .picture = "red.png"},
+                                     {.label = "2", .picture = "blue.png"}};
   const auto type_when_asked = [&](double) { EXPECT_EQ(write(ends[1], "2\n", 2), 2); };
-  EXPECT_EQ(options_of(person.ask(trial, {}, {}, type_when_asked)), std::vector<std::size_t>{1});
+  EXPECT_EQ(options_of(person.ask(trial, trial.questions, {}, {}, type_when_asked)),
+            std::vector<std::size_t>{1});
   close(ends[0]);
   close(ends[1]);
   return load_color_picture(folder.path() / "sheet.png");
@@ -244,12 +246,15 @@ TEST(TerminalInContact, TakesTheAnswerThatIsTypedWhileThePicturesAreRead) {
   person.announce({}, {});
   shown.rdbuf(&screen);
   Trial trial{};
-  trial.question.options = {{.label = "1", .picture = "a.png"}, {.label = "2", .picture = "a.png"}};
+  trial.questions.resize(1);
+  trial.questions.front().options = {{.label = "1", .picture = "a.png"},
+                                     {.label = "2", .picture = "a.png"}};
   const auto type_again = [&](double) {
     ADD_FAILURE() << "the answer was discarded";
     terminal.type("1\n");
   };
-  EXPECT_EQ(options_of(person.ask(trial, {}, {}, type_again)), std::vector<std::size_t>{1});
+  EXPECT_EQ(options_of(person.ask(trial, trial.questions, {}, {}, type_again)),
+            std::vector<std::size_t>{1});
 }
 
 TEST(PictureSheet, HasTheColoursOfThePictures) {

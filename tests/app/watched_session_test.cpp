@@ -1242,7 +1242,7 @@ class TalkativeSession : public WatchedSession {
       const std::int64_t cue_ns = rig_->clock().now_ns();
       wait(0.5);
       person_.events.push_back({cue_ns + 150'000'000, "input", "option 1", "null"});
-      return {Answer(ChosenOption{0}), cue_ns + 200'000'000};
+      return {only_answer(ChosenOption{0}), cue_ns + 200'000'000};
     };
     person_.at_form = [this](const Question& question, const Wait& wait) {
       person_.form_answered_ns = rig_->clock().now_ns() + 300'000'000;

@@ -53,7 +53,7 @@ std::vector<std::size_t> answer_to(VirtualParticipant& participant, const Trial&
                                    int attempt) {
   participant.begin_attempt(trial.ordinal, attempt);
   const std::vector<ForceFeatures> felt(trial.presentations.size(), features_at(-4.6));
-  return options_of(participant.ask(trial, felt, {}, kNobodyWaits));
+  return options_of(participant.ask(trial, trial.questions, felt, {}, kNobodyWaits));
 }
 
 Protocol noisy(std::string_view name) {
@@ -318,12 +318,12 @@ TEST(VirtualParticipant, GuessesAmongSurfacesAndPicturesOnly) {
     const Protocol protocol =
         library_protocol(name, [](json& p) { p["observer"]["expectation"] = "none"; });
     const Plan plan = make_plan(protocol, {5, 0});
-    ASSERT_EQ(plan.trials.front().question.options.size(), open + 1);
+    ASSERT_EQ(plan.trials.front().questions.front().options.size(), open + 1);
     VirtualParticipant participant(protocol, {}, {}, Random(5));
     std::set<std::string> values{};
     for (int attempt = 1; attempt <= 200; ++attempt) {
       const std::size_t chosen = answer_to(participant, plan.trials.front(), attempt).at(0);
-      values.insert(plan.trials.front().question.options.at(chosen).value);
+      values.insert(plan.trials.front().questions.front().options.at(chosen).value);
     }
     EXPECT_EQ(values.size(), open) << name;
     EXPECT_FALSE(values.contains("cannot_tell")) << name;

@@ -55,8 +55,8 @@ TEST(Plan, BeginsEveryRunOfABlockWithItsAnchorAndHoldsTheConditionWithinIt) {
         tips.insert(text_of(trial.factors.at("tip")));
       }
       EXPECT_EQ(trial.factors.at("tip"), plan.trials[i - (i - 6) % 22].factors.at("tip"));
-      EXPECT_EQ(name_of(trial.question.form), "number");
-      EXPECT_TRUE(trial.question.options.empty());
+      EXPECT_EQ(name_of(trial.questions.front().form), "number");
+      EXPECT_TRUE(trial.questions.front().options.empty());
     }
     EXPECT_EQ(tips.size(), 3U);
     first_tips.insert(text_of(plan.trials[6].factors.at("tip")));
@@ -132,12 +132,13 @@ TEST(Plan, SelectionOffersTheSurfacesByTheirCodesAndShowsThePicture) {
   const Plan plan = make_plan(read(test::example_selection()), {1, 0});
   for (const Trial& trial : plan.trials) {
     const std::string texture = text_of(trial.factors.at("texture"));
-    EXPECT_EQ(trial.question.standard_picture, "stimuli/" + texture + "_photo.png");
-    EXPECT_TRUE(trial.question.correct.empty());
-    ASSERT_EQ(trial.question.options.size(), 3U);
+    EXPECT_EQ(trial.standard_picture, "stimuli/" + texture + "_photo.png");
+    EXPECT_TRUE(trial.questions.front().correct.empty());
+    ASSERT_EQ(trial.questions.front().options.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_EQ(trial.question.options[i].value, trial.presentations[i].item);
-      EXPECT_EQ(trial.question.options[i].label, std::string(1, static_cast<char>('A' + i)));
+      EXPECT_EQ(trial.questions.front().options[i].value, trial.presentations[i].item);
+      EXPECT_EQ(trial.questions.front().options[i].label,
+                std::string(1, static_cast<char>('A' + i)));
       EXPECT_EQ(trial.presentations[i].position, static_cast<int>(i) + 1);
       EXPECT_EQ(trial.presentations[i].role, "alternative");
       EXPECT_EQ(trial.presentations[i].stimulus.texture, texture);
@@ -196,7 +197,7 @@ TEST(Plan, DrawsLevelsEquallyOftenAsFarAsItGoes) {
       const std::string texture = text_of(trial.factors.at("texture"));
       drawn.insert(texture);
       ++counts[texture];
-      ASSERT_EQ(trial.question.correct, std::vector<std::string>{texture});
+      ASSERT_EQ(trial.questions.front().correct, std::vector<std::string>{texture});
       ASSERT_EQ(trial.presentations.front().item, texture);
     }
     ASSERT_EQ(drawn.size(), 3U);  // three of the four, never one twice
@@ -208,18 +209,18 @@ TEST(Plan, DrawsLevelsEquallyOftenAsFarAsItGoes) {
 TEST(Plan, MatchingAssignsEveryPictureOnceAndKnowsTheTruth) {
   const Plan plan = make_plan(library("chapter_matching"), {3, 0});
   for (const Trial& trial : plan.trials) {
-    EXPECT_EQ(name_of(trial.question.form), "assignment");
-    EXPECT_TRUE(trial.question.pictures_after_feeling);
-    EXPECT_FALSE(trial.question.allow_revisit);
-    ASSERT_EQ(trial.question.correct.size(), 4U);
+    EXPECT_EQ(name_of(trial.questions.front().form), "assignment");
+    EXPECT_TRUE(trial.pictures_after_feeling);
+    EXPECT_FALSE(trial.allow_revisit);
+    ASSERT_EQ(trial.questions.front().correct.size(), 4U);
     std::set<std::string> options{};
-    for (const Option& option : trial.question.options) {
+    for (const Option& option : trial.questions.front().options) {
       options.insert(option.value);
       EXPECT_TRUE(option.picture);
       EXPECT_NE(option.label, option.value);
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(trial.question.correct[i], trial.presentations[i].item);
+      EXPECT_EQ(trial.questions.front().correct[i], trial.presentations[i].item);
       EXPECT_TRUE(options.contains(trial.presentations[i].item));
     }
   }
@@ -227,7 +228,7 @@ TEST(Plan, MatchingAssignsEveryPictureOnceAndKnowsTheTruth) {
 
 std::string pictures_of(const Trial& trial) {
   std::string text{};
-  for (const Option& option : trial.question.options) text += option.value + " ";
+  for (const Option& option : trial.questions.front().options) text += option.value + " ";
   return text;
 }
 
@@ -254,8 +255,8 @@ TEST(Plan, PicturesChangePlacesInEveryTrialOnlyWhenAsked) {
 
 TEST(Plan, CannotTellComesLast) {
   const Plan plan = make_plan(library("improved_recognition"), {1, 0});
-  EXPECT_EQ(plan.trials[0].question.options.back().value, "cannot_tell");
-  EXPECT_EQ(plan.trials[0].question.options.size(), 7U);
+  EXPECT_EQ(plan.trials[0].questions.front().options.back().value, "cannot_tell");
+  EXPECT_EQ(plan.trials[0].questions.front().options.size(), 7U);
 }
 
 TEST(Plan, RestsAfterSoManyTrialsButNotAfterTheLast) {
@@ -363,10 +364,10 @@ TEST(Plan, TellsTheExperimenterWhichCodedSampleToPlace) {
   text = with(text, R"({"name": "most_realistic",)",
               R"({"name": "most_realistic", "experimenter_prompt": "Place sample {code}.",)");
   for (const Trial& trial : make_plan(read(text), {1, 0}).trials) {
-    EXPECT_EQ(trial.question.experimenter_prompt, text_of(trial.factors.at("texture")) == "metal"
-                                                      ? "Place sample K7."
-                                                      : "Place sample K2.");
-    EXPECT_FALSE(trial.question.standard_picture);
+    EXPECT_EQ(trial.experimenter_prompt, text_of(trial.factors.at("texture")) == "metal"
+                                             ? "Place sample K7."
+                                             : "Place sample K2.");
+    EXPECT_FALSE(trial.standard_picture);
   }
 }
 
@@ -439,7 +440,7 @@ TEST(Plan, IsWrittenAsTheLibraryThatWroteOlderPlansWritesIt) {
   Trial trial = make_plan(read(test::example_bodies()), {1, 0}).trials.front();
   for (const char* text : {"", "\"", "\\", "a\"b\\c/d", "\b\f\n\r\t", "\x01\x1f\x7f",
                            "Rauheit: größer, 粗い", "{", "[", ":", ",", "</script>"}) {
-    trial.question.correct.emplace_back(text);
+    trial.questions.front().correct.emplace_back(text);
     trial.factors[text] = text;
     trial.presentations.front().stimulus.parameters[text] = text;
   }
@@ -452,7 +453,7 @@ TEST(Plan, IsWrittenAsTheLibraryThatWroteOlderPlansWritesIt) {
   }
   const auto read_again = nlohmann::ordered_json::parse(json_of(trial));
   EXPECT_EQ(read_again.at("question").at("correct").get<std::vector<std::string>>(),
-            trial.question.correct);
+            trial.questions.front().correct);
   for (const auto& [name, level] : trial.factors) {
     const nlohmann::ordered_json& written = read_again.at("factors").at(name);
     if (const double* number = std::get_if<double>(&level)) {
@@ -461,7 +462,7 @@ TEST(Plan, IsWrittenAsTheLibraryThatWroteOlderPlansWritesIt) {
       EXPECT_EQ(written.get<std::string>(), std::get<std::string>(level));
     }
   }
-  trial.question.correct.front() = "\xff";
+  trial.questions.front().correct.front() = "\xff";
   EXPECT_THROW((void)json_of(trial), nlohmann::json::exception);
 }
 

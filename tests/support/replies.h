@@ -12,11 +12,11 @@
 namespace asperity {
 
 /// The option, counted from 0.
-inline Reply chooses(std::size_t option) { return {Answer(ChosenOption{option})}; }
+inline Reply chooses(std::size_t option) { return {only_answer(ChosenOption{option})}; }
 inline Reply feels_again(int position, std::optional<std::int64_t> answered_ns = {}) {
   return {FeelAgain{position}, answered_ns};
 }
-inline Reply gives(double number) { return {Answer(GivenNumber{number})}; }
+inline Reply gives(double number) { return {only_answer(GivenNumber{number})}; }
 
 /// The options of a choice or an assignment, counted from 0; empty of any other reply.
 inline std::vector<std::size_t> options_of(const Reply& reply) {

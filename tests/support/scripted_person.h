@@ -17,9 +17,9 @@ namespace asperity {
 
 /// The first option that is correct, or the first that is not.
 inline Reply reply_that_is(const Trial& trial, bool correct) {
-  for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
-    if ((trial.question.options[i].value == trial.question.correct[0]) == correct)
-      return chooses(i);
+  const TrialQuestion& question = trial.questions.front();
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    if ((question.options[i].value == question.correct[0]) == correct) return chooses(i);
   }
   return {};
 }
@@ -37,7 +37,7 @@ class ScriptedPerson final : public Respondent {
   explicit ScriptedPerson(const PersonPace& pace = {}) : pace_(pace) {}
 
   // --- what it does ---
-  /// The reply to the n-th question about a trial, `answering_s` after it was put.
+  /// The reply to the n-th page of questions, `answering_s` after it was put; the trial has only those questions.
   std::function<Reply(int, const Trial&)> at_question{};
   /// The reply to every such question, taking its own time.
   std::function<Reply(const Wait&)> at_ask{};
@@ -70,15 +70,19 @@ class ScriptedPerson final : public Respondent {
     calls.push_back("surface " + std::to_string(surface.position));
     felt_positions.push_back(surface.position);
   }
-  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
-            std::optional<double> deadline_s, const Wait& wait) override {
+  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
+            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
+            const Wait& wait) override {
     calls.push_back("ask");
     last_felt.assign(felt.begin(), felt.end());
     deadlines_s.push_back(deadline_s);
     ++questions;
     if (at_ask) return at_ask(wait);
     wait(pace_.answering_s);
-    return at_question ? at_question(questions, trial) : chooses(0);
+    if (!at_question) return chooses(0);
+    Trial asked = trial;
+    asked.questions.assign(page.begin(), page.end());
+    return at_question(questions, asked);
   }
   void tell(const std::string& text, const Wait&) override {
     calls.push_back("tell");

@@ -358,10 +358,12 @@ void ParticipantView::prepare_pictures() {
     for (const PlannedPresentation& surface : trial.presentations) felt.push_back(surface.position);
     std::vector<QString> names{};
     std::vector<std::pair<int, QString>> wanted{};
-    for (const Item& item : lay_out(scene_of_question(trial, felt), of_answer)) {
-      if (item.picture.isEmpty()) continue;
-      names.push_back(item.picture);
-      wanted.emplace_back(side_px(item.side), item.picture);
+    for (const std::span<const TrialQuestion> page : pages_of(trial)) {
+      for (const Item& item : lay_out(scene_of_question(trial, page, felt), of_answer)) {
+        if (item.picture.isEmpty()) continue;
+        names.push_back(item.picture);
+        wanted.emplace_back(side_px(item.side), item.picture);
+      }
     }
     std::sort(names.begin(), names.end());
     if (!seen.insert(names).second) continue;

@@ -38,7 +38,9 @@ QString surfaces_text(const Trial& trial) {
 
 Line line_of(const Trial& trial) {
   QStringList right{};
-  for (const std::string& answer : trial.question.correct) right.append(text(answer));
+  for (const TrialQuestion& question : trial.questions) {
+    for (const std::string& answer : question.correct) right.append(text(answer));
+  }
   return {QString::number(trial.ordinal), text(trial.block), surfaces_text(trial),
           right.join(", ")};
 }
@@ -102,11 +104,16 @@ QString in_full(const Trial& trial) {
   for (const PlannedPresentation& surface : trial.presentations) {
     surfaces.append(surface_in_full(surface));
   }
-  QStringList options{};
-  for (const Option& option : trial.question.options) {
-    options.append(option.label.empty()
-                       ? text(option.value)
-                       : PlanPreview::tr("%1: %2").arg(text(option.label), text(option.value)));
+  QString questions{};
+  for (const TrialQuestion& question : trial.questions) {
+    QStringList options{};
+    for (const Option& option : question.options) {
+      options.append(option.label.empty()
+                         ? text(option.value)
+                         : PlanPreview::tr("%1: %2").arg(text(option.label), text(option.value)));
+    }
+    questions += html_line(PlanPreview::tr("Question"), text(question.prompt)) +
+                 html_line(PlanPreview::tr("Options as shown"), options.join(" · "));
   }
   const QString head = PlanPreview::tr("Trial %1, %2, repetition %3")
                            .arg(trial.ordinal)
@@ -114,9 +121,7 @@ QString in_full(const Trial& trial) {
                            .arg(trial.repetition);
   return QString("<p><b>%1</b></p>").arg(head.toHtmlEscaped()) +
          html_line(PlanPreview::tr("Factors"), factors_of(trial)) +
-         html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) +
-         html_line(PlanPreview::tr("Question"), text(trial.question.prompt)) +
-         html_line(PlanPreview::tr("Options as shown"), options.join(" · ")) +
+         html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) + questions +
          html_line(PlanPreview::tr("Correct response"), line_of(trial).answer);
 }
 

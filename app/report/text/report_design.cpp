@@ -94,9 +94,16 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
         text += ", with the correct response shown after each response";
         break;
     }
-    text += ". Question: " + quoted(block.question.prompt);
-    if (block.question.allow_cannot_tell) text += " “Cannot tell” is also a response option.";
-    if (!block.question.allow_revisit) text += " Surfaces cannot be presented again.";
+    const auto& questions = block.questions;
+    text += questions.size() == 1 ? ". Question: " : ". Questions: ";
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      text += (i == 0 ? "" : "; ") + quoted(questions[i].prompt);
+    }
+    if (std::any_of(questions.begin(), questions.end(),
+                    [](const auto& question) { return question.allow_cannot_tell; })) {
+      text += " “Cannot tell” is also a response option.";
+    }
+    if (!block.allow_revisit) text += " Surfaces cannot be presented again.";
     text += unmet_text(run->block, facts);
     list.items.push_back(text);
   }

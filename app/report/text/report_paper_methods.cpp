@@ -218,7 +218,10 @@ std::string paper_questions(const Protocol& protocol) {
   if (questions.empty()) return {};
   const bool can_abstain =
       std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [](const auto& each) {
-        return each.second.phase == Phase::main && each.second.question.allow_cannot_tell;
+        const auto& asked = each.second.questions;
+        return each.second.phase == Phase::main &&
+               std::any_of(asked.begin(), asked.end(),
+                           [](const auto& question) { return question.allow_cannot_tell; });
       });
   return (questions.size() == 1 ? "The question was " : "The questions were ") + listed(questions) +
          (questions.back().ends_with("?”") || questions.back().ends_with(".”") ||

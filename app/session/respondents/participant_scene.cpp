@@ -22,9 +22,10 @@ std::vector<ParticipantScene::Surface> surfaces_of(const Trial& trial,
   return surfaces;
 }
 
-std::vector<ParticipantScene::Choice> choices_of(const Trial& trial) {
+std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
+                                                 const TrialQuestion& question) {
   std::vector<ParticipantScene::Choice> choices{};
-  for (const Option& option : trial.question.options) {
+  for (const Option& option : question.options) {
     ParticipantScene::Choice choice{};
     choice.picture = option.picture;
     const bool is_surface = std::any_of(
@@ -42,8 +43,8 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial) {
   return choices;
 }
 
-bool is_answered_by_pictures(const Trial& trial) {
-  return std::any_of(trial.question.options.begin(), trial.question.options.end(),
+bool is_answered_by_pictures(const TrialQuestion& question) {
+  return std::any_of(question.options.begin(), question.options.end(),
                      [](const Option& option) { return option.picture.has_value(); });
 }
 
@@ -160,9 +161,12 @@ ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& fe
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     scene.surfaces[i].now = trial.presentations[i].position == now;
   }
-  scene.standard_picture = trial.question.standard_picture;
-  if (is_answered_by_pictures(trial) && !trial.question.pictures_after_feeling) {
-    scene.choices = choices_of(trial);
+  scene.standard_picture = trial.standard_picture;
+  // The pictures of the first question that has any: there is room for one set of them.
+  const auto with_pictures =
+      std::find_if(trial.questions.begin(), trial.questions.end(), is_answered_by_pictures);
+  if (with_pictures != trial.questions.end() && !trial.pictures_after_feeling) {
+    scene.choices = choices_of(trial, *with_pictures);
   }
   return scene;
 }
@@ -203,26 +207,29 @@ ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<in
   return scene;
 }
 
-ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt) {
+ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQuestion> page,
+                                   const std::vector<int>& felt) {
+  const TrialQuestion& question = page.front();
   ParticipantScene scene{};
   scene.kind = ParticipantScene::Kind::question;
-  scene.text = trial.question.prompt;
+  scene.text = question.prompt;
   scene.surfaces = surfaces_of(trial, felt);
-  scene.can_switch = trial.question.allow_revisit;
+  scene.can_switch = trial.allow_revisit;
   for (ParticipantScene::Surface& surface : scene.surfaces) surface.can_go = scene.can_switch;
   const bool all_felt =
       std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                   [](const ParticipantScene::Surface& surface) { return surface.felt; });
-  if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
-  scene.form = trial.question.form;
+  if (all_felt || !trial.pictures_after_feeling) scene.choices = choices_of(trial, question);
+  scene.form = question.form;
   if (scene.is_answered_by<AssignmentForm>()) scene.assigning = 0;
-  scene.standard_picture = trial.question.standard_picture;
+  scene.standard_picture = trial.standard_picture;
   scene.response_open = true;
   return scene;
 }
 
-ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate) {
-  ParticipantScene scene = scene_of_question(trial, felt);
+ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestion> page,
+                                const std::vector<int>& felt, double estimate) {
+  ParticipantScene scene = scene_of_question(trial, page, felt);
   scene.text_saying = {.what = Saying::What::check_estimate, .code = number_text(estimate)};
   scene.text = text_of(scene.text_saying);
   return scene;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -165,9 +166,12 @@ ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& fe
 ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now);
 /// Shows nothing until the next surface is presented; keys are accepted only to be refused.
 ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt);
-ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
+/// `page`: one of pages_of(trial).
+ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQuestion> page,
+                                   const std::vector<int>& felt);
 /// The question again, for a number that is to be confirmed or replaced.
-ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate);
+ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestion> page,
+                                const std::vector<int>& felt, double estimate);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);
 /// `right_answer`: the labels of the correct options where the protocol shows them after an

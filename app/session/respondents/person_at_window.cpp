@@ -58,6 +58,7 @@ struct PersonAtWindow::Desk {
   int now = 0;                       ///< position of the current surface; 0 between surfaces
   int last_felt = 0;
   std::unique_ptr<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
+  std::string sheet_question{};          ///< the first of its page, by name
 
   std::map<int, std::int64_t> buttons_down{};
   std::map<int, std::int64_t> buttons_let_go{};
@@ -252,9 +253,9 @@ void PersonAtWindow::Desk::show_sheet() {
 std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
                                                        const ParticipantInput& input) {
   const SheetResult result = sheet->take(input);
-  if (const auto* const answer = std::get_if<Answer>(&result)) {
+  if (const auto* const answers = std::get_if<GivenAnswers>(&result)) {
     source = input.source;
-    return Reply{*answer, input.time_ns};
+    return Reply{*answers, input.time_ns};
   }
   if (std::holds_alternative<WishToFeelAgain>(result)) return hear_wish(trial, input);
   if (const auto* const refused = std::get_if<SheetRefused>(&result)) {
@@ -277,7 +278,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
 /// A wish to feel a surface again: the one that was named, or the one after the last that was felt.
 std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
                                                      const ParticipantInput& input) {
-  if (!trial.question.allow_revisit) {
+  if (!trial.allow_revisit) {
     refuse(input, {.what = Saying::What::no_going_back});
     return {};
   }
@@ -402,12 +403,16 @@ void PersonAtWindow::refuse_answers() {
   }
 }
 
-Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,
-                          std::optional<double> deadline_s, const Wait& wait) {
+Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> page,
+                          std::span<const ForceFeatures>, std::optional<double> deadline_s,
+                          const Wait& wait) {
   desk_->leave_surface();
-  if (!desk_->sheet) desk_->sheet = sheet_for(trial);
+  if (!desk_->sheet || desk_->sheet_question != page.front().name) {
+    desk_->sheet = sheet_for(trial, page);
+    desk_->sheet_question = page.front().name;
+  }
   desk_->face({ParticipantScene::Kind::question},
-              scene_of_question(trial, desk_->felt_positions()));
+              scene_of_question(trial, page, desk_->felt_positions()));
   desk_->show_sheet();
   std::optional<std::int64_t> until_ns{};
   if (deadline_s) {

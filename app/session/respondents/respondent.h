@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,17 +31,34 @@ struct FeelAgain {
   int position = 0;
 };
 
-/// The result of asking the question of a trial.
+/// The answer to one question of a page.
+struct GivenAnswer {
+  Answer answer{};
+  /// When it was given its final value, on the session's clock. Absent where it is the only answer
+  /// of its page, or where only the time at which `ask` returned is known.
+  std::optional<std::int64_t> given_ns{};
+};
+/// The answers to the questions of a page, in their order.
+using GivenAnswers = std::vector<GivenAnswer>;
+/// The answer to a page with one question.
+inline GivenAnswers only_answer(Answer answer) { return {{std::move(answer), {}}}; }
+
+/// The result of asking the questions of a page.
 struct Reply {
-  std::variant<NoAnswer, FeelAgain, Answer> what{};
-  /// When the answer was given or the wish to feel again was made, on the session's clock: the time
-  /// stamp of the key or button. Absent where only the time at which `ask` returned is known.
+  std::variant<NoAnswer, FeelAgain, GivenAnswers> what{};
+  /// When the answers were confirmed or the wish to feel again was made, on the session's clock: the
+  /// time stamp of the key or button. Absent where only the time at which `ask` returned is known.
   std::optional<std::int64_t> answered_ns{};
 
   /// Null for any other reply.
-  const Answer* answer() const noexcept { return std::get_if<Answer>(&what); }
+  const GivenAnswers* answers() const noexcept { return std::get_if<GivenAnswers>(&what); }
   const FeelAgain* feel_again() const noexcept { return std::get_if<FeelAgain>(&what); }
-  /// The number that was given; nothing for any other reply.
+  /// The answer to the only question of a page; null for any other reply.
+  const Answer* answer() const noexcept {
+    const GivenAnswers* const all = answers();
+    return all == nullptr || all->size() != 1 ? nullptr : &all->front().answer;
+  }
+  /// The number that answers the only question of a page; nothing for any other reply.
   std::optional<double> number() const noexcept {
     const Answer* const given = answer();
     const auto* const of_number = given == nullptr ? nullptr : std::get_if<GivenNumber>(given);
@@ -72,10 +90,11 @@ class Respondent {
   virtual void read(const std::string& text, double minimum_s, const Wait& wait) = 0;
   /// Announces that the surface can be felt now.
   virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;
-  /// Asks the question of the trial. `felt` are the features of the force of each surface, by
-  /// position. `deadline_s` is the remaining time to answer, from now on.
-  virtual Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
-                    std::optional<double> deadline_s, const Wait& wait) = 0;
+  /// Asks one page of questions of the trial (pages_of). `felt` are the features of the force of
+  /// each surface, by position. `deadline_s` is the remaining time to answer, from now on.
+  virtual Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
+                    std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
+                    const Wait& wait) = 0;
   /// Gives feedback after a practice trial.
   virtual void tell(const std::string& text, const Wait& wait) = 0;
   /// Asks a question about the participant or the session; returns the answer as text, empty where

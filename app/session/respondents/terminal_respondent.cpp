@@ -126,21 +126,44 @@ void TerminalRespondent::read(const std::string& text, double minimum_s, const W
 }
 
 void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation& surface) {
-  if (surface.position == 1 && trial.question.standard_picture) {
-    show({*trial.question.standard_picture});
+  if (surface.position == 1 && trial.standard_picture) {
+    show({*trial.standard_picture});
     output_ << "\nThe picture is in " << sheet_.string() << ".\n";
   }
   output_ << "\nFeel surface " << surface.code << " now." << std::endl;
   if (!unechoed_) unechoed_.emplace(input_);
 }
 
-Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
-                              std::optional<double> deadline_s, const Wait& wait) {
+Reply TerminalRespondent::ask(const Trial& trial, std::span<const TrialQuestion> page,
+                              std::span<const ForceFeatures>, std::optional<double> deadline_s,
+                              const Wait& wait) {
   // Text typed while the surfaces were felt does not answer the question; text typed after the
   // question is shown does, also while its pictures are read.
   unechoed_.reset();
   forget_typed();
-  const TrialQuestion& question = trial.question;
+  // One deadline for the whole page, regardless of the number of lines.
+  std::optional<double> left_s = deadline_s;
+  const Wait timed = [&](double duration_s) {
+    wait(duration_s);
+    if (left_s) left_s = std::max(0.0, *left_s - duration_s);
+  };
+  GivenAnswers given{};
+  for (const TrialQuestion& question : page) {
+    std::variant<NoAnswer, FeelAgain, Answer> heard = ask(trial, question, left_s, timed);
+    if (std::holds_alternative<NoAnswer>(heard)) return {};
+    if (const auto* const again = std::get_if<FeelAgain>(&heard)) {
+      if (!given.empty())
+        output_ << "After that, please answer all questions of this page again.\n";
+      return {*again};
+    }
+    given.push_back({std::get<Answer>(std::move(heard)), {}});
+  }
+  return {std::move(given)};
+}
+
+std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
+    const Trial& trial, const TrialQuestion& question, const std::optional<double>& left_s,
+    const Wait& timed) {
   output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
   std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
@@ -154,29 +177,23 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
             << " from left to right.\n";
   }
-  if (question.allow_revisit) {
+  if (trial.allow_revisit) {
     output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
-  // One deadline for the whole question, regardless of the number of lines.
-  std::optional<double> left_s = deadline_s;
-  const Wait timed = [&](double duration_s) {
-    wait(duration_s);
-    if (left_s) left_s = std::max(0.0, *left_s - duration_s);
-  };
-  const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial);
+  const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial, question);
   for (;;) {
     output_ << dialogue->prompt() << std::flush;
     const std::optional<std::string> typed = line(timed, left_s);
-    if (!typed) return {};
+    if (!typed) return NoAnswer{};
     bool is_wish = false;
     if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
       const std::string note = dialogue->note_on_discarding();
       if (!note.empty()) output_ << note << '\n';
-      return {FeelAgain{*again}};
+      return FeelAgain{*again};
     }
     if (is_wish) continue;
     std::variant<NextLine, Answer> taken = dialogue->take(*typed);
-    if (auto* const answer = std::get_if<Answer>(&taken)) return {std::move(*answer)};
+    if (auto* const answer = std::get_if<Answer>(&taken)) return std::move(*answer);
     const std::string& complaint = std::get<NextLine>(taken).complaint;
     if (!complaint.empty()) output_ << complaint << '\n';
   }
@@ -184,7 +201,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
 
 std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const Trial& trial,
                                                bool& said) {
-  said = trial.question.allow_revisit && typed.rfind("feel", 0) == 0;
+  said = trial.allow_revisit && typed.rfind("feel", 0) == 0;
   if (!said) return {};
   std::string code = trimmed(typed.substr(4));
   for (char& letter : code) {

@@ -36,8 +36,9 @@ class TerminalRespondent final : public Respondent {
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
-  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
-            std::optional<double> deadline_s, const Wait& wait) override;
+  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
+            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
+            const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
   std::string answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return "keyboard"; }
@@ -47,6 +48,10 @@ class TerminalRespondent final : public Respondent {
   void begin_attempt(int, int) override {}
 
  private:
+  /// Asks one question. `left_s` follows the time that passes in `timed`.
+  std::variant<NoAnswer, FeelAgain, Answer> ask(const Trial& trial, const TrialQuestion& question,
+                                                const std::optional<double>& left_s,
+                                                const Wait& timed);
   /// The position of the surface that the line requests to feel again; nothing for other lines. `said` is true for
   /// every such request; an unknown surface is reported on the terminal.
   std::optional<int> wish_in(const std::string& typed, const Trial& trial, bool& said);

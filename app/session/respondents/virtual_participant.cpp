@@ -140,24 +140,38 @@ void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& 
 
 void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
 
-Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures> felt,
-                              std::optional<double> deadline_s, const Wait& wait) {
-  VirtualObserver observer(protocol_.observer, attempt_random_);
-  const double thinking_s = observer.response_time_s();
-  if (deadline_s && thinking_s > *deadline_s) {
-    wait(*deadline_s);
-    return {};
+Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion> page,
+                              std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
+                              const Wait& wait) {
+  std::optional<double> left_s = deadline_s;
+  bool is_guess = false;
+  GivenAnswers given{};
+  for (const TrialQuestion& question : page) {
+    // The first question of a trial has the stream of the attempt, every other its own.
+    const Random random = question.name == trial.questions.front().name
+                              ? attempt_random_
+                              : attempt_random_.split(question.name);
+    VirtualObserver observer(protocol_.observer, random);
+    const double thinking_s = observer.response_time_s();
+    if (left_s && thinking_s > *left_s) {
+      wait(*left_s);
+      return {};
+    }
+    wait(thinking_s);
+    if (left_s) left_s = *left_s - thinking_s;
+    VirtualResponse judged = kind_of(protocol_).judge({.protocol = protocol_,
+                                                       .trial = trial,
+                                                       .question = question,
+                                                       .felt = felt,
+                                                       .expectations = expectations_,
+                                                       .observer = observer,
+                                                       .of_attempt = random,
+                                                       .of_participant = random_});
+    is_guess = is_guess || judged.is_guess;
+    given.push_back({std::move(judged.answer), {}});
   }
-  wait(thinking_s);
-  VirtualResponse judged = kind_of(protocol_).judge({.protocol = protocol_,
-                                                     .trial = trial,
-                                                     .felt = felt,
-                                                     .expectations = expectations_,
-                                                     .observer = observer,
-                                                     .of_attempt = attempt_random_,
-                                                     .of_participant = random_});
-  source_ = judged.is_guess || protocol_.observer.deaf ? "virtual_guess" : "virtual";
-  return {std::move(judged.answer)};
+  source_ = is_guess || protocol_.observer.deaf ? "virtual_guess" : "virtual";
+  return {std::move(given)};
 }
 
 std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {

@@ -281,7 +281,7 @@ TEST_F(ProtocolEditor, LaysOutThePlanThatMakePlanMakes) {
       << label("plan_words").toStdString();
   const QString detail = label("plan_detail");
   EXPECT_TRUE(detail.contains("Trial 1, familiarisation")) << detail.toStdString();
-  for (const Option& option : plan.trials[0].question.options) {
+  for (const Option& option : plan.trials[0].questions.front().options) {
     EXPECT_TRUE(detail.contains(QString::fromStdString(option.value)));
   }
 }

@@ -89,7 +89,7 @@ TEST(Answering, RecognisesByKeysAfterARefusalAndAChange) {
   Room room{};
   auto reply = room.on_thread<Reply>([&] {
     room.feel(trial);
-    return room.person.ask(trial, {}, {}, Room::wait());
+    return room.person.ask(trial, trial.questions, {}, {}, Room::wait());
   });
   ASSERT_TRUE(room.sees_question());
   room.key(Qt::Key_Return);
@@ -109,7 +109,7 @@ TEST(Answering, MatchesByMouseAlone) {
   Room room{};
   auto reply = room.on_thread<Reply>([&] {
     room.feel(trial);
-    return room.person.ask(trial, {}, {}, Room::wait());
+    return room.person.ask(trial, trial.questions, {}, {}, Room::wait());
   });
   ASSERT_TRUE(room.sees_question());
   const auto click = [&](Item::Kind kind, const QString& key) {
@@ -141,7 +141,7 @@ TEST(Answering, FeelsTheNextSurfaceAgainBySpace) {
   Room room{};
   auto reply = room.on_thread<Reply>([&] {
     room.feel(trial);
-    return room.person.ask(trial, {}, {}, Room::wait());
+    return room.person.ask(trial, trial.questions, {}, {}, Room::wait());
   });
   ASSERT_TRUE(room.sees_question());
   room.key(Qt::Key_Space);

@@ -41,7 +41,7 @@ std::vector<ParticipantScene> scenes_of(const Protocol& protocol, const Plan& pl
       scenes.push_back(scene_of_surface(trial, felt, surface.position));
       felt.push_back(surface.position);
     }
-    scenes.push_back(scene_of_question(trial, felt));
+    scenes.push_back(scene_of_question(trial, trial.questions, felt));
   }
   scenes.push_back(scene_of_mask(true));
   scenes.push_back(scene_of_mask(false));
@@ -63,7 +63,7 @@ std::set<QString> names_in(const Protocol& protocol, const Plan& plan) {
       names.insert(QString::fromStdString(surface.item));
       names.insert(QString::fromStdString(surface.stimulus.model));
     }
-    for (const Option& option : trial.question.options) {
+    for (const Option& option : trial.questions.front().options) {
       if (option.picture) names.insert(QString::fromStdString(*option.picture));
     }
   }

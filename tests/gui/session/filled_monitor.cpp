@@ -80,7 +80,7 @@ void FilledMonitor::answer_up_to(int done) {
     attempt.outcome = trial % 11 == 6 ? AttemptOutcome::skipped : AttemptOutcome::answered;
     if (attempt.outcome == AttemptOutcome::answered) {
       attempt.answers = {std::to_string(1 + trial * 5 % 6)};
-      if (!asked.question.correct.empty()) attempt.correct = trial % 3 != 0;
+      if (!asked.questions.front().correct.empty()) attempt.correct = trial % 3 != 0;
       attempt.from_cue_s = 2.0 + 0.37 * (trial % 6);
       attempt.from_contact_s = *attempt.from_cue_s + 6.0;
     }

@@ -7,21 +7,23 @@ namespace asperity {
 
 namespace {
 
-std::unique_ptr<AnswerDialogue> dialogue_of(const ChoiceForm&, const Trial& trial) {
-  return std::make_unique<ChoiceDialogue>(trial);
+std::unique_ptr<AnswerDialogue> dialogue_of(const ChoiceForm&, const Trial&,
+                                            const TrialQuestion& question) {
+  return std::make_unique<ChoiceDialogue>(question);
 }
-std::unique_ptr<AnswerDialogue> dialogue_of(const AssignmentForm&, const Trial& trial) {
-  return std::make_unique<AssignmentDialogue>(trial);
+std::unique_ptr<AnswerDialogue> dialogue_of(const AssignmentForm&, const Trial& trial,
+                                            const TrialQuestion& question) {
+  return std::make_unique<AssignmentDialogue>(trial, question);
 }
-std::unique_ptr<AnswerDialogue> dialogue_of(const NumberForm&, const Trial&) {
+std::unique_ptr<AnswerDialogue> dialogue_of(const NumberForm&, const Trial&, const TrialQuestion&) {
   return std::make_unique<NumberDialogue>();
 }
 
 }  // namespace
 
-std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial) {
-  return std::visit([&trial](const auto& form) { return dialogue_of(form, trial); },
-                    trial.question.form);
+std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial, const TrialQuestion& question) {
+  return std::visit([&](const auto& form) { return dialogue_of(form, trial, question); },
+                    question.form);
 }
 
 }  // namespace asperity

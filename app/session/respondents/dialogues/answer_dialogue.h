@@ -1,4 +1,4 @@
-// Reads the answer to a trial's question at a terminal: one dialogue per form of answer.
+// Reads the answer to a question of a trial at a terminal: one dialogue per form of answer.
 
 #pragma once
 
@@ -34,7 +34,7 @@ class AnswerDialogue {
   AnswerDialogue() = default;
 };
 
-/// The dialogue for the question of a trial, which must outlive it.
-std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial);
+/// The dialogue for a question of a trial; both must outlive it.
+std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial, const TrialQuestion& question);
 
 }  // namespace asperity

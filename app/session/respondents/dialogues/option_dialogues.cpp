@@ -32,8 +32,8 @@ std::string AssignmentDialogue::prompt() const {
 }
 
 std::variant<NextLine, Answer> AssignmentDialogue::take(const std::string& typed) {
-  const std::optional<std::size_t> option = option_typed(typed, trial_.question.options.size());
-  if (!option) return number_needed(trial_.question.options.size());
+  const std::optional<std::size_t> option = option_typed(typed, options_);
+  if (!option) return number_needed(options_);
   if (std::find(assigned_.options.begin(), assigned_.options.end(), *option) !=
       assigned_.options.end()) {
     return NextLine{"That picture is already assigned; each picture belongs to one surface."};

@@ -13,7 +13,7 @@ namespace asperity {
 
 class ChoiceDialogue final : public AnswerDialogue {
  public:
-  explicit ChoiceDialogue(const Trial& trial) : options_(trial.question.options.size()) {}
+  explicit ChoiceDialogue(const TrialQuestion& question) : options_(question.options.size()) {}
 
   std::string prompt() const override { return "Your answer: "; }
   std::variant<NextLine, Answer> take(const std::string& typed) override;
@@ -25,7 +25,8 @@ class ChoiceDialogue final : public AnswerDialogue {
 /// Asks for the option of one surface after another.
 class AssignmentDialogue final : public AnswerDialogue {
  public:
-  explicit AssignmentDialogue(const Trial& trial) : trial_(trial) {}
+  AssignmentDialogue(const Trial& trial, const TrialQuestion& question)
+      : trial_(trial), options_(question.options.size()) {}
 
   std::string prompt() const override;
   std::variant<NextLine, Answer> take(const std::string& typed) override;
@@ -33,6 +34,7 @@ class AssignmentDialogue final : public AnswerDialogue {
 
  private:
   const Trial& trial_;
+  std::size_t options_ = 0;
   AssignedOptions assigned_{};
 };
 

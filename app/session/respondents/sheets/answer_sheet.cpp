@@ -8,21 +8,24 @@ namespace asperity {
 
 namespace {
 
-std::unique_ptr<AnswerSheet> sheet_of(const ChoiceForm&, const Trial& trial) {
-  return std::make_unique<ChoiceSheet>(trial);
+std::unique_ptr<AnswerSheet> sheet_of(const ChoiceForm&, const Trial& trial,
+                                      std::span<const TrialQuestion> page) {
+  return std::make_unique<ChoiceSheet>(trial, page.front());
 }
-std::unique_ptr<AnswerSheet> sheet_of(const AssignmentForm&, const Trial& trial) {
-  return std::make_unique<AssignmentSheet>(trial);
+std::unique_ptr<AnswerSheet> sheet_of(const AssignmentForm&, const Trial& trial,
+                                      std::span<const TrialQuestion> page) {
+  return std::make_unique<AssignmentSheet>(trial, page.front());
 }
-std::unique_ptr<AnswerSheet> sheet_of(const NumberForm&, const Trial& trial) {
+std::unique_ptr<AnswerSheet> sheet_of(const NumberForm&, const Trial& trial,
+                                      std::span<const TrialQuestion>) {
   return std::make_unique<NumberSheet>(trial);
 }
 
 }  // namespace
 
-std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial) {
-  return std::visit([&trial](const auto& form) { return sheet_of(form, trial); },
-                    trial.question.form);
+std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const TrialQuestion> page) {
+  return std::visit([&](const auto& form) { return sheet_of(form, trial, page); },
+                    page.front().form);
 }
 
 }  // namespace asperity

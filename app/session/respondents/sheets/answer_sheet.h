@@ -1,14 +1,16 @@
-// Stores the answer to a trial's question while it is composed: one sheet per form of answer.
+// Stores the answers to a page of questions while they are composed: one sheet per form of answer.
 
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 
 #include "app/session/respondents/participant_input.h"
 #include "app/session/respondents/participant_scene.h"
+#include "app/session/respondents/respondent.h"
 #include "app/session/sound/sound.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/trial.h"
@@ -32,7 +34,7 @@ struct WishToFeelAgain {};
 /// The device's button selected that request, and the next confirmation makes it.
 struct PointedAtFeelingAgain {};
 using SheetResult = std::variant<SheetUnchanged, SheetChanged, SheetRefused, WishToFeelAgain,
-                                 PointedAtFeelingAgain, Answer>;
+                                 PointedAtFeelingAgain, GivenAnswers>;
 
 /// Stores what has been chosen, assigned or typed until it is confirmed, and determines the effect
 /// of an input for its form of answer. Its user decides whether surfaces can be felt again, and may
@@ -52,7 +54,7 @@ class AnswerSheet {
   AnswerSheet() = default;
 };
 
-/// An empty sheet for the question of a trial.
-std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial);
+/// An empty sheet for one of pages_of(trial).
+std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const TrialQuestion> page);
 
 }  // namespace asperity

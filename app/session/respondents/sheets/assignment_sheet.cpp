@@ -2,9 +2,9 @@
 
 namespace asperity {
 
-AssignmentSheet::AssignmentSheet(const Trial& trial)
-    : options_(trial.question.options.size()),
-      may_feel_again_(trial.question.allow_revisit),
+AssignmentSheet::AssignmentSheet(const Trial& trial, const TrialQuestion& question)
+    : options_(question.options.size()),
+      may_feel_again_(trial.allow_revisit),
       given_(trial.presentations.size()) {
   for (const PlannedPresentation& planned : trial.presentations) codes_.push_back(planned.code);
 }
@@ -107,7 +107,7 @@ SheetResult AssignmentSheet::confirm() {
   }
   AssignedOptions assigned{};
   for (const std::optional<std::size_t>& given : given_) assigned.options.push_back(given.value());
-  return Answer(std::move(assigned));
+  return only_answer(std::move(assigned));
 }
 
 std::optional<std::size_t> AssignmentSheet::first_without_option() const noexcept {

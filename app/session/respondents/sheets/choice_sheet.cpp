@@ -2,10 +2,10 @@
 
 namespace asperity {
 
-ChoiceSheet::ChoiceSheet(const Trial& trial)
-    : options_(trial.question.options.size()),
+ChoiceSheet::ChoiceSheet(const Trial& trial, const TrialQuestion& question)
+    : options_(question.options.size()),
       surfaces_(trial.presentations.size()),
-      may_feel_again_(trial.question.allow_revisit) {}
+      may_feel_again_(trial.allow_revisit) {}
 
 SheetResult ChoiceSheet::take(const ParticipantInput& input) {
   switch (input.kind) {
@@ -47,7 +47,7 @@ SheetResult ChoiceSheet::point() {
 
 SheetResult ChoiceSheet::confirm() const {
   if (points_at_feeling_again_) return WishToFeelAgain{};
-  if (chosen_) return Answer(ChosenOption{*chosen_});
+  if (chosen_) return only_answer(ChosenOption{*chosen_});
   return SheetRefused{{.what = Saying::What::choose_first}};
 }
 

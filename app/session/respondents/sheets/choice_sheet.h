@@ -13,7 +13,7 @@ namespace asperity {
 /// may be felt again, that request follows the last option, and no option is chosen then.
 class ChoiceSheet final : public AnswerSheet {
  public:
-  explicit ChoiceSheet(const Trial& trial);
+  ChoiceSheet(const Trial& trial, const TrialQuestion& question);
 
   SheetResult take(const ParticipantInput& input) override;
   void mark(ParticipantScene& scene) const override;

@@ -13,7 +13,7 @@ SheetResult NumberSheet::take(const ParticipantInput& input) {
       return WishToFeelAgain{};
     case ParticipantInput::Kind::text:
       if (const std::optional<double> number = estimate_in(input.text)) {
-        return Answer(GivenNumber{*number});
+        return only_answer(GivenNumber{*number});
       }
       if (is_unclear_estimate(input.text)) {
         return SheetRefused{{.what = Saying::What::estimate_unclear, .code = trimmed(input.text)}};
