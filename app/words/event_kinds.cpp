@@ -41,7 +41,7 @@ const std::vector<EventKind>& event_kinds() {
                   "which profile. Data: the profile",
        .hed = "Experiment-control, Device"},
       {.name = "rehearsal",
-       .meaning = "a warning of the comparison of the plan with the measured device. Data: the "
+       .meaning = "a warning from the comparison of the plan with the measured device. Data: the "
                   "check, the stimulus, the requirement and the value of the device",
        .hed = "Experiment-control, Warning, Device",
        .text_is_public = true,
@@ -89,7 +89,7 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "criterion_not_met",
-       .meaning = "a block ended without its criterion. Text: the block",
+       .meaning = "a block ended before its criterion was met. Text: the block",
        .hed = "Experiment-control",
        .text_is_public = true},
       {.name = "paused",
@@ -169,13 +169,13 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "an input of the participant, such as `option 2`. Data: `source`, and for an "
                   "input without effect the reason: `meant_for_an_earlier_scene`, `too_soon` "
                   "(within 0.2 s of the question), `after_the_deadline`. Text typed into a form is "
-                  "stored with the answers only",
+                  "stored with the responses only",
        .hed = "Agent-action, Experiment-participant, Participant-response",
        .text_is_public = true,
        .public_data = {"source", "held_s", "meant_for_an_earlier_scene", "too_soon",
                        "after_the_deadline"}},
       {.name = "input_released",
-       .meaning = "a key or button was released. Text: which one. Data: `held_s`, for how long it "
+       .meaning = "a key or button was released. Text: its name. Data: `held_s`, for how long it "
                   "was held",
        .hed = "Agent-action, Experiment-participant, Release",
        .text_is_public = true,
