@@ -43,7 +43,7 @@ std::string documented(const EventKind& kind) {
 
 TEST(EventKinds, AreListedInTheDescriptionOfTheStore) {
   const std::string page = read_file(fs::path(ASPERITY_SOURCE_DIR) / "docs/formats/study.md");
-  std::string expected = "| kind | what happened, text and data | until |\n| --- | --- | --- |\n";
+  std::string expected = "| kind | meaning, text and data | until |\n| --- | --- | --- |\n";
   for (const EventKind& kind : event_kinds()) expected += documented(kind) + '\n';
   EXPECT_NE(page.find(expected), std::string::npos) << expected;
 }
