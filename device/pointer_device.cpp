@@ -26,7 +26,7 @@ DeviceCapability pointer_capability(const PointerSettings& settings) {
           .workspace_maximum_m = {corner_m.x, corner_m.y, settings.lift_m},
           .remarks =
               "It has no motors: no force is felt. The probe trails the pointer by 25 ms; its "
-              "depth is the pressure of a pen, or fixed while a mouse's button is held."};
+              "depth is set by the pressure of a pen, or fixed while a mouse's button is held."};
 }
 
 void check_pointer(const PointerSettings& settings) {

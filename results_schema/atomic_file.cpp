@@ -49,7 +49,7 @@ class StagedFile final {
     const std::filesystem::path folder = folder_of(path_);
     if (!std::filesystem::is_directory(folder)) {
       throw ResultsError("the file " + path_.string() + " cannot be created: there is no folder " +
-                             folder.string(),
+                             folder.string() + "; create it first",
                          path_, ENOENT);
     }
     temporary_ = temporary_name(path_);

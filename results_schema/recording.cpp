@@ -261,11 +261,14 @@ class Reader {
     const std::string line = take_line();
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("format") || !json["format"].is_string()) {
-      fail("is not a recording: its first line must be a JSON object with \"format\"");
+      fail(
+          "is not a recording: its first line must be a JSON object with \"format\"; "
+          "name a recording");
     }
     const auto format = json["format"].get<std::string>();
     if (format != kFormat) {
-      fail("has the format \"" + format + "\"; this program reads \"" + kFormat + "\"");
+      fail("has the format \"" + format + "\"; this program reads \"" + kFormat +
+           "\". Read it with the version that wrote it");
     }
     if (take_line() != sha256_of(line)) {
       fail(
@@ -286,13 +289,14 @@ class Reader {
                                   .meaning = column.at("meaning").get<std::string>()});
       }
       if (header.columns.empty() || header.columns.front().name != "time_ns") {
-        fail("must have time_ns as its first column");
+        fail("must have time_ns as its first column; restore the file from a copy of the study");
       }
       header.columns.erase(header.columns.begin());
       header.context_json = json.at("context").dump();
       return header;
     } catch (const nlohmann::json::exception& error) {
-      fail(std::string("has an invalid first line: ") + error.what());
+      fail(std::string("has an invalid first line: ") + error.what() +
+           "; restore the file from a copy of the study");
     }
   }
 
@@ -330,7 +334,9 @@ class Reader {
  private:
   std::string take_line() {
     const std::size_t end = content_.find('\n', offset_);
-    if (end == std::string::npos) fail("is not a recording: it ends within its two lines of text");
+    if (end == std::string::npos) {
+      fail("is not a recording: it ends within its two lines of text; name a recording");
+    }
     std::string line = content_.substr(offset_, end - offset_);
     offset_ = end + 1;
     return line;

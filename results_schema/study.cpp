@@ -128,16 +128,16 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
     if (!std::filesystem::exists(folder, error)) {
-      throw ResultsError("there is no folder " + folder.string() + "; a study is a folder", folder,
-                         ENOENT);
+      throw ResultsError("there is no folder " + folder.string() + "; name the folder of a study",
+                         folder, ENOENT);
     }
     const std::filesystem::path around = folder.parent_path();
-    throw ResultsError(folder.string() + " is a file; a study is a folder" +
-                           (folder.filename() == database_in("").filename()
-                                ? ": name the one that this file is in, " +
-                                      (around.empty() ? "." : around.string())
-                                : ""),
-                       folder, ENOTDIR);
+    throw ResultsError(
+        folder.string() + " is a file; name the folder of a study" +
+            (folder.filename() == database_in("").filename()
+                 ? ", here the folder of this file, " + (around.empty() ? "." : around.string())
+                 : ""),
+        folder, ENOTDIR);
   }
   if (!std::filesystem::is_regular_file(database_in(folder), error)) {
     throw ResultsError("the folder " + folder.string() +

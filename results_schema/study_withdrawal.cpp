@@ -164,7 +164,8 @@ void refuse_orphans(Database& database) {
   refuse_withdrawal(
       database.folder(),
       "is damaged: some of its rows refer to rows that do not exist, and a deletion could not "
-      "distinguish them from the participant's. \"asperity verify\" lists them");
+      "distinguish them from the participant's. \"asperity verify\" lists them; restore the study "
+      "from a copy");
 }
 
 void remove_file(const std::filesystem::path& path) {

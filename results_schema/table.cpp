@@ -74,7 +74,7 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     text.remove_prefix(kByteOrderMark.size());
   }
   if (text.empty())
-    throw ResultsError(file_name + ":1:1: the line of column names is missing", file_name);
+    throw ResultsError(file_name + ":1:1: the line of column names is missing; add it", file_name);
   Table table;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::size_t end = text.find('\n');
@@ -87,11 +87,13 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
       std::set<std::string_view> seen;
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (cells[i].empty()) {
-          throw ResultsError(place + std::to_string(i + 1) + ": the column has no name", file_name);
+          throw ResultsError(
+              place + std::to_string(i + 1) + ": the column has no name; give it one", file_name);
         }
         if (!seen.insert(cells[i]).second) {
           throw ResultsError(place + std::to_string(i + 1) + ": the column name \"" +
-                                 std::string(cells[i]) + "\" occurs twice",
+                                 std::string(cells[i]) +
+                                 "\" occurs twice; rename one of the columns",
                              file_name);
         }
         table.columns.emplace_back(cells[i]);
@@ -103,7 +105,8 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
                              ": the row has " + std::to_string(cells.size()) +
                              (cells.size() == 1 ? " cell" : " cells") + ", the header has " +
                              std::to_string(table.columns.size()) +
-                             (table.columns.size() == 1 ? " column" : " columns"),
+                             (table.columns.size() == 1 ? " column" : " columns") +
+                             "; give each row one cell per column",
                          file_name);
     }
     std::vector<Cell>& row = table.rows.emplace_back();

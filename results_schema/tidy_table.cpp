@@ -74,7 +74,8 @@ class CellReader final {
     ++at_;
     std::uint32_t breaks = 0;
     for (;; ++at_) {
-      if (at_end()) refuse("the quote that opens this cell is not closed");
+      if (at_end())
+        refuse("the quotation mark that opens this cell is not closed; add the closing one");
       if (text_[at_] == '"') {
         ++at_;
         if (at_end() || text_[at_] != '"') break;
@@ -84,7 +85,9 @@ class CellReader final {
     }
     if (!at_end() && text_[at_] == '\r') ++at_;
     if (!at_end() && text_[at_] != separator && text_[at_] != '\n') {
-      refuse("text follows the quote that closes this cell; a quote inside is written twice");
+      refuse(
+          "text follows the quotation mark that closes this cell; write a quotation mark inside "
+          "twice");
     }
     line_ += breaks;
     return out;
@@ -164,13 +167,14 @@ TidyTable::TidyTable(std::string whole, std::string name)
   }
   CellReader reader(*text_, text_->size() - text.size(), name_);
   const char separator = separator_of(text.substr(0, text.find('\n')), name_);
-  if (reader.at_end()) reader.refuse("the line of column names is missing");
+  if (reader.at_end()) reader.refuse("the line of column names is missing; add it");
   for (bool last = false; !last;) {
     const std::string_view cell = reader.next(separator, last);
     const auto place = name_ + ":1:" + std::to_string(reader.column()) + ": ";
-    if (cell.empty()) throw ResultsError(place + "the column has no name", name_);
+    if (cell.empty()) throw ResultsError(place + "the column has no name; give it one", name_);
     if (has(cell)) {
-      throw ResultsError(place + "the column name \"" + std::string(cell) + "\" occurs twice",
+      throw ResultsError(place + "the column name \"" + std::string(cell) +
+                             "\" occurs twice; rename one of the columns",
                          name_);
     }
     add_column(std::string(cell));
@@ -197,9 +201,9 @@ TidyTable::TidyTable(std::string whole, std::string name)
               std::to_string(found) + (found == 1 ? " cell" : " cells") + ", the header has " +
               std::to_string(columns_.size()) + (columns_.size() == 1 ? " column" : " columns") +
               (separator == ',' && found > columns_.size()
-                   ? "; put quotes around a text that contains a comma, and write numbers "
+                   ? "; put quotation marks around a text that contains a comma, and write numbers "
                      "with a decimal point"
-                   : ""),
+                   : "; give each row one cell per column"),
           name_);
     }
     lines_.push_back(line);

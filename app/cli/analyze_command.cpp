@@ -64,7 +64,7 @@ void write_figures(const std::string& folder, const std::vector<Figure>& figures
                    Overwrite overwrite) {
   std::filesystem::create_directories(folder);
   const LettersWithoutWindows letters;
-  if (figures.empty()) say("asperity: this kind of analysis has no figures");
+  if (figures.empty()) say("asperity: this kind of analysis has no figures; leave out --figures");
   for (const Figure& figure : figures) {
     if (!figure.is_drawn()) {
       say("asperity: " + figure.name + ": " + figure.instead.as_sentence().english());

@@ -68,7 +68,7 @@ void print_text(const BakeOutcome& outcome, const std::string& out) {
   }
   if (report.folded_faces > 0) {
     std::cout << "Faces folded so sharply that their texture is unreliable: " << report.folded_faces
-              << "; more triangles would help\n";
+              << "; increase --triangles\n";
   }
 }
 

@@ -136,8 +136,9 @@ void add_export(CLI::App& program, Job& job) {
       const StudyMetadata metadata = study.metadata();
       if (const auto missing = missing_metadata(metadata)) {
         // Only what is missing: the options replace what is there.
-        say("asperity: warning: " + missing->english() + " Enter that with: asperity metadata " +
-            options->study + (metadata.authors.empty() ? " --author \"Family, Given\"" : "") +
+        say("asperity: warning: " + missing->english() +
+            " Enter the metadata with: asperity metadata " + options->study +
+            (metadata.authors.empty() ? " --author \"Family, Given\"" : "") +
             (metadata.license ? "" : " --license CC-BY-4.0"));
       }
       say_unrecorded(

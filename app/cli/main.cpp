@@ -28,7 +28,7 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
   auto study = std::make_shared<std::optional<std::filesystem::path>>();
   program.require_subcommand(0, 1);
   program.add_option("STUDY", *study,
-                     "Folder of a study to show in the window, which opens without a subcommand");
+                     "Without a subcommand: folder of the study to show in the window");
   program.callback([&program, &job, &argc, argv, study] {
     if (!program.get_subcommands().empty()) {
       if (*study) {

@@ -150,9 +150,11 @@ void add_render(CLI::App& program, Job& job) {
       inputs.seed = options->seed;
       const bool needs_bodies = model.declaration.needs_bodies;
       if (!needs_bodies && (options->tool || options->coupling)) {
-        throw std::runtime_error("the force model " + options->model + " touches with a point; " +
+        throw std::runtime_error("the force model " + options->model +
+                                 " computes the contact at a point, and " +
                                  (options->tool ? "--tool" : "--coupling") +
-                                 " needs a model with two bodies");
+                                 " needs a model with two bodies; leave it out, or choose "
+                                 "another model");
       }
       if (needs_bodies && !options->stimulus) {
         throw std::runtime_error("the force model " + options->model +

@@ -85,8 +85,11 @@ void add_replay(CLI::App& program, Job& job) {
           study, session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
           builder);
       if (options->surface < 1 || options->surface > static_cast<int>(recorded.surfaces.size())) {
-        throw std::runtime_error("the trial has " + counted(recorded.surfaces.size(), "surface") +
-                                 "; there is no surface " + std::to_string(options->surface));
+        throw std::runtime_error(
+            "--surface is " + std::to_string(options->surface) + ", and the trial has " +
+            counted(recorded.surfaces.size(), "surface") +
+            (recorded.surfaces.size() == 1 ? "; leave out --surface"
+                                           : "; give the number of one of them"));
       }
       const RecordedSurface& surface =
           recorded.surfaces[static_cast<std::size_t>(options->surface - 1)];
@@ -105,7 +108,8 @@ void add_replay(CLI::App& program, Job& job) {
         }
         renderer = make_renderer(model, inputs);
       } else {
-        if (!options->parameters.empty()) throw WrongUsage("--param needs --model");
+        if (!options->parameters.empty())
+          throw WrongUsage("--param needs --model; add it, or leave out --param");
         renderer = make_renderer(*surface.stimulus.model, surface.stimulus.inputs);
       }
       std::vector<TickRecord> felt{};

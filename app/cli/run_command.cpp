@@ -34,13 +34,14 @@ std::uint64_t seed_of_this_machine() {
 /// Before anybody is asked anything.
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
   if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
-    say("asperity: warning: the protocol requires masking noise; none is played at a terminal, "
-        "which is stored with the session and stated in its report (the program's windows play "
-        "it)");
+    say("asperity: warning: the protocol requires masking noise, and a session at a terminal plays "
+        "none; this is stored with the session and stated in its report. To play the noise, run "
+        "the session in the program's windows");
   }
   if (guides_participants(protocol)) {
     say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
-        "terminal cannot present them, which the report states (the program's windows can)");
+        "terminal cannot present them, and the report states this. To present them, run the "
+        "session in the program's windows");
   }
 }
 

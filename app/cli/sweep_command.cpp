@@ -162,14 +162,16 @@ void take_texture(SweepOrder& order, const std::string& text) {
     order.texture.values = parameters_from(pieces, surface.parameters, surface.kind);
   }
   if (order.texture.values.contains("spacing_m")) {
-    throw WrongUsage("--texture " + text + ": the spacing is set by --spacings");
+    throw WrongUsage("--texture " + text +
+                     ": the spacing is set by --spacings; leave out spacing_m");
   }
 }
 
 void take_tip(SweepOrder& order, const std::string& text) {
   if (!order.stroke.model->declaration.needs_bodies) {
     throw WrongUsage("the force model " + order.stroke.model->declaration.id +
-                     " touches with a point; --tool is only for models with two bodies");
+                     " computes the contact at a point, and --tool needs a model with two bodies; "
+                     "leave it out, or choose another model");
   }
   const std::map<std::string, TipForm> forms{
       {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
@@ -425,7 +427,9 @@ StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& model
           .estimates = std::move(figure), .conditions = beside.conditions, .group = outcome.group};
     }
   }
-  throw std::runtime_error("the study " + options.beside + " has no estimates of roughness");
+  throw std::runtime_error(
+      "the study " + options.beside +
+      " has no estimates of roughness; name another study, or leave out --beside");
 }
 #endif
 
@@ -465,7 +469,7 @@ int run_sweep(SweepOptions options) {
     refuse_existing({plot}, file.overwrite);
     if (plot.has_parent_path() && !std::filesystem::is_directory(plot.parent_path())) {
       throw std::runtime_error("--plot " + options.plot + ": there is no folder " +
-                               plot.parent_path().string());
+                               plot.parent_path().string() + "; create it first");
     }
   }
   std::optional<StudyBeside> beside{};

@@ -46,18 +46,19 @@ void add_texture(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
-                   "Cut-off wavelength of the low-pass g; longer waves are removed")
+                   "Cut-off wavelength of the low-pass g; longer wavelengths are removed")
       ->capture_default_str();
   command
       ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
                    "Cut-off wavelength of the homomorphic filter")
       ->capture_default_str();
   command
-      ->add_option("--gamma-low", recipe.gamma_low, "Gain of the homomorphic filter for long waves")
+      ->add_option("--gamma-low", recipe.gamma_low,
+                   "Gain of the homomorphic filter for long wavelengths")
       ->capture_default_str();
   command
       ->add_option("--gamma-high", recipe.gamma_high,
-                   "Gain of the homomorphic filter for short waves")
+                   "Gain of the homomorphic filter for short wavelengths")
       ->capture_default_str();
   command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
   command->add_option("--sign", options->sign, "1 (the default): bright is high; -1: dark is high")

@@ -50,6 +50,10 @@ void add_verify(CLI::App& program, Job& job) {
                         : std::to_string(result.problems.size()) +
                               (result.problems.size() == 1 ? " problem" : " problems") + " found")
                 << '\n';
+      if (!result.problems.empty()) {
+        std::cout << "Restore damaged data from a copy of the study, unless the problem states "
+                     "another remedy\n";
+      }
       return result.problems.empty() ? 0 : 1;
     };
   });

@@ -353,7 +353,8 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     leave_out_unknown(profile);
     return profile;
   } catch (const std::exception& error) {
-    throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what());
+    throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what() +
+                             "; measure the device again");
   }
 }
 

@@ -27,8 +27,9 @@ std::uint64_t seed_of(const SessionRow& session) {
   const char* const end = session.seed.data() + session.seed.size();
   if (const auto read = std::from_chars(session.seed.data(), end, seed);
       read.ec != std::errc{} || read.ptr != end) {
-    throw std::runtime_error(session_name(session) + ": its seed \"" + session.seed +
-                             "\" is not a number from 0 to 2^64 - 1");
+    throw std::runtime_error(
+        session_name(session) + ": its seed \"" + session.seed +
+        "\" is not a number from 0 to 2^64 - 1; restore the study from a copy");
   }
   return seed;
 }
@@ -52,8 +53,8 @@ void require_presented(const std::vector<AssetRow>& presented, const PreparedSti
     const std::string role = asset.role == kHeightFieldRole ? "height field" : asset.role;
     if (file == files.end()) {
       throw std::runtime_error(attempt + ": the " + role +
-                               " of its stimulus is not the one that was presented (its SHA-256 "
-                               "differs)");
+                               " of its stimulus differs from the one that was presented (its "
+                               "SHA-256 differs); use the version of Asperity that recorded it");
     }
     throw std::runtime_error(attempt + ": the " + role + ", file " + file->path +
                              ", differs from the one that was presented (its SHA-256 differs); "
@@ -78,7 +79,8 @@ Plan PlansOfSessions::of(const SessionRow& session) {
                   is_as_stored)) {
     throw std::runtime_error(
         session_name(session) +
-        ": its stored plan differs from the one that its protocol, seed and row determine");
+        ": its stored plan differs from the one that its protocol, seed and row determine; use the "
+        "version of Asperity that ran the session, or restore the study from a copy");
   }
   return plan;
 }
@@ -90,7 +92,8 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
 RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder) {
   if (!attempt.recording) {
-    throw std::runtime_error("attempt " + natural_key(session, attempt) + " was not recorded");
+    throw std::runtime_error("attempt " + natural_key(session, attempt) +
+                             " was not recorded; choose an attempt with a recording");
   }
   RecordedAttempt recorded{};
   recorded.row = attempt;

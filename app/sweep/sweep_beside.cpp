@@ -259,7 +259,8 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
                   "has the conditions " + enumerated(conditions) + ", which do not differ in " +
                       words_of(order.varied) + ", the quantity that --vary " +
                       text_of(order.varied) + " varies; " +
-                      (instead.empty() ? "a sweep cannot vary the quantity in which they differ"
+                      (instead.empty() ? "a sweep cannot vary the quantity in which they differ: "
+                                         "name another protocol, or leave out --beside"
                                        : "use" + instead));
   }
   const auto numbers = numbers_by_condition(conditions, varied);
@@ -269,7 +270,7 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
            : std::to_string(conditions.size()) + " conditions, " + enumerated(conditions)) +
       (numbers ? " (" + quantities_text(order.varied, *numbers) + ")" : "");
   if (order.values.size() != conditions.size()) {
-    refuse_beside(protocol, "has " + theirs + ", and the sweep " +
+    refuse_beside(protocol, "has " + theirs + ", and the sweep has " +
                                 std::to_string(order.values.size()) +
                                 (order.values.size() == 1 ? " level, " : " levels, ") +
                                 quantities_text(order.varied, order.values) +
@@ -350,7 +351,8 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
                                  ? height_text(*highest_m)
                                  : height_text(*lowest_m) + " to " + height_text(*highest_m);
   remarks.push_back("the texture of the sweep is " + height_text(here_m) +
-                    " from trough to crest (--texture), those of " + protocol.name + " " + theirs);
+                    " from trough to crest (--texture), and those of " + protocol.name + " " +
+                    theirs);
 }
 
 void compare_spacings(const SweepOrder& order, const Protocol& protocol,
@@ -359,7 +361,10 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
   for (const auto& [level, spacing_m] : protocol.estimation->spacing_m) {
     theirs_m.push_back(spacing_m);
   }
-  if (theirs_m.empty()) refuse_beside(protocol, "states no spacing of its textures");
+  if (theirs_m.empty())
+    refuse_beside(protocol,
+                  "specifies no spacing of its textures; give each texture a \"spacing_m\", or "
+                  "leave out --beside");
   const auto [shortest, longest] = std::minmax_element(theirs_m.begin(), theirs_m.end());
   const auto [first, last] = std::minmax_element(order.spacings_m.begin(), order.spacings_m.end());
   const auto range = [](double from_m, double to_m) {
@@ -371,8 +376,8 @@ void compare_spacings(const SweepOrder& order, const Protocol& protocol,
         return spacing_m >= *shortest * (1.0 - kSameNumber) &&
                spacing_m <= *longest * (1.0 + kSameNumber);
       });
-  const std::string both = "has spacings of " + range(*shortest, *longest) + ", and the sweep " +
-                           range(*first, *last) + " (--spacings)";
+  const std::string both = "has spacings of " + range(*shortest, *longest) +
+                           ", and the sweep has " + range(*first, *last) + " (--spacings)";
   if (!is_any) refuse_beside(protocol, both + ": they have none in common; change --spacings");
   if (is_alike(*first, *shortest, kSameNumber) && is_alike(*last, *longest, kSameNumber)) return;
   remarks.push_back(protocol.name + ' ' + both +
@@ -443,7 +448,9 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
 SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
                          const std::filesystem::path& study) {
   if (!protocol.estimation) {
-    refuse_beside(protocol, "does not request estimates by spacing");
+    refuse_beside(protocol,
+                  "does not request estimates by spacing; name a protocol with the key "
+                  "\"estimation\", or leave out --beside");
   }
   SweepBeside beside{.conditions = conditions_of_levels(order, protocol)};
   compare_models(order, protocol, beside.remarks);

@@ -86,7 +86,8 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   if (const auto folder = order.out.parent_path();
       !folder.empty() && !std::filesystem::is_directory(folder)) {
     throw ResultsError("the file " + order.out.string() +
-                           " cannot be created: there is no folder " + folder.string(),
+                           " cannot be created: there is no folder " + folder.string() +
+                           "; create it first",
                        order.out);
   }
   const auto part = [&progress](double from, double to) {

@@ -68,7 +68,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
           is_of_demonstration(path)
               ? "; the demonstration study has one of this name (asperity new DIR --demo creates "
                 "it): copy it from there, together with its .json if there is one"
-              : "";
+              : "; copy the file into the study";
       return "the file " + path + " is not in the study " + study.string() + from;
     }
     if (!lies_in(study, study / path)) {
@@ -295,7 +295,9 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
                 " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
                 " ticks of contact; in these ticks its force differs from the declared force";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
-    if (count.name == "fine_detail" && has_bodies) sentence += why_too_fine(stimulus);
+    const std::string correction =
+        count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";
+    sentence += correction.empty() ? " (see \"Counted conditions\" in docs/models.md)" : correction;
     doubts.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
   }
   return doubts;

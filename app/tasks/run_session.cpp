@@ -188,8 +188,8 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     throw PhrasedError(phrase("RunSession",
-                              "participant %1 has completed all sessions of this protocol, which "
-                              "plans %2 per participant; choose another participant")
+                              "participant %1 has completed all sessions of this protocol (planned "
+                              "per participant: %2); choose another participant")
                            .with(inputs.participant, std::to_string(protocol.sessions)));
   }
 }

@@ -135,7 +135,7 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       }
       if (answers.words[reply.options_json] != options_json_of(*question)) {
         problems.push_back(
-            item() + "the options stored with the answer differ from those of the planned trial");
+            item() + "the options stored with the response differ from those of the planned trial");
       }
       const AnsweredItem stored{
           .item = reply.item, .answer = answer, .number = reply.number, .correct = reply.correct};

@@ -11,7 +11,7 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "the session began. Data: the program that runs this segment of the session; "
                   "`utc`, when it began (from version 0.2.0 on); `device` as in `session`, and "
                   "`judged_force`, the normal force by which the exploration is assessed: `sent`, "
-                  "or `rendered` of a device without motors (Asperity 0.1.0 stored neither)",
+                  "or `rendered` for a device without motors (Asperity 0.1.0 stored neither)",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
@@ -23,17 +23,17 @@ const std::vector<EventKind>& event_kinds() {
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
                        "pacing", "scheduling", "device", "judged_force", "segment"}},
       {.name = "resumed_late",
-       .meaning =
-           "the session is resumed later than the protocol allows (`resume.maximum_age_hours`), "
-           "before `session_resumed`. Text: the experimenter's reason. Data: `age_hours` since it "
-           "last ran, and `maximum_age_hours`",
+       .meaning = "the session was resumed later than the protocol allows "
+                  "(`resume.maximum_age_hours`); stored before `session_resumed`. Text: the "
+                  "experimenter's reason. Data: `age_hours` since it "
+                  "last ran, and `maximum_age_hours`",
        .hed = "Experiment-structure",
        .public_data = {"age_hours", "maximum_age_hours"},
        .text_is_words = true},
       {.name = "device_changed",
-       .meaning =
-           "the session is resumed on a device other than the one on which it last ran: text as "
-           "`session.device`, data as `session.device_json`; before `session_resumed`",
+       .meaning = "the session was resumed on a device other than the one on which it last ran; "
+                  "stored before `session_resumed`. Text: as in `session.device`. Data: as in "
+                  "`session.device_json`",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
       {.name = "device_profile",

@@ -50,10 +50,10 @@ DeviceCapability falcon_capability() {
           .maximum_rate_Hz = kFullRate_Hz,
           .buttons = 4,
           .remarks =
-              "Workspace and force follow from the lengths and the motor constant that free "
-              "drivers use: the largest cube that its legs can reach, and the force available in "
-              "every direction in its middle; at the corners of the cube that is 3.8 N. The "
-              "manufacturer states ±51 mm and 8.9 N."};
+              "Workspace and force are computed from the leg lengths and the motor constant that "
+              "free drivers use. The workspace is the largest cube that the legs can reach; the "
+              "force is that available in every direction at the centre of the cube; at its "
+              "corners it is 3.8 N. The manufacturer states ±51 mm and 8.9 N."};
 }
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {

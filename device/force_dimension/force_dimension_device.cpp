@@ -317,7 +317,8 @@ std::string ForceDimensionDevice::trouble() const {
   };
   if (has_lost_zero_.load()) {
     tell(who +
-         " is back and has lost its zero: end the session, and run \"asperity device-test\", which "
+         " is connected again and has lost its zero: end the session, and run \"asperity "
+         "device-test\", which "
          "requests confirmation and then finds the zero.");
   } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);

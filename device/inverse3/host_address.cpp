@@ -59,7 +59,8 @@ std::string look_up(const std::string& host) {
   const Addresses found = addresses_of(host, 0);
   if (found.error != 0) {
     throw std::runtime_error("The host \"" + host + "\" cannot be found (" +
-                             ::gai_strerror(found.error) + ").");
+                             ::gai_strerror(found.error) +
+                             "): correct its name, or give its number, such as 127.0.0.1.");
   }
   return found.first;
 }

@@ -62,7 +62,9 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
     throw std::runtime_error("The program that answers at " + place.text() +
-                             " is not Haply's Inverse Service: it does not list devices.");
+                             " is not Haply's Inverse Service: it does not list devices. Name the "
+                             "address of the service "
+                             "with --service HOST:PORT.");
   }
   return *std::move(inventory);
 }

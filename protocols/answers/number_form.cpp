@@ -31,7 +31,7 @@ std::vector<std::string> problems_with(const TrialQuestion&, const NumberForm&,
                                        const AnsweredItem& stored) {
   const std::optional<double> number = stored_number(stored.answer);
   if (number && *number > 0.0 && number == stored.number) return {};
-  return {"the answer is not a number above 0, or differs from the number stored with it"};
+  return {"the response is not a number above 0, or differs from the number stored with it"};
 }
 
 std::string label_of(const TrialQuestion&, const NumberForm&, const std::string& stored) {

@@ -80,7 +80,7 @@ void Meaning::check_analysis() {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
     } else if (!declared.target && needs_target(name)) {
       report(pointer,
-             "the test " + in_quotes(name) + " is about the target: name it with \"target\"");
+             "the test " + in_quotes(name) + " requires a target: name it with \"target\"");
     }
   }
   const auto has = [&declared](const char* name) {

@@ -24,7 +24,8 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
     }
     const auto [earlier, is_new] = setters.emplace(factor, by);
     if (!is_new) {
-      report(at, "the factor " + in_quotes(factor) + " is already set by " + earlier->second);
+      report(at, "the factor " + in_quotes(factor) + " is already set by " + earlier->second +
+                     "; set it in one place only");
     }
   };
   for (std::size_t i = 0; i < block.crossed.size(); ++i) {
@@ -117,8 +118,8 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
     if (presented.role != expected) {
-      report(place + "/role",
-             "in this kind of protocol the role of every surface is " + in_quotes(expected));
+      report(place + "/role", "in this kind of protocol the role of every surface is " +
+                                  in_quotes(expected) + "; write this role");
     }
     for (const auto& [factor, level] : presented.with) {
       check_level(factor, level, pointer_to(place + "/with", factor));
@@ -146,7 +147,7 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
       if (!needed.contains(factor)) {
         report_key(pointer_to(place + "/with", factor),
                    "the stimulus " + in_quotes(presented.stimulus) +
-                       " does not depend on the factor " + in_quotes(factor));
+                       " does not depend on the factor " + in_quotes(factor) + "; remove this key");
       }
     }
   }

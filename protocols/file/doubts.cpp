@@ -58,7 +58,9 @@ class Doubts final {
                  std::any_of(factor->second.levels.begin(), factor->second.levels.end(),
                              [&](const Level& level) { return text_of(level) == name; });
         });
-    if (!is_used) doubt(pointer, "no block uses the exploration " + in_quotes(name));
+    if (!is_used)
+      doubt(pointer, "no block uses the exploration " + in_quotes(name) +
+                         "; name it in a block, or remove it");
   }
 
   void doubt_rule(const Exploration& asked, const std::string& pointer) {
@@ -110,10 +112,12 @@ class Doubts final {
       if (!strokes || !length_m || !speed_m_per_s || *speed_m_per_s <= 0.0) return false;
       const double takes_s = *strokes * *length_m / *speed_m_per_s;
       if (takes_s <= asked.maximum_contact_s) return false;
-      doubt(pointer + place, digits(*strokes) + " strokes of " + digits(*length_m) + " m at " +
-                                 digits(*speed_m_per_s) + " m/s do not fit into the " +
-                                 digits(asked.maximum_contact_s) +
-                                 " s after which the surface is removed (maximum_contact_s)");
+      doubt(pointer + place,
+            digits(*strokes) + " strokes of " + digits(*length_m) + " m at " +
+                digits(*speed_m_per_s) + " m/s do not fit into the " +
+                digits(asked.maximum_contact_s) +
+                " s after which the surface is removed; raise maximum_contact_s, or "
+                "request fewer strokes");
       return true;
     };
     if (look(asked.strokes.minimum, first({length.minimum, length.target}),
@@ -138,8 +142,10 @@ class Doubts final {
     const std::set<std::string_view> absent =
         by_tones ? std::set<std::string_view>{"bar", "bars"}
                  : std::set<std::string_view>{"tone", "tones", "beep", "beeps"};
-    const std::string why = by_tones ? "\", but the hand is guided by tones, and no bar is shown"
-                                     : "\", but the hand is guided by sight, and no tone is played";
+    const std::string why = by_tones ? "\", but the hand is guided by tones, and no bar is shown; "
+                                       "change the text or the guidance"
+                                     : "\", but the hand is guided by sight, and no tone is "
+                                       "played; change the text or the guidance";
     const auto look = [&](const std::string& text, const std::string& pointer) {
       std::string word{};
       for (const char c : text + ' ') {

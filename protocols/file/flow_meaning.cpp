@@ -60,7 +60,8 @@ void Meaning::check_flow() {
     const auto factor = protocol_.factors.find(name);
     if (factor != protocol_.factors.end() && factor->second.levels.size() > kMaximumLevels) {
       report(pointer_to("/factors", name) + "/levels",
-             "a factor of for_each has at most 32 levels");
+             "a factor of for_each has at most 32 levels; remove some, or cross the factor in the "
+             "block");
     }
   }
 }

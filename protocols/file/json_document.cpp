@@ -135,7 +135,8 @@ class JsonDocument::Handler {
     if (from >= text.size()) {
       return refuse(text.size(), stack_.empty() && !began_
                                      ? "the file is empty; a protocol is a JSON object {…}"
-                                     : "the text ends before the JSON is complete");
+                                     : "the text ends before the JSON is complete; close every "
+                                       "quotation mark and bracket");
     }
     std::string expected{};
     if (const std::size_t at = what.find("; expected "); at != std::string::npos) {
@@ -283,7 +284,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
       nlohmann::json::sax_parse(CountingIterator{text.data(), &read},
                                 CountingIterator{text.data() + text.size(), &read}, &handler);
   std::vector<Diagnostic> problems = handler.take_problems();
-  if (!complete && problems.empty()) problems.push_back(diagnostic(read, "", "this is not JSON"));
+  if (!complete && problems.empty())
+    problems.push_back(diagnostic(read, "", "this is not JSON; write a JSON object {…}"));
   if (complete && duplicates != nullptr) {
     *duplicates = std::move(problems);
   } else if (!problems.empty()) {

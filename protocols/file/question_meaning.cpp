@@ -43,7 +43,8 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     kind_.check_block({protocol_, block, question, pointer, place}, *this);
   if (block.feedback != Block::Feedback::none && !kind_.has_correct_responses) {
     report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
-                                      std::string(kind_.id) + " is correct or incorrect");
+                                      std::string(kind_.id) +
+                                      " is correct or incorrect; remove this key");
   }
   check_criterion(block, pointer);
 }

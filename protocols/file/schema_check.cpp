@@ -109,7 +109,7 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
     if (schema.contains("propertyNames") && !is_id(key)) {
       found.push_back(document.at_key(
           at, in_quotes(key) + " is not a name: use lower-case letters, digits and underscores, "
-                               "starting with a letter, at most 64"));
+                               "starting with a letter, at most 64 characters"));
     }
     is_short = check_keys(document, root, *inner, member, at, found) && is_short;
   }
@@ -144,8 +144,9 @@ std::string sentence(const std::string& description, const json& schema, const j
     return "the key " + in_quotes(key) + " is missing" + (what.empty() ? "" : ": " + what);
   }
   if (starts("Missing dependency '")) {
-    return "the key " + in_quotes(description.substr(20, description.rfind('\'') - 20)) +
-           " is missing, which another key here requires";
+    return "another key here requires the key " +
+           in_quotes(description.substr(20, description.rfind('\'') - 20)) +
+           ", which is missing; add it";
   }
   if (starts("Failed to match against any enum")) {
     const std::vector<std::string> choices = schema.at("enum");

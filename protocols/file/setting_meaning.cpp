@@ -105,14 +105,14 @@ std::string hed_problem(const std::string& tags) {
     }
     if (letter == ',' || letter == ')') {
       if (wants_tag) return "a HED tag is missing before " + in_quotes(std::string(1, letter));
-      if (letter == ')' && --depth < 0) return "a parenthesis is closed that was not opened";
+      if (letter == ')' && --depth < 0) return "a closing parenthesis has no opening one";
       wants_tag = letter == ',';
     } else {
       wants_tag = letter == '(';
       if (wants_tag) ++depth;
     }
   }
-  if (depth > 0) return "a parenthesis is not closed";
+  if (depth > 0) return "an opening parenthesis has no closing one";
   return wants_tag ? "a HED tag is missing at the end" : "";
 }
 
@@ -141,7 +141,7 @@ void Meaning::check_factors() {
         report(pointer_to(pointer, i),
                in_quotes(text_of(level)) + " is listed twice; list it once");
       } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
-        report(pointer_to(pointer, i), "a level cannot be empty");
+        report(pointer_to(pointer, i), "a level cannot be empty; give it a name");
       }
     }
     check_hed(factor);

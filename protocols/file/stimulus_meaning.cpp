@@ -23,7 +23,8 @@ std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
       texts.emplace_back(*text, place);
     } else {
       report(place, text_of(factor->second.levels[i]) +
-                        " is a number, but the factor stands for a name at " + pointer);
+                        " is a number, but the factor stands for a name at " + pointer +
+                        "; use names as its levels");
     }
   }
   return texts;
@@ -68,8 +69,11 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
       // The texture is the name and the picture of a body's own relief.
       if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
-        report(place, "the height field of the texture " + in_quotes(name) +
-                          " is on neither body: the surface has its own relief");
+        report(
+            place,
+            "the height field of the texture " + in_quotes(name) +
+                " is on neither body: the surface has its own relief; put the texture on a body, "
+                "or remove its \"height_field\"");
       }
     } else if (!texture->second.height_field && !all_need_assets_alone) {
       report(place, "the texture " + in_quotes(name) +
@@ -97,8 +101,8 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       if (declared == model->parameters.end()) {
         std::map<std::string, int> names{};
         for (const Parameter& each : model->parameters) names[each.name] = 0;
-        report_key(place, "the model " + in_quotes(model->id) +
-                              " has no such parameter: " + unknown_name("parameter", name, names));
+        report_key(place, "the model " + in_quotes(model->id) + ": " +
+                              unknown_name("parameter", name, names));
         continue;
       }
       for (const auto& [value, at] : values) {
@@ -175,7 +179,7 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
                       " Hz; lower its upper limit");
   }
   if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
-    report(place + "/rms_N", digits(*equal.rms_N) + " N are above the force limit of " +
+    report(place + "/rms_N", digits(*equal.rms_N) + " N exceeds the force limit of " +
                                  digits(protocol_.force_limit_N) +
                                  " N (/device/force_limit_N); lower the force or raise the limit");
   }

@@ -71,10 +71,10 @@ void Meaning::check_trials() {
     for (const PlannedPresentation& planned : trial.presentations) {
       if (planned.item.empty()) {
         report(presented,
-               "a surface without a texture needs an \"item\" as its name in the answers");
+               "a surface without a texture needs an \"item\" as its name in the responses");
       } else if (!items.insert(planned.item).second) {
         report(presented, "two surfaces of a trial count as " + in_quotes(planned.item) +
-                              " in the answers; give each its own \"item\"");
+                              " in the responses; give each its own \"item\"");
       }
       if (const auto model = models_.find(planned.stimulus.model); model != models_.end()) {
         check_together(*model->second, planned.stimulus.parameters,

@@ -35,7 +35,7 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
-                    "a magnitude presents exactly one surface per trial");
+                    "a magnitude presents exactly one surface per trial; list one here");
   }
   if (!question.pictures.empty()) {
     problems.report(place + "/pictures",
@@ -63,8 +63,10 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
     }
     const auto texture = protocol.textures.find(text_of(levels[i]));
     if (texture == protocol.textures.end()) {
-      problems.report(place, in_quotes(text_of(levels[i])) +
-                                 " is used as a spacing but is neither a number nor a texture");
+      problems.report(place,
+                      in_quotes(text_of(levels[i])) +
+                          " is used as a spacing but is neither a number nor a texture; write "
+                          "a length in metres, or the name of a texture");
     } else if (!texture->second.spacing_m) {
       problems.report(
           pointer_to("/textures", texture->first),

@@ -31,7 +31,7 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
     problems.report(checked.pointer + "/presented",
-                    "a recognition presents exactly one surface per trial");
+                    "a recognition presents exactly one surface per trial; list one here");
   }
   if (question.pictures.empty()) {
     problems.report(place, "a recognition needs \"pictures\" to choose from");
@@ -63,7 +63,8 @@ void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
   if (texture.empty() || correct == texture) return;
   problems.report(checked.at_question + "/correct_factor",
                   "the correct response would be " + in_quotes(correct) +
-                      ", but the texture felt is " + in_quotes(texture));
+                      ", but the texture felt is " + in_quotes(texture) +
+                      "; name the factor of the texture");
 }
 
 VirtualResponse judge_recognition(const Judgement& judgement) {

@@ -40,7 +40,7 @@ void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems)
   if (!question.pictures.empty()) {
     problems.report(place + "/pictures",
                     "in a selection the options are the surfaces felt; the picture of the texture "
-                    "is shown when realism_standard is \"photograph\"");
+                    "is shown when realism_standard is \"photograph\"; remove this key");
   }
   if (!question.correct_factor.empty()) {
     problems.report(place + "/correct_factor",
@@ -63,10 +63,10 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
   const std::string at_texture = texture.empty() ? presented : pointer_to("/textures", texture);
   for (const PlannedPresentation& planned : trial.presentations) {
     if (planned.stimulus.texture == texture) continue;
-    problems.report(presented, "the surfaces of a trial show different textures (" +
-                                   in_quotes(texture) + " and " +
-                                   in_quotes(planned.stimulus.texture) +
-                                   "); a selection compares renderings of one texture");
+    problems.report(presented,
+                    "the surfaces of a trial show different textures (" + in_quotes(texture) +
+                        " and " + in_quotes(planned.stimulus.texture) +
+                        "); a selection compares renderings of one texture: give them the same");
   }
   if (protocol.realism_standard == RealismStandard::photograph && !trial.standard_picture) {
     problems.report(

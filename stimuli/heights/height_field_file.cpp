@@ -19,6 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFieldFormat = "asperity.height_field/1";
+constexpr const char* kMakeAgain = "Make the height field again.";
 constexpr double kLargestLevel = 65535.0;
 
 Json provenance_json(const HeightFieldProvenance& provenance) {
@@ -40,7 +41,7 @@ class Sidecar final {
  public:
   Sidecar(std::string_view text, std::string name) : name_(std::move(name)) {
     json_ = Json::parse(text, nullptr, false);
-    if (!json_.is_object()) refuse("is not a JSON object; it must be one in " + format() + ".");
+    if (!json_.is_object()) refuse("is not a JSON object in the format " + format() + ".");
     const std::string given = this->text(json_, "format");
     if (given != kFieldFormat) {
       refuse("has the format \"" + given + "\"; this program reads " + format() + ".");
@@ -48,7 +49,7 @@ class Sidecar final {
   }
 
   [[noreturn]] void refuse(const std::string& sentence) const {
-    throw std::invalid_argument(name_ + " " + sentence);
+    throw std::invalid_argument(name_ + " " + sentence + ' ' + kMakeAgain);
   }
 
   double length_m(const char* key) const {
@@ -146,7 +147,8 @@ StoredHeightField decode_height_field(std::span<const std::byte> png, std::strin
 
   const PictureFacts facts = inspect_picture(png, name);
   if (facts.format != PictureFormat::png || facts.bits_per_channel != 16 || facts.channels != 1) {
-    throw std::invalid_argument(name + " is not a 16-bit grey PNG, which a height field must be.");
+    throw std::invalid_argument(name + " is not a 16-bit grey PNG, as a height field must be. " +
+                                kMakeAgain);
   }
   const GreyImage grey = decode_photograph(png, name).grey;
   std::vector<float> heights_m(grey.values.size());

@@ -424,7 +424,7 @@ SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
   if (triangles > mesh.triangles.size()) {
     throw std::invalid_argument(name + " cannot be simplified to " + std::to_string(triangles) +
                                 " triangles: it has only " + std::to_string(mesh.triangles.size()) +
-                                '.');
+                                ". Request at most that many.");
   }
   SimplifiedMesh result{};
   if (triangles == mesh.triangles.size()) {

@@ -62,12 +62,13 @@ std::int64_t MeshText::integer_in(std::string_view word) const {
   return number;
 }
 
-void MeshText::refuse(const std::string& sentence) const {
+void MeshText::refuse(const std::string& sentence, const std::string& remedy) const {
   // The content of a damaged file could contain control characters of a terminal.
   std::string readable = sentence;
   std::replace_if(
       readable.begin(), readable.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  throw std::invalid_argument(name_ + ':' + std::to_string(number_) + ": " + readable);
+  throw std::invalid_argument(name_ + ':' + std::to_string(number_) + ": " + readable + ' ' +
+                              remedy);
 }
 
 GrowingMesh::GrowingMesh(const MeshReading& reading, std::string name)
@@ -87,7 +88,8 @@ void GrowingMesh::refuse_too_many() const {
 
 void GrowingMesh::add_vertex(const glm::dvec3& in_units) {
   if (vertices() >= std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument(name_ + " has more than 4 294 967 295 vertices.");
+    throw std::invalid_argument(
+        name_ + " has more than 4 294 967 295 vertices; simplify it with another program first.");
   }
   read_.mesh.vertices_m.push_back(in_units * unit_m_);
 }
@@ -97,9 +99,10 @@ void GrowingMesh::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
   const std::int64_t corners[] = {a, b, c};
   for (std::size_t i = 0; i < 3; ++i) {
     if (corners[i] < 0 || corners[i] > std::numeric_limits<std::uint32_t>::max()) {
-      throw std::invalid_argument(
-          name_ + " refers to vertex " + std::to_string(corners[i]) + " in triangle " +
-          std::to_string(read_.mesh.triangles.size() + 1) + "; no vertex has that number.");
+      throw std::invalid_argument(name_ + " refers to vertex " + std::to_string(corners[i]) +
+                                  " in triangle " +
+                                  std::to_string(read_.mesh.triangles.size() + 1) +
+                                  "; no vertex has that number. " + kExportAgain);
     }
     triangle[i] = static_cast<std::uint32_t>(corners[i]);
   }
@@ -138,11 +141,12 @@ void GrowingMesh::add_strips(std::span<const std::int64_t> corners) {
 
 ReadMesh GrowingMesh::finish(MeshFormat format) {
   const std::vector<std::array<std::uint32_t, 3>>& triangles = read_.mesh.triangles;
-  if (vertices() == 0) throw std::invalid_argument(name_ + " has no vertices.");
+  if (vertices() == 0) throw std::invalid_argument(name_ + " has no vertices. " + kExportAgain);
   if (triangles.empty()) {
     throw std::invalid_argument(name_ + " has " + std::to_string(vertices()) +
                                 (vertices() == 1 ? " vertex" : " vertices") +
-                                " and no faces; points alone are not a surface.");
+                                " and no faces; points alone are not a surface. Export the mesh "
+                                "with its faces.");
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t largest = *std::max_element(triangles[i].begin(), triangles[i].end());
@@ -150,7 +154,7 @@ ReadMesh GrowingMesh::finish(MeshFormat format) {
       throw std::invalid_argument(name_ + " refers in triangle " + std::to_string(i + 1) +
                                   " to vertex " + std::to_string(largest + 1ULL) +
                                   " (counted from 1), but has only " + std::to_string(vertices()) +
-                                  " vertices.");
+                                  " vertices. " + kExportAgain);
     }
   }
   if (polygons_ > 0) {

@@ -18,6 +18,9 @@ constexpr bool is_mesh_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
+/// The end of the sentence about a mesh file that is damaged or incomplete.
+constexpr const char* kExportAgain = "Export the mesh again.";
+
 /// Reads a text word by word, with the number of its line for errors.
 class MeshText final {
  public:
@@ -35,7 +38,9 @@ class MeshText final {
   /// The current position in the bytes of the text.
   const char* position() const noexcept { return text_.data(); }
 
-  [[noreturn]] void refuse(const std::string& sentence) const;
+  /// Throws std::invalid_argument with the name of the file and the number of the line.
+  [[noreturn]] void refuse(const std::string& sentence,
+                           const std::string& remedy = kExportAgain) const;
 
  private:
   std::string_view text_;

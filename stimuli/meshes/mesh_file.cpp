@@ -70,7 +70,7 @@ const char* extension_for(MeshFormat format) {
 ReadMesh decode_content(std::string_view content, const MeshReading& reading,
                         const std::string& name) {
   constexpr std::size_t kStart_bytes = 65536;
-  if (content.empty()) throw std::invalid_argument(name + " is empty.");
+  if (content.empty()) throw std::invalid_argument(name + " is empty; export the mesh again.");
   const std::string_view start = content.substr(0, kStart_bytes);
   const std::string_view word = first_word(start);
   if (word == "ply") return decode_ply(content, reading, name);
@@ -83,7 +83,9 @@ ReadMesh decode_content(std::string_view content, const MeshReading& reading,
   if (text && word == "solid") return decode_stl_ascii(content, reading, name);
   if (word.size() <= 6 && word.ends_with("OFF")) return decode_off(content, reading, name);
   if (text && looks_like_obj(start)) return decode_obj(content, reading, name);
-  std::string sentence = name + " is in none of the formats OBJ, PLY, STL and OFF.";
+  std::string sentence = name +
+                         " is in none of the formats OBJ, PLY, STL and OFF; export the mesh "
+                         "in one of them.";
   if (!text && content.size() >= binary_stl_bytes(0)) {
     const std::size_t triangles = binary_stl_triangles(content);
     sentence += " If it is a binary STL, it is damaged: its header states " +

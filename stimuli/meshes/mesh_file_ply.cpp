@@ -200,14 +200,15 @@ class Body final {
     const std::array<std::optional<std::size_t>, 3> axes{property("x"), property("y"),
                                                          property("z")};
     if (is_vertex && !(axes[0] && axes[1] && axes[2])) {
-      throw std::invalid_argument(name_ + " has vertices without properties x, y and z.");
+      throw std::invalid_argument(name_ + " has vertices without properties x, y and z. " +
+                                  kExportAgain);
     }
     std::optional<std::size_t> indices = property("vertex_indices");
     if (!indices) indices = property("vertex_index");
     if ((is_face || is_strips) && element.count > 0 &&
         !(indices && element.properties[*indices].length_type)) {
       throw std::invalid_argument(name_ + " has an element " + element.name +
-                                  " without a list vertex_indices.");
+                                  " without a list vertex_indices. " + kExportAgain);
     }
     if (is_vertex) mesh_.reserve(element.count, 0);
     if (is_face) mesh_.reserve(0, element.count);
@@ -240,16 +241,16 @@ class Body final {
     if (!(length >= 0.0) || length > static_cast<double>(numbers_.rest_bytes())) {
       throw std::invalid_argument(name_ + " has a list of " + number_text(length) +
                                   " entries in its " + element_->name + ' ' +
-                                  std::to_string(item + 1) + ".");
+                                  std::to_string(item + 1) + ". " + kExportAgain);
     }
     if (wanted) corners_.clear();
     for (auto i = static_cast<std::size_t>(length); i > 0; --i) {
       const double entry = next(list.type, item);
       if (!wanted) continue;
       if (!(std::abs(entry) <= 4294967295.0) || entry != std::floor(entry)) {
-        throw std::invalid_argument(name_ +
-                                    " has an entry that is not the number of a vertex in its " +
-                                    element_->name + ' ' + std::to_string(item + 1) + ".");
+        throw std::invalid_argument(
+            name_ + " has an entry that is not the number of a vertex in its " + element_->name +
+            ' ' + std::to_string(item + 1) + ". " + kExportAgain);
       }
       corners_.push_back(static_cast<std::int64_t>(entry));
     }
@@ -264,7 +265,7 @@ class Body final {
   [[noreturn]] void cut_off(std::size_t item) const {
     throw std::invalid_argument(name_ + " is truncated: it ends after " + std::to_string(item) +
                                 " of the " + std::to_string(element_->count) + " items of \"" +
-                                element_->name + "\" that its header states.");
+                                element_->name + "\" that its header states. " + kExportAgain);
   }
 
   Numbers& numbers_;

@@ -420,7 +420,7 @@ std::optional<std::string> warning_of(const BakeReport& report) {
   return is_further ? "The mesh lies " + both(&GeometricError::rms_m) +
                           " (RMS): the texture makes it worse. Increase the number of triangles."
                     : "At its worst point the mesh lies " + both(&GeometricError::max_m) +
-                          ": there the texture makes it worse. More triangles would help.";
+                          ": there the texture makes it worse. Increase the number of triangles.";
 }
 
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,

@@ -50,7 +50,7 @@ std::vector<Parameter> texture_recipe_parameters() {
       number("gamma_high", "1", 0.2, 5.0, defaults.gamma_high,
              "Factor applied to fine detail; above 1 raises its contrast"),
       number("gaussian_wavelength_m", "m", 0.0002, 0.2, defaults.gaussian_wavelength_m,
-             "Waves longer than about this are left out of the heights: they are shape, not "
+             "Wavelengths longer than about this are left out of the heights: they are shape, not "
              "texture"),
       number("rms_m", "m", 1e-6, 2e-3, defaults.rms_m,
              "Roughness of the relief: the root mean square of its heights. A photograph does not "

@@ -181,7 +181,7 @@ Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
     throw std::invalid_argument(
         name + " has no contrast at wavelengths that could be felt (shorter than about " +
         number_text(2.0 * recipe.gaussian_wavelength_m) +
-        " m); a texture needs a picture that shows one.");
+        " m); use a photograph in which the texture is visible.");
   }
   residual.mean = mean[0];
   residual.deviation = deviation[0];

@@ -31,7 +31,7 @@ class HeaderReader final {
     const std::string size =
         std::to_string(facts.columns) + " by " + std::to_string(facts.rows) + " pixels";
     if (facts.rows == 0 || facts.columns == 0) {
-      refuse("cannot be read: its header states " + size + ".");
+      refuse("cannot be read: its header states " + size + ". Copy or export it again.");
     }
     if (facts.rows > kLargestPictureSide || facts.columns > kLargestPictureSide) {
       refuse("is " + size + "; at most " + std::to_string(kLargestPictureSide) +
@@ -93,7 +93,8 @@ PictureFacts inspect_png(const HeaderReader& file) {
   constexpr std::size_t kSignature = 8;
   if (!file.has(kSignature + 4, "IHDR")) {
     file.refuse(
-        "is truncated or damaged: a PNG begins with its size (IHDR), and this one does not.");
+        "is truncated or damaged: a PNG begins with its size (IHDR), and this one does not. Copy "
+        "or export it again.");
   }
   PictureFacts facts{.format = PictureFormat::png,
                      .rows = file.big_endian(kSignature + 12, 4),
@@ -114,7 +115,7 @@ PictureFacts inspect_png(const HeaderReader& file) {
       facts.channels = 4;
       break;
     default:
-      file.refuse("is damaged: its colour type does not exist in PNG.");
+      file.refuse("is damaged: its colour type does not exist in PNG. Copy or export it again.");
   }
   if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // the decoded depth
 
@@ -150,7 +151,8 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
     if (marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7)) continue;
     if (marker == 0xD9) break;
     const std::size_t length = file.big_endian(at, 2);
-    if (length < 2) file.refuse("is damaged: a segment of this JPEG has no length.");
+    if (length < 2)
+      file.refuse("is damaged: a segment of this JPEG has no length. Copy or export it again.");
     if (is_frame_header(marker)) {
       facts.bits_per_channel = static_cast<int>(file.byte(at + 2));
       facts.rows = file.big_endian(at + 3, 2);
@@ -234,11 +236,11 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
     file.refuse("is a TIFF with " + std::to_string(facts.bits_per_channel) +
                 (sample_format == 3 ? "-bit floating-point numbers" : " bits per channel") +
-                "; whole numbers of 8 or 16 bits are read.");
+                "; save it with whole numbers of 8 or 16 bits.");
   }
   if (facts.channels < 1 || facts.channels > 4) {
     file.refuse("is a TIFF with " + std::to_string(facts.channels) +
-                " channels; 1 to 4 are read (grey or colour, with or without alpha).");
+                " channels; save it with 1 to 4 (grey or colour, with or without alpha).");
   }
   if (offsets.count == 0 || offsets.count != lengths.count) file.refuse_cut_off();
   for (std::size_t i = 0; i < offsets.count; ++i) {
@@ -285,12 +287,14 @@ PictureFacts inspect_webp(const HeaderReader& file) {
     facts.channels = (packed >> 28U & 1U) != 0 ? 4 : 3;
   } else if (file.has(12, "VP8X")) {
     const std::uint32_t flags = file.byte(20);
-    if ((flags & 0x02U) != 0) file.refuse("is an animation; a single picture is needed.");
+    if ((flags & 0x02U) != 0) file.refuse("is an animation; save a single picture of it.");
     facts.columns = file.little_endian(24, 3) + 1;
     facts.rows = file.little_endian(27, 3) + 1;
     facts.channels = (flags & 0x10U) != 0 ? 4 : 3;
   } else {
-    file.refuse("is damaged: a WebP contains a VP8 picture, and this one does not.");
+    file.refuse(
+        "is damaged: a WebP contains a VP8 picture, and this one does not. Copy or export it "
+        "again.");
   }
   file.refuse_wrong_size(facts);
   file.part(8, file.little_endian(4, 4));
@@ -299,7 +303,7 @@ PictureFacts inspect_webp(const HeaderReader& file) {
 
 PictureFacts inspect_any(const HeaderReader& file) {
   if (file.size() == 0) {
-    file.refuse("is empty; a picture (PNG, JPEG, TIFF, BMP or WebP) is needed.");
+    file.refuse("is empty; copy or export the picture (PNG, JPEG, TIFF, BMP or WebP) again.");
   }
   if (file.has(0, "\x89PNG\r\n\x1A\n")) return inspect_png(file);
   if (file.has(0, "\xFF\xD8\xFF")) return inspect_jpeg(file);

@@ -131,7 +131,7 @@ TEST_F(SweepBesideTest, RefusesOtherLevelsThanTheConditions) {
   const Protocol force = roughness_by("force");
   EXPECT_THAT(
       refusal(like_the_library(VariedQuantity::applied_force, {0.5, 1.0}), force),
-      HasSubstr("3 conditions, light, medium and firm (0.5 N, 1 N and 2 N), and the sweep 2 "
+      HasSubstr("3 conditions, light, medium and firm (0.5 N, 1 N and 2 N), and the sweep has 2 "
                 "levels, 0.5 N and 1 N"));
   EXPECT_THAT(refusal(like_the_library(VariedQuantity::applied_force, {0.25, 0.5, 1.0}), force),
               HasSubstr("the level of 0.25 N is not one of them: --values 0.5,1,2"));
@@ -141,7 +141,7 @@ TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
   SweepOrder order = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
   order.spacings_m = {0.005, 0.008};
   EXPECT_THAT(refusal(order, roughness_by("force")),
-              HasSubstr("spacings of 0.5 to 4 mm, and the sweep 5 to 8 mm"));
+              HasSubstr("spacings of 0.5 to 4 mm, and the sweep has 5 to 8 mm"));
 }
 
 TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
@@ -157,7 +157,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
       remark([](SweepOrder& order) {
         order.texture.values = {{"amplitude_m", 2e-4}};
       }),
-      HasSubstr("0.4 mm from trough to crest (--texture), those of roughness_force 0.2 mm"));
+      HasSubstr("0.4 mm from trough to crest (--texture), and those of roughness_force 0.2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
               HasSubstr("1000 N/m (--stiffness-n-per-m), and that of roughness_force 3000 N/m"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.friction = 0.0; }),
@@ -165,7 +165,7 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
   EXPECT_THAT(remark([](SweepOrder& order) {
                 order.spacings_m = {0.0005, 0.008};
               }),
-              HasSubstr("0.5 to 4 mm, and the sweep 0.5 to 8 mm (--spacings)"));
+              HasSubstr("0.5 to 4 mm, and the sweep has 0.5 to 8 mm (--spacings)"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
               HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force 2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),

@@ -424,7 +424,7 @@ TEST(BadStudy, IsNotMadeOverSomethingElse) {
 TEST(BadStudy, IsAFileAndNotItsFolder) {
   const SmallStudy small(1);
   const fs::path file = small.study() / "study.sqlite";
-  const std::vector<std::string> words{file, "is a file", "name the one that this file is in",
+  const std::vector<std::string> words{file, "is a file", "here the folder of this file",
                                        small.study().string()};
   expect_study_refused(small, file, words);
   const std::vector<std::vector<std::string>> commands{

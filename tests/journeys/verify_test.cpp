@@ -240,14 +240,15 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
   for (const char* options : {"[]", "{}", "[\"other\"]"}) {
     expect_found_after("DROP TRIGGER response_no_update; UPDATE response SET options_json = '" +
                            std::string(options) + "' WHERE attempt_id = 2",
-                       "attempt virtual0001/1/2/1, item 1: the options stored with the answer "
+                       "attempt virtual0001/1/2/1, item 1: the options stored with the response "
                        "differ from those of the planned trial");
   }
   expect_found_after(
       "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays; UPDATE "
       "session SET seed = "
       "'99999999999999999999' WHERE id = 1",
-      "its seed \"99999999999999999999\" is not a number from 0 to 2^64 - 1");
+      "its seed \"99999999999999999999\" is not a number from 0 to 2^64 - 1; restore the study "
+      "from a copy");
   EXPECT_EQ(verify().status, 0);
 }
 

@@ -63,12 +63,15 @@ TEST(Table, ReadsLineEndsAndByteOrderMarksOfOtherTools) {
 
 TEST(Table, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal_of_tsv("a\tb\n1\t2\n3\n"),
-            "file.tsv:3:2: the row has 1 cell, the header has 2 columns");
+            "file.tsv:3:2: the row has 1 cell, the header has 2 columns; give each row one cell "
+            "per column");
   EXPECT_EQ(refusal_of_tsv("a\n1\t2\n"),
-            "file.tsv:2:2: the row has 2 cells, the header has 1 column");
-  EXPECT_EQ(refusal_of_tsv("a\tb\ta\n"), "file.tsv:1:3: the column name \"a\" occurs twice");
-  EXPECT_EQ(refusal_of_tsv("a\t\n"), "file.tsv:1:2: the column has no name");
-  EXPECT_EQ(refusal_of_tsv(""), "file.tsv:1:1: the line of column names is missing");
+            "file.tsv:2:2: the row has 2 cells, the header has 1 column; give each row one cell "
+            "per column");
+  EXPECT_EQ(refusal_of_tsv("a\tb\ta\n"),
+            "file.tsv:1:3: the column name \"a\" occurs twice; rename one of the columns");
+  EXPECT_EQ(refusal_of_tsv("a\t\n"), "file.tsv:1:2: the column has no name; give it one");
+  EXPECT_EQ(refusal_of_tsv(""), "file.tsv:1:1: the line of column names is missing; add it");
 }
 
 TEST(Table, RefusesARowOfAnotherLength) {

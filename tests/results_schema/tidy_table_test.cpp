@@ -78,16 +78,20 @@ TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
 }
 
 TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the line of column names is missing");
-  EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" occurs twice");
-  EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name");
+  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the line of column names is missing; add it");
+  EXPECT_EQ(table_refusal("a,b,a\n"),
+            "file.csv:1:3: the column name \"a\" occurs twice; rename one of the columns");
+  EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name; give it one");
   EXPECT_EQ(table_refusal("a,b\n1,2\n1\n"),
-            "file.csv:3:2: the row has 1 cell, the header has 2 columns");
-  EXPECT_EQ(table_refusal("a,b\n\"1,2\n"),
-            "file.csv:2:1: the quote that opens this cell is not closed");
-  EXPECT_EQ(table_refusal("a,b\n\"1\"x,2\n"),
-            "file.csv:2:1: text follows the quote that closes this cell; a quote inside is written "
-            "twice");
+            "file.csv:3:2: the row has 1 cell, the header has 2 columns; give each row one cell "
+            "per column");
+  EXPECT_EQ(
+      table_refusal("a,b\n\"1,2\n"),
+      "file.csv:2:1: the quotation mark that opens this cell is not closed; add the closing one");
+  EXPECT_EQ(
+      table_refusal("a,b\n\"1\"x,2\n"),
+      "file.csv:2:1: text follows the quotation mark that closes this cell; write a quotation mark "
+      "inside twice");
   EXPECT_EQ(table_refusal("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
             "file.csv:1:1: there is no column \"c\"; there are a, b");
 }
@@ -98,7 +102,8 @@ TEST(TidyTable, SaysWhatADecimalCommaIs) {
       "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
       "tabs) and decimal points");
   EXPECT_EQ(table_refusal("id,k\na,1,5\n"),
-            "file.csv:2:3: the row has 3 cells, the header has 2 columns; put quotes around a text "
+            "file.csv:2:3: the row has 3 cells, the header has 2 columns; put quotation marks "
+            "around a text "
             "that contains a comma, and write numbers with a decimal point");
   EXPECT_EQ(table_refusal("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
             "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");

@@ -104,7 +104,8 @@ TEST(HeightFieldFile, NamesTheSidecarAndWhatItLacks) {
   const std::string sidecar = encode_height_field_sidecar(field, kProvenance, "cd34");
   EXPECT_EQ(field_refusal(png, sidecar), "");
   EXPECT_EQ(field_refusal(png, "{"),
-            "wall.png.json is not a JSON object; it must be one in \"asperity.height_field/1\".");
+            "wall.png.json is not a JSON object in the format \"asperity.height_field/1\". Make "
+            "the height field again.");
   EXPECT_THAT(field_refusal(png, replaced(sidecar, "height_field/1", "height_field/2")),
               HasSubstr("has the format \"asperity.height_field/2\""));
   for (const std::string key : {"pitch_m", "height_min_m", "height_max_m"}) {
@@ -123,8 +124,9 @@ TEST(HeightFieldFile, NamesTheSidecarAndWhatItLacks) {
 
 TEST(HeightFieldFile, RefusesAPictureThatIsNotSixteenBitGrey) {
   const std::string sidecar = encode_height_field_sidecar(relief(), kProvenance, "");
-  EXPECT_EQ(field_refusal(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
-            "wall.png is not a 16-bit grey PNG, which a height field must be.");
+  EXPECT_EQ(
+      field_refusal(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
+      "wall.png is not a 16-bit grey PNG, as a height field must be. Make the height field again.");
   std::vector<std::byte> png = encode_height_field_png(relief());
   png.resize(png.size() / 2);
   EXPECT_THAT(field_refusal(png, sidecar), StartsWith("wall.png is truncated"));

@@ -4047,8 +4047,8 @@
         <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei Schritte nötig.</translation>
     </message>
     <message>
-        <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the device follows up to %4 Hz.</source>
-        <translation>Wird mit %2 mm/s über „%1“ gestrichen, passiert der Taster %3 Wellen pro Sekunde; das Gerät folgt bis %4 Hz.</translation>
+        <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the bandwidth of the device is %4 Hz.</source>
+        <translation>Wird mit %2 mm/s über „%1“ gestrichen, passiert der Taster %3 Wellen pro Sekunde; die Bandbreite des Geräts beträgt %4 Hz.</translation>
     </message>
     <message>
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
@@ -4127,8 +4127,8 @@
         <translation>friction_speed_m_per_s auf mindestens %1 setzen oder die Andruckkraft auf %2 N begrenzen.</translation>
     </message>
     <message>
-        <source>Near rest, the friction of &quot;%1&quot; acts as a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates if the damping exceeds %5 N s/m: strokes are expected to buzz where they reverse. %6 %7</source>
-        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei %3 N wie ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche ist ein Schnarren zu erwarten. %6 %7</translation>
+        <source>Near rest, the friction of &quot;%1&quot; acts as a damper of %2 N s/m at %3 N, and at %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration is expected where strokes reverse. %6 %7</source>
+        <translation>Nahe der Ruhe wirkt die Reibung von „%1“ bei %3 N wie ein Dämpfer von %2 N s/m, und bei %4 Hz vibriert das Gerät, wenn die Dämpfung %5 N s/m übersteigt: An den Umkehrpunkten der Striche sind Vibrationen zu erwarten. %6 %7</translation>
     </message>
     <message>
         <source>The virtual coupling of &quot;%1&quot;, %2 N/m and %3 N s/m, requires a device with a damping of %4 N s/m at %5 Hz; the measured stiffness of this one corresponds to %6 N s/m. Lower coupling_damping_N_s_per_m or coupling_stiffness_N_per_m.</source>
@@ -4178,8 +4178,8 @@
         <translation>Sitzung %2 der Versuchsperson %1 mit diesem Protokoll ist unvollständig; zuerst diese fortsetzen</translation>
     </message>
     <message>
-        <source>participant %1 has completed all sessions of this protocol, which plans %2 per participant; choose another participant</source>
-        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht; eine andere Versuchsperson wählen</translation>
+        <source>participant %1 has completed all sessions of this protocol (planned per participant: %2); choose another participant</source>
+        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert (je Versuchsperson geplant: %2); eine andere Versuchsperson wählen</translation>
     </message>
     <message>
         <source>participant %1 is a virtual participant; use --virtual</source>

@@ -116,8 +116,8 @@ std::vector<RehearsalWarning> friction_warnings(const Protocol& protocol,
            .text =
                phrase("Rehearsal",
                       "Near rest, the friction of \"%1\" acts as a damper of %2 N s/m at %3 N, and "
-                      "at %4 Hz the device vibrates if the damping exceeds %5 N s/m: strokes are "
-                      "expected to buzz where they reverse. %6 %7")
+                      "at %4 Hz the device vibrates if the damping exceeds %5 N s/m: vibration is "
+                      "expected where strokes reverse. %6 %7")
                    .with(planned.stimulus.name, in_three_digits(asked->damper_N_s_per_m()),
                          in_three_digits(asked->force_N), in_three_digits(protocol.rate_Hz),
                          in_three_digits(steepest_N_s_per_m), basis_of(device, mass_kg, delay_s),

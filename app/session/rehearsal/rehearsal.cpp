@@ -401,7 +401,7 @@ class DeviceRehearsal final {
             .device = bandwidth_Hz,
             .text = phrase("Rehearsal",
                            "When \"%1\" is stroked at %2 mm/s, %3 waves per second pass under the "
-                           "probe, and the device follows up to %4 Hz.")
+                           "probe, and the bandwidth of the device is %4 Hz.")
                         .with(name, in_three_digits(1e3 * speed_m_per_s),
                               in_three_digits(frequency_Hz), in_three_digits(bandwidth_Hz))});
     }

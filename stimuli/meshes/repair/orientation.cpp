@@ -69,7 +69,8 @@ void turn_to_agree(MeshInRepair& repair) {
           sheet.push_back(other);
         } else if (turned[other] != wanted) {
           repair.refuse("has a surface with one side only, like a Möbius strip, near triangle " +
-                        std::to_string(other + 1ULL) + "; it has no inside.");
+                        std::to_string(other + 1ULL) +
+                        "; it has no inside. Correct the mesh there.");
         }
       }
     }

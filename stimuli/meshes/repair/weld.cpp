@@ -109,7 +109,8 @@ void leave_out_bad_faces(MeshInRepair& repair) {
   }
   repair.found.duplicate_faces = triangles.size() - kept;
   triangles.resize(kept);
-  if (kept == 0) repair.refuse("has no face with three corners in different places.");
+  if (kept == 0)
+    repair.refuse("has no face with three corners in different places. Export the mesh again.");
 }
 
 // Measures the bounding box, and refuses a mesh that is too small, too large or flat.
