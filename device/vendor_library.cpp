@@ -92,7 +92,7 @@ std::string refusal_of(const std::string& product, const std::filesystem::path& 
   const std::optional<Architecture> theirs = architecture_of(file);
   const std::optional<Architecture> ours = architecture_of("/proc/self/exe");
   const std::string beginning = product + " cannot be loaded from " + file.string() + ": ";
-  if (!theirs) return beginning + "this is not a shared library; name its file with --library FILE";
+  if (!theirs) return beginning + "this is not a shared library; name the file of the library";
   if (ours && *theirs != *ours) {
     return beginning + "it is for another architecture (" + name_of(*theirs) +
            "); install the one for " + name_of(*ours);
@@ -134,7 +134,7 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
     // Somebody named this one; whoever named none is told below that they can.
     if (name.has_parent_path()) {
       throw std::runtime_error(product_ + " is not installed at " + name.string() +
-                               ": there is no such file; name it with --library FILE.");
+                               ": there is no such file; correct the path.");
     }
     // Otherwise the loader found something else amiss: a file that it cannot use, or one that itself needs another.
     const std::string not_found = name.string() + ": cannot open shared object file: No such file";

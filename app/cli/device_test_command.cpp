@@ -190,7 +190,8 @@ void add_device_test(CLI::App& program, Job& job) {
       // Both before the device: one that is homed, moves to find its zero or is pushed is not left by a process that
       // just dies.
       InterruptWatch interrupt(
-          "asperity: stopping: a handle that moves by itself is stopped; switch the device off if "
+          "asperity: stopping; if the handle moves by itself, it is stopped. Switch the device off "
+          "if "
           "it keeps moving");
       const InterruptWatch::Hold until_it_is_closed;
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };

@@ -562,13 +562,17 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option("--friction", options->order.stroke.material.friction,
                    "Coulomb friction coefficient of the surface")
       ->capture_default_str();
-  command->add_option("--probe-diameter-m", options->probe_diameter_m, "Value if it is not varied")
+  command
+      ->add_option("--probe-diameter-m", options->probe_diameter_m,
+                   "Probe diameter, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.tip.diameter_m));
-  command->add_option("--applied-force-n", options->applied_force_N, "Value if it is not varied")
+  command
+      ->add_option("--applied-force-n", options->applied_force_N,
+                   "Applied force, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.force_N));
   command
       ->add_option("--exploratory-speed-m-per-s", options->exploratory_speed_m_per_s,
-                   "Value if it is not varied")
+                   "Exploratory speed, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.speed_m_per_s));
   command
       ->add_option("--jobs", options->jobs,
@@ -589,7 +593,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option(
           "--measure", options->measure,
           "Measure of the printed peaks and of the figure: the maximum acceleration (the default), "
-          "its RMS, the power in a band, or the power over the threshold of touch")
+          "its RMS, the power in a band, or the power above the vibrotactile threshold")
       ->transform(word_of(measures))
       ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS

@@ -78,12 +78,12 @@ std::string unknown_option(const CLI::App& program, const std::string& word) {
   for (const CLI::Option* option : chosen_app(program).get_options()) {
     for (const std::string& there : option->get_lnames()) {
       if (name.size() > 2 && there.starts_with(name.substr(2)))
-        return sentence + "there is --" + there;
+        return sentence + "did you mean --" + there + "?";
       names.push_back("--" + there);
     }
   }
   const auto nearest = nearest_name(name, names);
-  return sentence + (nearest ? "there is " + *nearest : help_of(program));
+  return sentence + (nearest ? "did you mean " + *nearest + "?" : help_of(program));
 }
 
 /// Of the words that nothing takes, the first option, or else the first word.
@@ -162,7 +162,7 @@ std::string unknown_subcommand(const CLI::App& program, const std::string& word)
   const auto nearest = nearest_name(word, names);
   const std::string folder = nearest ? "" : " and no folder";
   return "there is no subcommand" + folder + " \"" + word + "\"; " +
-         (nearest ? "there is " + *nearest : "see asperity --help");
+         (nearest ? "did you mean " + *nearest + "?" : "see asperity --help");
 }
 
 std::optional<std::string> unreadable_number(const CLI::App& program) {

@@ -38,8 +38,8 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
                   const WithdrawalRow& counts) {
   if (!confirmed.empty()) {
     if (confirmed == label) return true;
-    throw WrongUsage("--confirm " + confirmed + " is not the participant " + label +
-                     "; nothing was deleted");
+    throw WrongUsage("--confirm is " + confirmed + ", and the participant is " + label +
+                     "; nothing was deleted. Give the same label twice");
   }
   if (::isatty(STDIN_FILENO) == 0) {
     throw WrongUsage(

@@ -89,9 +89,9 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
           find_zero(*sdk, opened.identity, opened.model.capability.model, may_move, stop, tell);
           if (!set_zero_force(*sdk, opened.identity.id) ||
               sdk->dhdEnableForce(1, opened.identity.id) < 0) {
-            throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
-                                     " cannot switch its force on: " + last_error_of(*sdk) +
-                                     ". Check that it has power.");
+            throw std::runtime_error(
+                "the force of " + opened.model.capability.model + " " + opened.identity.serial +
+                " cannot be switched on: " + last_error_of(*sdk) + ". Check that it has power.");
           }
         } catch (...) {
           if (opened.identity.is_robotic) sdk->dhdStop(opened.identity.id);

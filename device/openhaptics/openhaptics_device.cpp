@@ -194,13 +194,16 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   }
   std::string refusal;
   if (const HdFunctions::Error asked = hd.take_errors(); asked.code != 0) {
-    refusal = "it does not report its properties: " + hd.name_of(asked);
+    refusal = "it does not report its properties: " + hd.name_of(asked) +
+              ". Check its power and its cable";
   } else if (calibration != HdFunctions::kCalibrated) {
     refusal =
         "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its "
         "manufacturer's program";
   } else if (!(std::isfinite(capability.peak_force_N) && capability.peak_force_N > 0.0)) {
-    refusal = "it does not report its peak force, without which forces cannot be limited";
+    refusal =
+        "it does not report its peak force, without which forces cannot be limited. Use another "
+        "device";
   }
   if (!refusal.empty()) {
     hd.hdDisableDevice(opened.handle);
@@ -238,7 +241,8 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
   if (is_called_) throw std::logic_error("the calls of the device openhaptics have already begun");
   const auto refuse_after = [this](const std::string& what) {
     if (const HdFunctions::Error error = hd_->take_errors(); error.code != 0) {
-      throw std::runtime_error("OpenHaptics cannot " + what + ": " + hd_->name_of(error) + ".");
+      throw std::runtime_error("OpenHaptics cannot " + what + ": " + hd_->name_of(error) +
+                               ". Open the device again.");
     }
   };
   hd_->take_errors();
@@ -252,7 +256,7 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
     }
     hd_->hdEnable(HdFunctions::kForceOutput);
     hd_->hdEnable(HdFunctions::kForceClamping);
-    refuse_after("switch its force on");
+    refuse_after("switch on the force of the device");
     servo_->gate.open(call);
     schedule_ =
         hd_->hdScheduleAsynchronous(&Servo::frame, servo_.get(), HdFunctions::kUsualPriority);
@@ -372,9 +376,10 @@ Driver openhaptics_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const auto hd = std::make_shared<const HdFunctions>(options.library);
             if (const auto used = UnitInUse::of(kOpenHaptics); !used.empty()) {
-              throw std::runtime_error(
-                  "This program uses " + used.front().model + " " + used.front().serial +
-                  " already, and can use one device of OpenHaptics at a time.");
+              throw std::runtime_error("This program uses " + used.front().model + " " +
+                                       used.front().serial +
+                                       " already, and can use one device of OpenHaptics at a time. "
+                                       "Close that device first.");
             }
             if (which.empty() || which == "default")
               return std::make_unique<OpenHapticsDevice>(hd, "");

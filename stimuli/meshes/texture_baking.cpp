@@ -426,7 +426,7 @@ std::optional<std::string> warning_of(const BakeReport& report) {
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,
                        const BakeSettings& settings, const Workers& workers) {
   if (original.triangles.empty() || simplified.triangles.empty()) {
-    throw std::invalid_argument("a texture is baked from one mesh with triangles onto another.");
+    throw std::invalid_argument("the original and the simplified mesh must have triangles.");
   }
   return Baking(original, simplified, settings, workers).run();
 }

@@ -767,9 +767,9 @@ TEST_F(ForceDimension, SwitchesItsForceOnAtZeroOrRefuses) {
     EXPECT_FALSE(bench->units[0].was_enabled_with_force);
   }
   bench->enable_answer = -1;
-  EXPECT_THAT(
-      refusal_of([&] { open(); }),
-      AllOf(HasSubstr("omega.3 101 cannot switch its force on"), HasSubstr("it has no power")));
+  EXPECT_THAT(refusal_of([&] { open(); }),
+              AllOf(HasSubstr("the force of omega.3 101 cannot be switched on"),
+                    HasSubstr("it has no power")));
   EXPECT_FALSE(bench->units[0].is_open);
 }
 

@@ -569,7 +569,7 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
     EXPECT_THAT(outcome.err, testing::HasSubstr(sentence));
   };
   expect_wrong(rendering, {"--stiffness", "-5"},
-               "asperity: render has no option --stiffness; there is --stiffness-n-per-m\n");
+               "asperity: render has no option --stiffness; did you mean --stiffness-n-per-m?\n");
   expect_wrong(rendering, {"--hardness=5"},
                "asperity: render has no option --hardness; see asperity render --help\n");
   expect_wrong(rendering, {"--stiffness-n-per-m", "-5"},
@@ -604,10 +604,10 @@ TEST(WrongUsage, IsStatedInOneStyle) {
 #ifdef ASPERITY_WITH_WINDOWS
       {{"fly"}, "there is no subcommand and no folder \"fly\"; see asperity --help"},
 #endif
-      {{"analyse", "study"}, "there is no subcommand \"analyse\"; there is analyze"},
-      {{"verfy"}, "there is no subcommand \"verfy\"; there is verify"},
+      {{"analyse", "study"}, "there is no subcommand \"analyse\"; did you mean analyze?"},
+      {{"verfy"}, "there is no subcommand \"verfy\"; did you mean verify?"},
       {{"--jsn"}, "asperity has no option --jsn; see asperity --help"},
-      {{"models", "--jsno"}, "models has no option --jsno; there is --json"},
+      {{"models", "--jsno"}, "models has no option --jsno; did you mean --json?"},
       {{"models", "extra"}, "\"extra\" was not expected; see asperity models --help"},
       {{"new"}, "new needs DIR; see asperity new --help"},
       {{"run", "p", "--study", "s"}, "run needs --participant; see asperity run --help"},
