@@ -116,7 +116,7 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   }
   participant.read(participant_id, has_withdrawn);
   if (has_withdrawn) {
-    refuse(database.folder(), "cannot begin a session of participant " + session.participant +
+    refuse(database.folder(), "does not accept a session of participant " + session.participant +
                                   ", who has withdrawn; use another label");
   }
   Statement last(database,
@@ -124,7 +124,7 @@ std::int64_t insert_session_with_plan(Database& database, const SessionRow& sess
   int next = 0;
   if (last.bind(participant_id).step()) last.read(next);
   if (session.session != 0 && session.session != next) {
-    refuse(database.folder(), "cannot begin session " + std::to_string(session.session) +
+    refuse(database.folder(), "does not accept session " + std::to_string(session.session) +
                                   " of participant " + session.participant +
                                   ": the next one is session " + std::to_string(next));
   }

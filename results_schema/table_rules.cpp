@@ -152,7 +152,8 @@ std::vector<std::string> broken_checks(Database& database) {
       if (rows[i] == 0.0) continue;
       broken.push_back(std::to_string(static_cast<std::int64_t>(rows[i])) +
                        (rows[i] == 1.0 ? " row of " : " rows of ") + name +
-                       " violating the rule CHECK (" + checks[i] + ')');
+                       (rows[i] == 1.0 ? " violates" : " violate") + " the rule CHECK (" +
+                       checks[i] + ')');
     }
   }
   return broken;

@@ -148,7 +148,7 @@ void add_analyze(CLI::App& program, Job& job) {
       "--table", options->tables, "Instead of a study: tables, one observation per row (CSV, TSV)");
   auto* kind = command->add_option("--as", options->kind, "Kind of analysis: " + family_names());
   auto* file = command->add_option("--options", options->options_file,
-                                   "Options of that analysis (JSON, an object)");
+                                   "Options of that analysis (a JSON object)");
   auto* option =
       command->add_option("--option", options->options,
                           "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in "

@@ -168,7 +168,7 @@ void add_device_test(CLI::App& program, Job& job) {
   command->add_option("--force-n", options->order.test.force_N, "Upper limit of every force")
       ->check(number_within(0.1, 20.0))
       ->capture_default_str();
-  command->add_option("--limit", options->limits, "NAME=NUMBER: limit for an item");
+  command->add_option("--limit", options->limits, "Limit for an item, NAME=NUMBER");
   add_driver_options(*command, options->drivers);
   command->add_flag("--yes", options->agreed,
                     "Do not ask for confirmation before the device moves");

@@ -34,7 +34,7 @@ void add_new(CLI::App& program, Job& job) {
       "sessions. Without this option only the owner can access a new folder");
   command
       ->add_option("--group", options->group,
-                   "With --shared: the group, of which you must be a member")
+                   "With --shared: name of the group; you must be a member")
       ->needs(shared);
   add_metadata_options(*command, options->metadata, EmptyText::mistake);
   command->callback([options, &job] {

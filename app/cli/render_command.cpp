@@ -101,9 +101,9 @@ void add_render(CLI::App& program, Job& job) {
   CLI::App* command =
       program.add_subcommand("render", "Evaluate a force model along a path, without a device.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
-  command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
   command->add_option("--asset", options->assets,
-                      "ROLE=FILE of a file that the model needs; see: asperity models");
+                      "File that the model needs, ROLE=FILE; see: asperity models");
   command->add_option(
       "--stimulus", options->stimulus,
       "A height field, which repeats endlessly: FILE.png or plane:FILE.png. For a model with two "

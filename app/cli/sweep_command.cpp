@@ -519,7 +519,7 @@ void add_sweep(CLI::App& program, Job& job) {
       "sweep",
       "Predict roughness over texture spacing, by probe diameter, applied force or speed.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
-  command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
   const std::map<std::string, VariedQuantity> varied{
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},

@@ -53,7 +53,7 @@ void add_synth(CLI::App& program, Job& job) {
       ->add_option("--out", options->out,
                    "The height field, FILE.png (its sidecar is FILE.png.json)")
       ->required();
-  command->add_option("--param", options->parameters, "NAME=VALUE of the kind's parameters");
+  command->add_option("--param", options->parameters, "Parameter of the kind, NAME=VALUE");
   command->add_option("--width-m", options->canvas.width_m, "Side of the square")
       ->capture_default_str();
   command->add_option("--pixels", options->canvas.pixels, "Samples per side")

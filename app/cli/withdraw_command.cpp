@@ -104,9 +104,10 @@ void add_withdraw(CLI::App& program, Job& job) {
                    "consent_withdrawn (the default), not_eligible or other")
       ->transform(word_of(reasons));
   command
-      ->add_option("--by", options->by,
-                   "Name of the person who decided it (default: the user of this computer)")
-      ->transform(not_blank("who decided it"));
+      ->add_option(
+          "--by", options->by,
+          "Name of the person who decided the withdrawal (default: the user of this computer)")
+      ->transform(not_blank("the name of the person who decided the withdrawal"));
   command->callback([options, &job] {
     job = [options] {
       Study study = Study::open(options->study, Access::read_write);

@@ -41,7 +41,7 @@ std::vector<Parameter> texture_recipe_parameters() {
        .choices = {"none", "equalize"},
        .default_value = std::string("none"),
        .meaning = "none: brightness as stored; equalize: every brightness is made equally "
-                  "frequent, which removes the relation of brightness to height"},
+                  "frequent; this removes the relation of brightness to height"},
       number("homomorphic_wavelength_m", "m", 0.0005, 0.5, defaults.homomorphic_wavelength_m,
              "Changes of brightness that are longer than this count as lighting, shorter ones as "
              "the surface"),

@@ -178,7 +178,7 @@ TEST(OlderStudy, WithADamagedHashIsStillReadAndTheDamageIsFound) {
     EXPECT_EQ(asset_sha256(assets, "surface"), std::nullopt);
     EXPECT_EQ(asset_sha256(assets, "tool"), sha256_of("ball"));
     EXPECT_THAT(study.verify({}), testing::Contains(testing::AllOf(
-                                      testing::HasSubstr("rows of presentation violating the rule"),
+                                      testing::HasSubstr("rows of presentation violate the rule"),
                                       testing::HasSubstr("length(surface_sha256) = 64"))));
   }
 }

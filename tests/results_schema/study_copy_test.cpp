@@ -435,10 +435,10 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
     const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
     EXPECT_THAT(
         findings,
-        Contains("study.sqlite: 3 rows of trial violating the rule CHECK (json_valid(plan_json))"));
-    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt violating the rule CHECK "
+        Contains("study.sqlite: 3 rows of trial violate the rule CHECK (json_valid(plan_json))"));
+    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt violates the rule CHECK "
                                    "((valid = 1) = (invalid_reason IS NULL))"));
-    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation violating the rule"),
+    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation violates the rule"),
                                          HasSubstr("length(surface_sha256) = 64"))));
   }
 }

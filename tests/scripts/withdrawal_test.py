@@ -57,7 +57,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert alone.returncode == 2, alone
     for blank in ("", "  "):
         nobody = run("withdraw", study, LABEL, "--delete", "--confirm", LABEL, "--by", blank)
-        assert nobody.returncode == 2 and "--by: the text is blank: enter who decided it" in nobody.stderr, nobody
+        assert nobody.returncode == 2 and "--by: the text is blank: enter the name of the person" in nobody.stderr, nobody
     assert rows_of(study, "SELECT count(*) FROM withdrawal") == [(0,)]
     said = asperity("withdraw", study, LABEL, "--delete", "--confirm", LABEL, "--by", "R. Keeper")
     assert "1 session" in said and "deleted" in said, said

@@ -276,7 +276,8 @@ std::vector<Parameter> parameters() {
        .maximum = 512,
        .choices = {},
        .default_value = 256.0,
-       .meaning = "Samples across the widest contact; wider ones get longer cells"},
+       .meaning =
+           "Maximum number of samples across a contact; cells of a wider contact are longer"},
       number("texture_gain", "1", 0.0, 10.0, 1.0,
              "Factor applied to the displacements of the surface"),
       number("tool_texture_gain", "1", 0.0, 10.0, 1.0,
@@ -289,14 +290,15 @@ std::vector<Parameter> parameters() {
           "Virtual coupling only: spring between hand and tool; half of it times the period, plus "
           "the coupling's damping, has to stay below the device's damping"),
       number("coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
-             "Virtual coupling only: damper between hand and tool; see its spring"),
+             "Virtual coupling only: damper between hand and tool; for its limit see "
+             "coupling_stiffness_N_per_m"),
       number("coupling_angular_stiffness_N_m_per_rad", "N m/rad", 1e-3, 100.0, 0.3,
              "Virtual coupling only: spring that aligns the orientation of the tool with that of "
              "the hand"),
       number("coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
              "Virtual coupling only: damper of the rotation between hand and tool"),
       number("tool_mass_kg", "kg", 1e-4, 1.0, 0.002,
-             "Virtual coupling only: mass of the simulated tool; the hand also moves that of the "
+             "Virtual coupling only: mass of the simulated tool, which is added to the mass of the "
              "device"),
       number("tool_inertia_kg_m2", "kg m2", 1e-8, 1e-2, 1e-6,
              "Virtual coupling only: moment of inertia of the simulated tool about every axis"),
