@@ -61,8 +61,10 @@ class Numbers final {
     }
     if (present == 0) return {};
     if (present < N) {
-      throw std::runtime_error(file_ +
-                               ":1: these columns belong together and are missing: " + missing);
+      throw std::runtime_error(
+          file_ +
+          ":1: the path has some columns of a group, and the others are missing; add them: " +
+          missing);
     }
     return columns;
   }

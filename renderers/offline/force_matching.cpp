@@ -167,7 +167,7 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
       text_of(target_rms_N) + " N RMS: its " + amplitude.name + " goes from " +
       text_of(amplitude.minimum) + " to " + text_of(amplitude.maximum) + " " + amplitude.unit +
       ", where the texture force is " + text_of(rms_N(amplitude.minimum)) + " and " +
-      text_of(rms_N(amplitude.maximum)) + " N RMS");
+      text_of(rms_N(amplitude.maximum)) + " N RMS; request a force within this range");
 }
 
 }  // namespace asperity

@@ -38,7 +38,9 @@ TextureAtSpacing stretched(const HeightField& relief, double spacing_m) {
                              .columns = relief.grid().columns,
                              .pitch_m = relief.grid().pitch_m});
   if (!wavelength_m) {
-    throw std::invalid_argument("the relief is a plane; it has no wavelength to be stretched");
+    throw std::invalid_argument(
+        "the relief is a plane and has no wavelength to be stretched; choose a height field with a "
+        "texture");
   }
   HeightField::Grid grid = relief.grid();
   grid.pitch_m *= spacing_m / *wavelength_m;
@@ -71,8 +73,9 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
   if (texture.relief) return stretched(*texture.relief, spacing_m);
   for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
     if (surface.kind == texture.kind && !declares(surface.parameters, "spacing_m")) {
-      throw std::invalid_argument("the synthetic surface " + texture.kind +
-                                  " has no spacing_m that could be varied");
+      throw std::invalid_argument(
+          "the synthetic surface " + texture.kind +
+          " has no spacing_m that could be varied; choose a kind that has one");
     }
   }
   ParameterValues values = texture.values;

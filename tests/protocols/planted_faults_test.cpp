@@ -247,7 +247,7 @@ const Fault kMeaning[] = {
     {"unknown_texture", R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stome"])",
      R"("stome")", "/factors/texture/levels/1", R"(did you mean "stone"?)"},
     {"unknown_parameter", R"("equal_force")", R"("parameters": {"lawn": 1}, "equal_force")",
-     R"("lawn")", "/stimuli/rendered/parameters/lawn", "no such parameter"},
+     R"("lawn")", "/stimuli/rendered/parameters/lawn", "there is no parameter"},
     {"parameter_out_of_range", R"("model": {"factor": "model"})",
      R"("model": "sinusoid", "parameters": {"amplitude_m": 0.5})", "0.5}",
      "/stimuli/rendered/parameters/amplitude_m", "0.01"},

@@ -64,7 +64,7 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
                            .message = "most_samples is " + std::to_string(sampling.most_samples) +
                                       "; with a step of " + std::to_string(*cells) +
-                                      " cells a window takes at least " + std::to_string(least) +
+                                      " cells it has to be at least " + std::to_string(least) +
                                       "."};
 }
 
