@@ -83,7 +83,7 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
   }
   if (!missing.empty()) {
     warn("the profile has no value of " + comma_separated(missing) +
-         "; no stimulus was compared with the missing values");
+         "; no stimulus was compared with the missing values. Measure the device again");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
     warn("the profile is dated " + profile.measured_utc +

@@ -4533,8 +4533,8 @@
         <translation>Probe</translation>
     </message>
     <message>
-        <source>%1 The same applies to %2 more.</source>
-        <translation>%1 Dasselbe gilt für %2 weitere.</translation>
+        <source>%1 Further warnings of this kind: %2.</source>
+        <translation>%1 Weitere Warnungen dieser Art: %2.</translation>
     </message>
     <message>
         <source>Choose another device, or stimuli that this one can render; otherwise these warnings are stored with the session.</source>

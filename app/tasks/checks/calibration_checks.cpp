@@ -35,7 +35,7 @@ std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings
                       .state = State::look,
                       .text = warning.text};
     if (alike > 1) {
-      line.text = phrase("SessionChecks", "%1 The same applies to %2 more.")
+      line.text = phrase("SessionChecks", "%1 Further warnings of this kind: %2.")
                       .with(warning.text, std::to_string(alike - 1));
     }
     lines.push_back(line);
