@@ -108,8 +108,7 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
     reading_.abandon();
     recording_of_.reset();
     recording_->show_reason(
-        State::look,
-        tr("Reading the recording was cancelled. It is read when the attempt is opened again."));
+        State::look, tr("Reading the recording was cancelled. Open the attempt again to read it."));
   });
   connect(writing_line_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
 }

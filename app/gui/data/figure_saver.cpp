@@ -64,8 +64,7 @@ void FigureSaver::save(const Figure& figure, double width_mm, const std::filesys
                        Overwrite overwrite) {
   const QString shown = QString::fromStdString(file.string());
   if (saving_.is_running()) {
-    banner_.show_news(State::look,
-                      tr("Another figure is being written; save this one when that is done."));
+    banner_.show_news(State::look, tr("Another figure is being saved; save this one afterwards."));
     return;
   }
   std::error_code error{};

@@ -251,8 +251,8 @@ QWidget* DeviceTestPage::make_course() {
   connect(yes, &QPushButton::clicked, this, [this] {
     drop_question();
     do_now_->setText(
-        tr("Keep hands away: the device moves by itself until it has found its zero position. Stop "
-           "or its power switch stops it."));
+        tr("Keep hands away: the device moves by itself until it has found its zero position. To "
+           "stop it, press Stop or switch it off."));
     run_.answer(true);
   });
   connect(no, &QPushButton::clicked, this, [this] {

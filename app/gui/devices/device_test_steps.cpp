@@ -25,17 +25,18 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
     case DeviceTestPart::sweeps:
       return DeviceTestSteps::tr(
                  "Keep hands away: the handle is pulled to and fro along %1, slowly and then "
-                 "faster. The resistance gives the friction and the damping.")
+                 "faster. Friction and damping are determined from the resistance.")
           .arg(along);
     case DeviceTestPart::pushes:
       return DeviceTestSteps::tr(
-                 "Keep hands away: sudden force steps along %1, to and fro. The delay until the "
-                 "motion begins gives the latency, the acceleration the mass.")
+                 "Keep hands away: sudden force steps along %1, to and fro. The latency is "
+                 "determined from the delay until the motion begins, the mass from the "
+                 "acceleration.")
           .arg(along);
     case DeviceTestPart::tones:
       return DeviceTestSteps::tr(
                  "Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. "
-                 "Its response gives its resonance.")
+                 "Its resonance is determined from its motion.")
           .arg(along);
     case DeviceTestPart::springs:
       return DeviceTestSteps::tr(

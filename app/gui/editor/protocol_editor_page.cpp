@@ -343,7 +343,7 @@ void ProtocolEditorPage::go_to_problem(const QString& key) {
 bool ProtocolEditorPage::may_leave(std::function<void()> then) {
   if (!has_unsaved_changes()) return true;
   then_ = std::move(then);
-  question_->ask(tr("%1 has changes that are not saved.").arg(text(file_.filename().string())),
+  question_->ask(tr("%1 has unsaved changes.").arg(text(file_.filename().string())),
                  {{"editor_leave_save", tr("Save"), [this] { save(Agreed::nothing); }},
                   {"editor_leave_discard", tr("Discard the changes"),
                    [this] {

@@ -121,7 +121,7 @@ std::optional<KeyHelp> SchemaHelp::of(const QStringList& place) const {
     node = below(*parent, key.toStdString());
     if (node == nullptr) {
       if (key.startsWith("x-") || key == "$comment") {
-        return KeyHelp{key, tr("A comment: it is ignored by the program."), {}};
+        return KeyHelp{key, tr("A comment: the program ignores it."), {}};
       }
       return {};
     }

@@ -234,7 +234,7 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
   seed_->setToolTip(tr("Random orders are drawn separately for every session."));
   row_ = add(tr("Row"), "plan_row", 1, 1);
   row_->setToolTip(
-      tr("Row of the counterbalancing: each new participant is assigned the least used one."));
+      tr("Counterbalancing row: each new participant is assigned the least used one."));
   rows_ = make_text({}, this, true);
   rows_->setWordWrap(false);
   row.addWidget(rows_);

@@ -137,13 +137,13 @@ void SessionControls::write() {
   } else if (s.preparing) {
     why += tr("The session has not begun: its files are being read and the device opened.");
   } else if (!s.running) {
-    why += tr("There is no session under way.");
+    why += tr("No session is under way.");
   } else {
     if (s.in_fault) why += tr("Pause: the session is already stopped.");
     if (s.repeat_pending) {
       why += tr("Repeat: the last trial is repeated next.");
     } else if (!s.trial_done) {
-      why += tr("Repeat: no trial has been finished yet.");
+      why += tr("Repeat: no trial has been completed yet.");
     }
     if (!s.in_trial) why += tr("Skip: no trial is under way.");
     if (s.note_locked) why += tr("Note: the keys are reserved for the response; use a phrase.");

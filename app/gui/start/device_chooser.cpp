@@ -56,14 +56,14 @@ QString remark_of_choice(const DeviceChoice& choice) {
       return choice.model.empty()
                  ? DeviceChooser::tr("A virtual hand holds it; the participant feels nothing.")
                  : DeviceChooser::tr(
-                       "A virtual hand holds it, with the latency, steps and forces "
+                       "A virtual hand holds it, with the latency, position steps and forces "
                        "of the device as far as they are known. The participant feels "
                        "nothing.");
     case DeviceKind::pointer:
       return DeviceChooser::tr(
-          "The mouse over the participant's window moves the probe, and "
-          "presses while its button is held; a pen presses according to its "
-          "pressure. The participant feels no force.");
+          "In the participant's window, the mouse moves the probe and presses it "
+          "while the button is held; a pen presses it with its own pressure. The "
+          "participant feels no force.");
     case DeviceKind::attached:
       break;
   }
@@ -391,7 +391,7 @@ void DeviceChooser::try_now(const std::string& agreed) {
   } else {
     state_->set_state(State::look,
                       tr("Keep hands away: the device moves by itself until it has found its zero "
-                         "position. Esc, Cancel or its power switch stops it."));
+                         "position. To stop it, press Esc or Cancel, or switch it off."));
     try_->setFocus();
   }
   state_->show();

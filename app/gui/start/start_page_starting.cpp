@@ -213,10 +213,9 @@ void StartPage::simulate_several() {
         if (cancel_->isEnabled()) {
           banner_->show_news(State::stop, what);
         } else {
-          banner_->show_news(State::look,
-                             tr("The simulation was stopped. Trials that are finished and stored: "
-                                "%1.")
-                                 .arg(*answers));
+          banner_->show_news(
+              State::look,
+              tr("The simulation was stopped. Trials completed and stored: %1.").arg(*answers));
         }
         study_.announce_change();
       });

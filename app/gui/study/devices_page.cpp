@@ -198,8 +198,9 @@ void DevicesPage::add_models() {
   card->setObjectName("device_models");
   layout->addWidget(make_heading(tr("Simulated models of devices"), card));
   layout->addWidget(make_text(
-      tr("The simulated device with the workspace, forces, latency and steps of a real one, as far "
-         "as they are known: for rehearsing a protocol before the device is available."),
+      tr("The simulated device with the workspace, forces, latency and position steps of a real "
+         "one, as far as they are known: for rehearsing a protocol before the device is "
+         "available."),
       card, true));
   for (const DeviceChoice& choice : devices_without_hardware()) {
     if (choice.kind != DeviceKind::simulated || choice.model.empty()) continue;

@@ -87,7 +87,7 @@ QString NewStudyDialog::complaint() const {
   const QString name = name_->text().trimmed();
   if (name.isEmpty()) return tr("The study needs a name.");
   if (name.contains('/') || name == "." || name == "..") {
-    return tr("The name is used as the name of a folder: it cannot be “%1”.").arg(name);
+    return tr("The study's folder cannot be named “%1”; choose another name.").arg(name);
   }
   if (!path_of_text(place_->text().trimmed()).is_absolute()) {
     return tr("Enter the full path of the folder, beginning with “/” or “~”.");

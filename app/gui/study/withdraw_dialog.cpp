@@ -78,7 +78,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   rows->addWidget(delete_);
   rows->addWidget(make_text(
       tr("Rows, recordings and the kept older versions of the study are deleted and cannot be "
-         "restored. Only the fact and the time of the withdrawal and its reason remain stored."),
+         "restored. Only the fact, time and reason of the withdrawal remain stored."),
       question_, true));
   keep_->setEnabled(!has_withdrawn);
   (has_withdrawn ? delete_ : keep_)->setChecked(true);

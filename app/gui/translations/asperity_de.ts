@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>The chance level is 1/m! for m items. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
-        <translation>Das Zufallsniveau ist 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
+        <translation>Das Zufallsniveau ist 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, nicht für die Anzahl der Zeilen korrigiert.</translation>
     </message>
     <message>
         <source>Proportion of correctly matched items</source>
@@ -133,7 +133,7 @@
     </message>
     <message>
         <source>The chance level is 1 divided by the number of surfaces presented. p: exact binomial test, two-sided, uncorrected for the number of rows; the proportions of one column are not independent of each other.</source>
-        <translation>Das Zufallsniveau ist 1 geteilt durch die Zahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
+        <translation>Das Zufallsniveau ist 1 geteilt durch die Anzahl der dargebotenen Oberflächen. p: exakter Binomialtest, zweiseitig, nicht für die Anzahl der Zeilen korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
     </message>
     <message>
         <source>Pairwise comparisons of the models, among the choices of either model</source>
@@ -149,11 +149,11 @@
     </message>
     <message>
         <source>Texture force (RMS) per model, as computed in the attempts</source>
-        <translation>Texturkraft (RMS) je Modell, wie in den Versuchen berechnet</translation>
+        <translation>Effektivwert der Texturkraft je Modell, wie in den Versuchen berechnet</translation>
     </message>
     <message>
         <source>Texture force (RMS) per model, as computed: intended on the prescribed path, and achieved in the attempts</source>
-        <translation>Texturkraft (RMS) je Modell, wie berechnet: angestrebt auf dem vorgegebenen Weg und erreicht in den Versuchen</translation>
+        <translation>Effektivwert der Texturkraft je Modell, wie berechnet: angestrebt auf dem vorgegebenen Weg und erreicht in den Versuchen</translation>
     </message>
     <message>
         <source>This cannot be tested: no participant ever chose %1.</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>Equal RMS does not mean equal perceived intensity, which also depends on frequency. The force achieved depends on how the device was pressed and moved.</source>
-        <translation>Ein gleicher RMS-Wert bedeutet nicht gleiche wahrgenommene Stärke, die auch von der Frequenz abhängt. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
+        <translation>Gleiche Effektivwerte bedeuten nicht gleiche wahrgenommene Stärke; diese hängt auch von der Frequenz ab. Die erreichte Kraft hängt davon ab, wie das Gerät gedrückt und bewegt wurde.</translation>
     </message>
     <message>
         <source>These files declare different tests: no test counts as declared before data collection.</source>
@@ -181,11 +181,11 @@
     </message>
     <message>
         <source>How often one was assigned the picture of the other, and vice versa.</source>
-        <translation>Wie oft der einen das Bild der anderen zugeordnet wurde, und umgekehrt.</translation>
+        <translation>Wie oft jeder der beiden Texturen das Bild der anderen zugeordnet wurde.</translation>
     </message>
     <message>
         <source>Trials by their number of correctly matched items</source>
-        <translation>Durchgänge nach der Zahl ihrer richtigen Zuordnungen</translation>
+        <translation>Durchgänge nach der Anzahl ihrer richtigen Zuordnungen</translation>
     </message>
     <message>
         <source>Are textures matched to their pictures above chance?</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>The pictures, and with them the chance level, differ between trials: sensitivity, information and similarities over all responses are not meaningful and are left out.</source>
-        <translation>Die Bilder und mit ihnen das Zufallsniveau unterscheiden sich zwischen den Durchgängen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen haben keine Bedeutung und entfallen.</translation>
+        <translation>Die Bilder und mit ihnen das Zufallsniveau unterscheiden sich zwischen den Durchgängen: Sensitivität, Information und Ähnlichkeiten aller Antworten zusammen haben keine Bedeutung und entfallen.</translation>
     </message>
     <message>
         <source>Proportion of choices of each position</source>
@@ -329,11 +329,11 @@
     </message>
     <message>
         <source>Permutation test of how often each participant chose the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
-        <translation>Permutationstest der Häufigkeit, mit der jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wenn jede Textur einmal beurteilt wurde, ist das die exakte Form des Q-Tests von Cochran.</translation>
+        <translation>Permutationstest der Häufigkeit, mit der jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wenn jede Textur einmal beurteilt wurde, ist das die exakte Form von Cochrans Q-Test.</translation>
     </message>
     <message>
         <source>This cannot be tested: the participants have not judged every texture equally often.</source>
-        <translation>Das lässt sich nicht prüfen: Die Versuchspersonen haben nicht jede Textur gleich oft beurteilt.</translation>
+        <translation>Das lässt sich nicht prüfen: Die Versuchspersonen haben nicht jede Textur gleich häufig beurteilt.</translation>
     </message>
     <message>
         <source>Yes: test of equal proportions of %1 with every texture, %2.</source>
@@ -373,11 +373,11 @@
     </message>
     <message>
         <source>The following pairs are confused equally often: %1; one texture with the other in %2 of the responses to the two textures of each pair.</source>
-        <translation>Die folgenden Paare wurden gleich oft verwechselt: %1; die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
+        <translation>Die folgenden Paare wurden gleich häufig verwechselt: %1; die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
         <source>%1 pairs of textures are confused equally often, and none more often: one texture with the other in %2 of the responses to the two textures of each pair.</source>
-        <translation>%1 Paare von Texturen wurden gleich oft verwechselt und keines öfter: die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
+        <translation>%1 Paare von Texturen wurden gleich häufig verwechselt, keines häufiger: die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
     </message>
     <message>
         <source>Test of equal proportions of %1 with every texture: %2.</source>
@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>%1 stopped by a fault</source>
-        <translation>%1 durch eine Störung abgebrochen</translation>
+        <translation>%1 durch eine Störung gestoppt</translation>
     </message>
     <message>
         <source>%1 not explored as instructed</source>
@@ -413,11 +413,11 @@
     </message>
     <message>
         <source>The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows.</source>
-        <translation>Das Zufallsniveau ist 1 geteilt durch die Zahl der gezeigten Bilder; „weiß nicht“ zählt als nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
+        <translation>Das Zufallsniveau ist 1 geteilt durch die Anzahl der gezeigten Bilder; „kann es nicht sagen“ zählt als falsch. p: exakter Binomialtest, zweiseitig, nicht für die Anzahl der Zeilen korrigiert.</translation>
     </message>
     <message>
         <source>%1 “Cannot tell” responses are counted above and excluded here.</source>
-        <translation>%1 Antworten „weiß nicht“ sind oben gezählt und hier ausgeschlossen.</translation>
+        <translation>%1 Antworten „kann es nicht sagen“ sind oben gezählt und hier ausgeschlossen.</translation>
     </message>
     <message>
         <source>one participant</source>
@@ -469,7 +469,7 @@
     </message>
     <message>
         <source>Ratio of the spacing of the first peak to that of the second, with the same participants in both; delta method. p is uncorrected.</source>
-        <translation>Verhältnis des Abstands beim ersten Maximum zu dem beim zweiten, mit denselben Versuchspersonen; Delta-Methode. p ist nicht korrigiert.</translation>
+        <translation>Verhältnis des Abstands beim ersten Maximum zu dem beim zweiten, mit denselben Versuchspersonen; Delta-Methode. p ist unkorrigiert.</translation>
     </message>
     <message>
         <source>Analysis of variance of the logarithms</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>By the slopes of each participant&apos;s own parabola at the smallest and the largest spacing, without a test.</source>
-        <translation>Nach den Steigungen der eigenen Parabel jeder Versuchsperson am kleinsten und am größten Abstand, ohne Test.</translation>
+        <translation>Bestimmt nach den Steigungen der individuellen Parabel jeder Versuchsperson beim kleinsten und beim größten Abstand, ohne Test.</translation>
     </message>
     <message>
         <source>Participants with an empty cell, who are left out of curves and tests: %1.</source>
@@ -565,15 +565,15 @@
     </message>
     <message>
         <source>%1 pairs are confused equally often, and none more often; number of confusions, counted in both directions: %2.</source>
-        <translation>%1 Paare wurden gleich häufig verwechselt, keines häufiger; Zahl der Verwechslungen, in beiden Richtungen gezählt: %2.</translation>
+        <translation>%1 Paare wurden gleich häufig verwechselt, keines häufiger; Anzahl der Verwechslungen, in beiden Richtungen gezählt: %2.</translation>
     </message>
     <message>
         <source>%1 and %2 are confused most often; number of confusions, counted in both directions: %3.</source>
-        <translation>Am häufigsten wurden %1 und %2 verwechselt; Zahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
+        <translation>Am häufigsten wurden %1 und %2 verwechselt; Anzahl der Verwechslungen, in beiden Richtungen gezählt: %3.</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, the most frequent confusion is %2: in %3 of %4 responses.</source>
-        <translation>%1 Die häufigste Verwechslung in nur einer Richtung ist %2: in %3 von %4 Antworten.</translation>
+        <translation>%1 In nur einer Richtung gezählt, ist %2 die häufigste Verwechslung: in %3 von %4 Antworten.</translation>
     </message>
     <message>
         <source>The textures confused most often are %1: one with the other in %2 of %3 responses.</source>
@@ -581,11 +581,11 @@
     </message>
     <message>
         <source>%1 Counted in one direction only, %2 confusions are the most frequent: each in %3 of the responses to the texture presented.</source>
-        <translation>%1 In nur einer Richtung sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 In nur einer Richtung gezählt, sind %2 Verwechslungen die häufigsten: jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 Counted in one direction only, these confusions are the most frequent: %2, each in %3 of the responses to the texture presented.</source>
-        <translation>%1 In nur einer Richtung sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
+        <translation>%1 In nur einer Richtung gezählt, sind diese Verwechslungen die häufigsten: %2, jede in %3 der Antworten auf die dargebotene Textur.</translation>
     </message>
     <message>
         <source>%1 identified as %2</source>
@@ -721,11 +721,11 @@
     </message>
     <message>
         <source>The chance level is 1/m. p: exact permutation test, one-sided, uncorrected for the number of rows: the pictures are relabelled at random once per participant, in all of the participant&apos;s trials alike. The interval contains 95 % of the permutation distribution.</source>
-        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, für die Zahl der Zeilen nicht korrigiert: Die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
+        <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, nicht für die Anzahl der Zeilen korrigiert: Die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
     </message>
     <message>
         <source>1 divided by the number of items, which differs between trials</source>
-        <translation>1 geteilt durch die Zahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
+        <translation>1 geteilt durch die Anzahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
     </message>
     <message>
         <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
@@ -745,7 +745,7 @@
     </message>
     <message>
         <source>95 % CI of the mean: Student&apos;s t over the participants on the logit scale. In simulations with 2 to 20 participants it contained the true mean in 91 % or more of the studies.</source>
-        <translation>95-%-Konfidenzintervall des Mittels: Students t über die Versuchspersonen auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
+        <translation>95-%-Konfidenzintervall des Mittelwerts: t-basiert über die Versuchspersonen, auf der Logit-Skala. In Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
         <source>Confusion matrix: stimulus (rows) and response (columns)</source>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
-        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das ihres Mittels, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Zahl der eigenen Kurven der Versuchspersonen.</translation>
+        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das der mittleren Parabel, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Anzahlen der individuellen Kurven der Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 without a significant interior maximum (%2)</source>
@@ -769,15 +769,15 @@
     </message>
     <message>
         <source>%1. This cannot be tested with one participant.</source>
-        <translation>%1. Das lässt sich mit einer Versuchsperson nicht prüfen.</translation>
+        <translation>%1. Das lässt sich mit nur einer Versuchsperson nicht prüfen.</translation>
     </message>
     <message>
         <source>This cannot be tested with one participant.</source>
-        <translation>Das lässt sich mit einer Versuchsperson nicht prüfen.</translation>
+        <translation>Das lässt sich mit nur einer Versuchsperson nicht prüfen.</translation>
     </message>
     <message>
         <source>This cannot be tested with one participant: %1.</source>
-        <translation>Das lässt sich mit einer Versuchsperson nicht prüfen: %1.</translation>
+        <translation>Das lässt sich mit nur einer Versuchsperson nicht prüfen: %1.</translation>
     </message>
     <message>
         <source>%1, uncorrected</source>
@@ -805,7 +805,7 @@
     </message>
     <message>
         <source>%1 Participants who never chose the target cannot contribute to the test of textures and are not counted in its n: %2 of %3.</source>
-        <translation>%1 Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und zählen nicht in seinem n: %2 von %3.</translation>
+        <translation>%1 Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und sind in seinem n nicht enthalten: %2 von %3.</translation>
     </message>
     <message>
         <source>%1 This test is exploratory.</source>
@@ -849,7 +849,7 @@
     </message>
     <message>
         <source>the mean number of correctly matched items per trial is %1 for women and %2 for men</source>
-        <translation>die mittlere Zahl richtiger Zuordnungen je Durchgang ist bei Frauen %1, bei Männern %2</translation>
+        <translation>die mittlere Anzahl richtiger Zuordnungen je Durchgang ist bei Frauen %1, bei Männern %2</translation>
     </message>
     <message>
         <source>Yes: %1; difference (women − men) %2. Permutation test of group labels: %3.</source>
@@ -929,7 +929,7 @@
     </message>
     <message>
         <source>For a single repetition, %1 (consistency) and %2 (agreement); for the mean of the %3 repetitions, %4; N = %5 participants.</source>
-        <translation>Für eine einzelne Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); für das Mittel der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
+        <translation>Für eine einzelne Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); für den Mittelwert der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
     </message>
     <message>
         <source>How reliable are the participants&apos; results over repetitions?</source>
@@ -981,7 +981,7 @@
     </message>
     <message>
         <source>Proportion of confusions with each other among the responses to the two textures of a pair, all participants pooled. There is no CI, because the pair is selected as the one confused most often.</source>
-        <translation>Anteil der Verwechslungen miteinander an den Antworten auf die beiden Texturen eines Paares, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das am häufigsten verwechselte ausgewählt ist.</translation>
+        <translation>Anteil der gegenseitigen Verwechslungen an den Antworten auf die beiden Texturen eines Paars, alle Versuchspersonen zusammen. Ein Konfidenzintervall gibt es nicht, weil das Paar als das am häufigsten verwechselte ausgewählt ist.</translation>
     </message>
     <message>
         <source>The family that the protocol declares has one test (%1), the only confirmatory one; no correction is needed.</source>
@@ -993,11 +993,11 @@
     </message>
     <message>
         <source>%1 All other tests are exploratory and uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
-        <translation>%1 Alle anderen Tests sind explorativ und nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+        <translation>%1 Alle anderen Tests sind explorativ und unkorrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1 The p values of all other tests are uncorrected. Where n counts responses or trials, they are pooled as if they were independent. %2</source>
-        <translation>%1 Die p-Werte aller anderen Tests sind nicht korrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
+        <translation>%1 Die p-Werte aller anderen Tests sind unkorrigiert. Wo n Antworten oder Durchgänge zählt, sind sie zusammengefasst, als wären sie unabhängig. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1053,11 +1053,11 @@
     </message>
     <message>
         <source>The 90 % CI lies within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
-        <translation>Das 90-%-Konfidenzintervall liegt innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
+        <translation>Das 90-%-Konfidenzintervall liegt innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
         <source>The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided tests, %3, uncorrected. This test is exploratory.</source>
-        <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, nicht korrigiert. Dieser Test ist explorativ.</translation>
+        <translation>Das 90-%-Konfidenzintervall liegt nicht innerhalb von ±%1 Prozentpunkten: %2; zwei einseitige Tests, %3, unkorrigiert. Dieser Test ist explorativ.</translation>
     </message>
     <message>
         <source>Repeated-measures ANOVA of the logarithms, the degrees of freedom corrected by Greenhouse–Geisser ε.</source>
@@ -1077,15 +1077,15 @@
     </message>
     <message>
         <source>With one participant there is no CI.</source>
-        <translation>Bei einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
+        <translation>Bei nur einer Versuchsperson gibt es kein Konfidenzintervall.</translation>
     </message>
     <message>
         <source>Proportions of all responses pool several trials of one participant (%1 in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
+        <translation>Anteile an allen Antworten fassen mehrere Durchgänge einer Versuchsperson zusammen (%1 insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein.</translation>
     </message>
     <message>
         <source>Proportions of all responses pool several trials of the same participants (%1 trials of %2 participants in total). They need not be independent: the CIs of these proportions may be too narrow, and their p values too small. For means over the participants, the participant is the unit of analysis.</source>
-        <translation>Anteile aller Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Bei Mittelwerten über die Versuchspersonen ist die Versuchsperson die Analyseeinheit.</translation>
+        <translation>Anteile an allen Antworten fassen mehrere Durchgänge derselben Versuchspersonen zusammen (%1 Durchgänge von %2 Versuchspersonen insgesamt). Sie sind nicht unbedingt unabhängig: Die Konfidenzintervalle dieser Anteile können zu schmal sein und ihre p-Werte zu klein. Bei Mittelwerten über die Versuchspersonen ist die Versuchsperson die Analyseeinheit.</translation>
     </message>
     <message>
         <source>%1 (N = %2)</source>
@@ -1113,7 +1113,7 @@
     </message>
     <message>
         <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one if their number is odd; a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
-        <translation>Explorativ, ohne Test und nicht für die Bedingungen der Durchgänge adjustiert. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, ohne den mittleren bei ungerader Zahl; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
+        <translation>Explorativ, ohne Test und nicht für die Bedingungen der Durchgänge adjustiert. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, bei ungerader Anzahl ohne den mittleren; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
         <source>Ratio per 10 trials: from the least-squares lines of the logarithm over the trial number.</source>
@@ -1141,7 +1141,7 @@
     </message>
     <message>
         <source>%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it serves to compare cells and does not include the differences between participants.</source>
-        <translation>%1 Das Konfidenzintervall des normierten Mittels gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es dient dem Vergleich von Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
+        <translation>%1 Das Konfidenzintervall des normierten Mittelwerts gilt innerhalb der Versuchspersonen (Cousineau und Morey): Es dient dem Vergleich von Zellen und enthält die Unterschiede zwischen den Versuchspersonen nicht.</translation>
     </message>
     <message>
         <source>%1 The total of correctly matched items is compared with its exact permutation null distribution: the pictures are relabelled once per participant, in all trials alike, so that the test is also valid for participants who guess one assignment and keep it.</source>
@@ -1161,7 +1161,7 @@
     </message>
     <message>
         <source>Similarity η: Luce&apos;s choice model, 1 for indistinguishable textures, with response biases separated; above 1: according to the model, confused more often than recognised. Dissimilarity: Shepard&apos;s −ln √(n_ij n_ji / (n_ii n_jj)) of the counts plus ½, not below 0; it is not the −ln of this similarity.</source>
-        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für nicht unterscheidbare Texturen, um Antworttendenzen bereinigt; über 1: nach dem Modell öfter verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
+        <translation>Ähnlichkeit η: Luces Wahlmodell, 1 für nicht unterscheidbare Texturen, um Antworttendenzen bereinigt; über 1: nach dem Modell häufiger verwechselt als erkannt. Unähnlichkeit: Shepards −ln √(n_ij n_ji / (n_ii n_jj)) der Anzahlen plus ½, nicht unter 0; sie ist nicht das −ln dieser Ähnlichkeit.</translation>
     </message>
     <message>
         <source>Each participant&apos;s proportion correct</source>
@@ -1169,11 +1169,11 @@
     </message>
     <message>
         <source>%1 Two-sided one-sample t test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
-        <translation>%1 Zweiseitiger t-Test gegen das Zufallsniveau. Antworten „weiß nicht“ enthalten kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
+        <translation>%1 Zweiseitiger Einstichproben-t-Test gegen das Zufallsniveau. Antworten „kann es nicht sagen“ geben kein Bild an und sind hier weggelassen; in der Tabelle der Anteile zählen sie als falsch.</translation>
     </message>
     <message>
         <source>%1 One-sided exact binomial test against the chance level. “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
-        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „weiß nicht“ enthalten kein Bild und sind hier weggelassen; in der Tabelle der Anteile zählen sie als nicht richtig.</translation>
+        <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „kann es nicht sagen“ geben kein Bild an und sind hier weggelassen; in der Tabelle der Anteile zählen sie als falsch.</translation>
     </message>
     <message>
         <source>From the cue (the first question after the last surface) to the response, including any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
@@ -1193,7 +1193,7 @@
     </message>
     <message>
         <source>%1 The CIs of the means are t-based, for proportions on the logit scale; that of the difference is Welch&apos;s CI. p is computed by a different method: in borderline cases p may be below .05 although the CI contains 0, or the reverse.</source>
-        <translation>%1 Die Konfidenzintervalle der Mittelwerte beruhen auf Students t, bei Anteilen auf der Logit-Skala; für die Differenz gilt das Konfidenzintervall nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
+        <translation>%1 Die Konfidenzintervalle der Mittelwerte sind t-basiert, für Anteile auf der Logit-Skala; für die Differenz gilt das Konfidenzintervall nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
     </message>
     <message>
         <source>%1 The permutation test uses all divisions of the participants into groups of these sizes.</source>
@@ -1217,7 +1217,7 @@
     </message>
     <message>
         <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces it contained the true mean in at least 88 % of the studies.</source>
-        <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Zielen und den Wiederholungen als Beurteilern; Mittel über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es das wahre Mittel in mindestens 88 % der Studien.</translation>
+        <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 88 % der Studien.</translation>
     </message>
     <message>
         <source>No test of the family (%1) could be performed.</source>
@@ -1225,7 +1225,7 @@
     </message>
     <message>
         <source>%1 The CIs assume normal results. In simulations of proportions of 2 to 20 participants they contained the true value in at least 85 % of the studies with a mean of 25 to 71 %, and in at least 58 % of those with a mean of 87 or 95 %.</source>
-        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittel von 25 bis 71 %, und in mindestens 58 % derer mit einem Mittel von 87 oder 95 %.</translation>
+        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittelwert von 25 bis 71 % und in mindestens 58 % derjenigen mit einem Mittelwert von 87 oder 95 %.</translation>
     </message>
     <message>
         <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants it contained the true value in at least 92 % of the studies.</source>
@@ -1237,7 +1237,7 @@
     </message>
     <message>
         <source>95 % CI: t-based over participants, of times on the logarithmic and of proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 % it contained the true mean in at least 91 % of the studies.</source>
-        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es das wahre Mittel in mindestens 91 % der Studien.</translation>
+        <translation>95-%-Konfidenzintervall: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
     </message>
     <message>
         <source>For a participant and a texture of average intercept, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
@@ -1289,7 +1289,7 @@
     </message>
     <message>
         <source>Geometric means of the estimates. normalised: each participant&apos;s scale removed (the mean of the logarithms of all cells). raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
-        <translation>Geometrische Mittel der Schätzungen. normiert: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). roh: nicht normiert. weggelassen: Zahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
+        <translation>Geometrische Mittel der Schätzungen. normiert: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). roh: nicht normiert. weggelassen: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
     </message>
     <message>
         <source>For this participant only: %1 of the items were matched correctly (%2), compared with a chance level of %3; permutation test, %4. More participants are needed.</source>
@@ -1331,7 +1331,7 @@
     </message>
     <message>
         <source>achieved, mean, N</source>
-        <translation>erreicht, Mittel, N</translation>
+        <translation>erreicht, Mittelwert, N</translation>
     </message>
     <message>
         <source>achieved, minimum, N</source>
@@ -1367,7 +1367,7 @@
     </message>
     <message>
         <source>intended, mean, N</source>
-        <translation>angestrebt, Mittel, N</translation>
+        <translation>angestrebt, Mittelwert, N</translation>
     </message>
     <message>
         <source>maximum</source>
@@ -1375,7 +1375,7 @@
     </message>
     <message>
         <source>mean</source>
-        <translation>Mittel</translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>median</source>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>cannot tell</source>
-        <translation>weiß nicht</translation>
+        <translation>kann es nicht sagen</translation>
     </message>
     <message>
         <source>about</source>
@@ -1810,7 +1810,7 @@
     </message>
     <message>
         <source>Response time from the first contact with a surface in this attempt, in seconds; it includes the whole exploration.</source>
-        <translation>Reaktionszeit ab der ersten Berührung einer Oberfläche in diesem Versuch, in Sekunden; die gesamte Exploration ist darin enthalten.</translation>
+        <translation>Reaktionszeit ab dem ersten Kontakt mit einer Oberfläche in diesem Versuch, in Sekunden; die gesamte Exploration ist darin enthalten.</translation>
     </message>
     <message>
         <source>Response time from the cue, when the question was first asked, in seconds; it includes surfaces that were felt again before the response.</source>
@@ -1818,7 +1818,7 @@
     </message>
     <message>
         <source>answered %1 after the first contact</source>
-        <translation>beantwortet %1 nach dem Erstkontakt</translation>
+        <translation>beantwortet %1 nach dem ersten Kontakt</translation>
     </message>
     <message>
         <source>Practice: not included in analyses</source>
@@ -1937,7 +1937,7 @@
     </message>
     <message>
         <source>cannot be tested with one participant</source>
-        <translation>lässt sich mit einer Versuchsperson nicht prüfen</translation>
+        <translation>lässt sich mit nur einer Versuchsperson nicht prüfen</translation>
     </message>
     <message>
         <source>no significant interior maximum</source>
@@ -1949,7 +1949,7 @@
     </message>
     <message>
         <source>two models were never presented in the same trial</source>
-        <translation>nie wurden zwei Modelle im selben Durchgang dargeboten</translation>
+        <translation>in keinem Durchgang wurden zwei Modelle dargeboten</translation>
     </message>
     <message>
         <source>no responses to test</source>
@@ -1985,11 +1985,11 @@
     </message>
     <message>
         <source>the participants have not judged every texture equally often</source>
-        <translation>die Versuchspersonen haben nicht jede Textur gleich oft beurteilt</translation>
+        <translation>die Versuchspersonen haben nicht jede Textur gleich häufig beurteilt</translation>
     </message>
     <message>
         <source>the number of models differs between trials</source>
-        <translation>die Zahl der Modelle unterscheidet sich zwischen den Durchgängen</translation>
+        <translation>die Anzahl der Modelle unterscheidet sich zwischen den Durchgängen</translation>
     </message>
     <message>
         <source>%1, exact</source>
@@ -2009,7 +2009,7 @@
     </message>
     <message>
         <source>proportion correct, mean over the textures</source>
-        <translation>Anteil richtiger Antworten, Mittel über die Texturen</translation>
+        <translation>Anteil richtiger Antworten, Mittelwert über die Texturen</translation>
     </message>
     <message>
         <source>correctly matched items expected under guessing</source>
@@ -2053,7 +2053,7 @@
     </message>
     <message>
         <source>proportion correct, “cannot tell” excluded</source>
-        <translation>Anteil richtiger Antworten ohne „weiß nicht“</translation>
+        <translation>Anteil richtiger Antworten ohne „kann es nicht sagen“</translation>
     </message>
     <message>
         <source>z of the correctly matched items</source>
@@ -2097,7 +2097,7 @@
     </message>
     <message>
         <source>cannot tell</source>
-        <translation>weiß nicht</translation>
+        <translation>kann es nicht sagen</translation>
     </message>
     <message>
         <source>all trials</source>
@@ -2203,7 +2203,7 @@
     </message>
     <message>
         <source>When %1 N was requested at a limit of %2 N, at most %3 N was sent.</source>
-        <translation>Angefordert wurden %1 N; bei einer Grenze von %2 N wurden höchstens %3 N gesendet.</translation>
+        <translation>Als bei einer Grenze von %2 N eine Kraft von %1 N angefordert wurde, wurden höchstens %3 N gesendet.</translation>
     </message>
     <message>
         <source>After a stop under force, exactly 0 N was sent from the next tick on.</source>
@@ -2255,7 +2255,7 @@
     </message>
     <message>
         <source>The lowest frequency at which the handle responds twice as strongly as its mass alone.</source>
-        <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark antwortet wie seine Masse allein.</translation>
+        <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark reagiert wie seine Masse allein.</translation>
     </message>
     <message>
         <source>there is no resonance from %1 to %2 Hz</source>
@@ -2303,7 +2303,7 @@
     </message>
     <message>
         <source>Unknown for %1, which the simulated device models.</source>
-        <translation>Unbekannt für %1, das das simulierte Gerät nachbildet.</translation>
+        <translation>Unbekannt für %1, das vom simulierten Gerät nachgebildet wird.</translation>
     </message>
     <message>
         <source>workspace</source>
@@ -2379,7 +2379,7 @@
     </message>
     <message>
         <source>the connection to the device was lost during the measurement: the thread of the manufacturer&apos;s driver made no call for %1 ms: it hangs or had to wait. Close other programs that keep this computer busy, check the cable of the device, and measure the device again.</source>
-        <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus: Der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
+        <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus; der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
         <source>the connection to the device was lost during the measurement: the device did not respond, and its driver reports no cause. Check its cable and its power supply, close other programs that keep this computer busy, and measure the device again.</source>
@@ -2387,7 +2387,7 @@
     </message>
     <message>
         <source>The device met every limit that was measured.</source>
-        <translation>Das Gerät hielt jeden Grenzwert ein, zu dem gemessen wurde.</translation>
+        <translation>Das Gerät hielt jeden geprüften Grenzwert ein.</translation>
     </message>
     <message>
         <source>No limit applied to the device.</source>
@@ -2409,7 +2409,7 @@
     <name>Figures</name>
     <message>
         <source>cannot tell</source>
-        <translation>weiß nicht</translation>
+        <translation>kann es nicht sagen</translation>
     </message>
     <message>
         <source>There are no responses: there are no confusions to show.</source>
@@ -2461,7 +2461,7 @@
     </message>
     <message>
         <source>mean of %1 participants</source>
-        <translation>Mittel von %1 Versuchspersonen</translation>
+        <translation>Mittelwert von %1 Versuchspersonen</translation>
     </message>
     <message>
         <source>Proportion of choices of each alternative</source>
@@ -2581,15 +2581,15 @@
     </message>
     <message>
         <source>Scores by item</source>
-        <translation>Bewertungen je Gegenstand</translation>
+        <translation>Bewertungen je Objekt</translation>
     </message>
     <message>
         <source>Points are means over the participants who scored every item, bars their t-based %1 % CIs. The accompanying tests use only the ranks of the scores.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Objekte bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
         <source>No participant rated every item: there are no means to show.</source>
-        <translation>Keine Versuchsperson hat alles bewertet: Es gibt keine Mittelwerte.</translation>
+        <translation>Keine Versuchsperson hat alle Objekte bewertet: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
         <source>Means by condition</source>
@@ -2629,7 +2629,7 @@
     </message>
     <message>
         <source>matching, some items known</source>
-        <translation>Zuordnung, einiges bekannt</translation>
+        <translation>Zuordnung, teilweise bekannt</translation>
     </message>
     <message>
         <source>matching, Mallows&apos; model</source>
@@ -2741,7 +2741,7 @@
     </message>
     <message>
         <source>Filled symbols: strokes of the held tool. Small open symbols: strokes excluded because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
-        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs; kleine offene: wegen ihres Status ausgeschlossene Striche. Kurven: Parabeln der Logarithmen. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+        <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status ausgeschlossen sind. Kurven: Parabeln der Logarithmen. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
         <source>%1 (no effect by construction)</source>
@@ -2769,11 +2769,11 @@
     </message>
     <message>
         <source>%1 Squares are means of the participants&apos; own proportions with t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
-        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit 95-%-Konfidenzintervallen nach t auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
+        <translation>%1 Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-Konfidenzintervallen auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Squares are means of the participants&apos; own proportions, bars their t-based 95 % CIs on the logit scale: the participant is the unit of analysis.</source>
-        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre 95-%-Konfidenzintervalle nach t auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
+        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten 95-%-Konfidenzintervalle auf der Logit-Skala: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own results, bars their t-based %1 % CIs, for proportions on the logit scale. Overlapping intervals are not a test of a difference.</source>
@@ -2813,7 +2813,7 @@
     </message>
     <message>
         <source>Classical scaling: distances can be interpreted, directions cannot. Two dimensions account for %1 % of the sum of the absolute eigenvalues.</source>
-        <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Zwei Dimensionen machen %1 % der Summe der Beträge der Eigenwerte aus.</translation>
+        <translation>Klassische Skalierung: Abstände lassen sich deuten, Richtungen nicht. Auf zwei Dimensionen entfallen %1 % der Summe der absoluten Eigenwerte.</translation>
     </message>
     <message>
         <source>Filled symbols: geometric means of normalised estimates with within-participant %1 % CIs (Cousineau and Morey), which serve to compare cells and do not include the differences between participants.</source>
@@ -2865,11 +2865,11 @@
     </message>
     <message>
         <source>%1 Squares are means of the participants&apos; own proportions: the participant is the unit of analysis.</source>
-        <translation>%1 Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Analyseeinheit ist die Versuchsperson.</translation>
+        <translation>%1 Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>Squares are means of the participants&apos; own proportions: the participant is the unit of analysis.</source>
-        <translation>Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen: Die Analyseeinheit ist die Versuchsperson.</translation>
+        <translation>Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen: Die Versuchsperson ist die Analyseeinheit.</translation>
     </message>
     <message>
         <source>mean proportion, with its 95 % CI</source>
@@ -2889,19 +2889,19 @@
     </message>
     <message>
         <source>Circles are proportions of the choices of a row with Wilson 95 % CIs, which are too narrow where a participant chose more than once. Squares are means of the participants&apos; own proportions with t-based 95 % CIs.</source>
-        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals gewählt hat. Quadrate sind Mittelwerte der eigenen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
+        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit 95-%-KI nach Wilson, die zu schmal sind, wenn eine Versuchsperson mehrmals gewählt hat. Quadrate sind Mittelwerte der individuellen Anteile der Versuchspersonen mit t-basierten 95-%-KI.</translation>
     </message>
     <message>
         <source>Proportions of the trials with that texture, with Wilson 95 % CIs; the rows of one trial depend on each other.</source>
-        <translation>Anteile an den Durchgängen mit dieser Textur mit 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
+        <translation>Anteile an den Durchgängen mit dieser Textur und ihre 95-%-KI nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
     </message>
     <message>
         <source>Circles are proportions of the trials with that stimulus, with Wilson 95 % CIs that treat trials as independent. The square is the mean of the participants&apos; own proportions with a t-based 95 % CI on the logit scale.</source>
-        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz mit 95-%-KI nach Wilson, die Durchgänge als unabhängig behandeln. Das Quadrat ist der Mittelwert der eigenen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
+        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, Balken ihre 95-%-KI nach Wilson, die die Durchgänge als unabhängig behandeln. Das Quadrat ist der Mittelwert der individuellen Anteile der Versuchspersonen mit t-basiertem 95-%-KI auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Proportions with Wilson 95 % CIs, one choice per participant and experiment; all experiments together are treated as independent.</source>
-        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle Experimente zusammen sind als unabhängig behandelt.</translation>
+        <translation>Anteile mit 95-%-KI nach Wilson, eine Wahl je Versuchsperson und Experiment; alle Experimente zusammen werden als unabhängig behandelt.</translation>
     </message>
     <message>
         <source>The bar is Welch&apos;s %1 % CI of the difference of the participants&apos; means; the permutation test of group labels makes fewer assumptions.</source>
@@ -2949,15 +2949,15 @@
     </message>
     <message>
         <source>Points are log-worths with Firth&apos;s bias reduction, relative to the first item. There are no CIs over participants.</source>
-        <translation>Punkte sind Log-Nutzwerte mit Firths Bias-Korrektur, bezogen auf das erste Element. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
+        <translation>Punkte sind Log-Nutzwerte mit Firths Bias-Korrektur, bezogen auf das erste Objekt. Konfidenzintervalle über Versuchspersonen gibt es nicht.</translation>
     </message>
     <message>
         <source>proportion correct (for matching: of items), mean with its %1 % CI</source>
-        <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen), Mittel mit %1-%-KI</translation>
+        <translation>Anteil richtiger Antworten (bei Zuordnungen: richtiger Zuordnungen), Mittelwert mit %1-%-KI</translation>
     </message>
     <message>
         <source>correctly matched items per trial, mean with its %1 % CI</source>
-        <translation>richtige Zuordnungen je Durchgang, Mittel mit %1-%-KI</translation>
+        <translation>richtige Zuordnungen je Durchgang, Mittelwert mit %1-%-KI</translation>
     </message>
     <message>
         <source>log-worth (centred), with its %1 % CI</source>
@@ -2969,7 +2969,7 @@
     </message>
     <message>
         <source>Points are log-worths, bars their t-based CIs with the participants as clusters. Overlapping CIs are not a test of a difference.</source>
-        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-KI mit den Versuchspersonen als Clustern. Überlappende KI sind kein Test auf einen Unterschied.</translation>
+        <translation>Punkte sind Log-Nutzwerte, Balken ihre t-basierten KI mit den Versuchspersonen als Clustern. Überlappende KI sind kein Test auf einen Unterschied.</translation>
     </message>
     <message>
         <source>All dissimilarities are 0: there are no distances to show.</source>
@@ -3045,11 +3045,11 @@
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions, bars their t-based %1 % CIs on the logit scale.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der Logit-Skala.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen, Balken ihre t-basierten %1-%-Konfidenzintervalle auf der Logit-Skala.</translation>
     </message>
     <message>
         <source>Points are means of the participants&apos; own proportions.</source>
-        <translation>Punkte sind Mittelwerte der eigenen Anteile der Versuchspersonen.</translation>
+        <translation>Punkte sind Mittelwerte der individuellen Anteile der Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1 Small pale marks: individual participants.</source>
@@ -3084,7 +3084,7 @@
     </message>
     <message>
         <source>%1 was not written: no participant has choices at two levels of a factor that has numbers as levels.</source>
-        <translation>%1 wurde nicht geschrieben: Von keiner Versuchsperson liegen Wahlen auf zwei Stufen eines Faktors mit Zahlen als Stufen vor.</translation>
+        <translation>%1 wurde nicht geschrieben: Keine Versuchsperson hat auf zwei Stufen eines Faktors gewählt, dessen Stufen Zahlen sind.</translation>
     </message>
 </context>
 <context>
@@ -3297,7 +3297,7 @@
     </message>
     <message>
         <source>The participant withdrew consent</source>
-        <translation>Die Versuchsperson zog die Einwilligung zurück</translation>
+        <translation>Die Versuchsperson widerrief die Einwilligung</translation>
     </message>
     <message>
         <source>The participant did not follow the instruction</source>
@@ -3383,12 +3383,12 @@
         <translation>%1 ist ein Ordner; eines der Bilder darin öffnen.</translation>
     </message>
     <message>
-        <source>%1 was not found; it may have been moved, or its storage medium removed.</source>
+        <source>%1 was not found; it may have been moved, or its disk removed.</source>
         <translation>%1 wurde nicht gefunden; möglicherweise wurde es verschoben oder der Datenträger entfernt.</translation>
     </message>
     <message>
         <source>%1 is %2 GiB in size; pictures of up to 2 GiB can be read. Scale it down or crop it.</source>
-        <translation>%1 ist %2 GiB groß; gelesen werden Bilder bis 2 GiB. Das Bild verkleinern oder zuschneiden.</translation>
+        <translation>%1 ist %2 GiB groß; das Programm liest Bilder bis 2 GiB. Das Bild verkleinern oder zuschneiden.</translation>
     </message>
     <message>
         <source>The picture has an alpha channel, which is ignored: each pixel has its full colour, whatever its transparency.</source>
@@ -3537,11 +3537,11 @@
     </message>
     <message>
         <source>This is not a number above 0. Please correct it.</source>
-        <translation>Das ist keine Zahl über 0. Bitte berichtigen Sie sie.</translation>
+        <translation>Das ist keine Zahl über 0. Bitte berichtigen Sie Ihre Eingabe.</translation>
     </message>
     <message>
         <source>This is not a number. Please correct it.</source>
-        <translation>Das ist keine Zahl. Bitte berichtigen Sie sie.</translation>
+        <translation>Das ist keine Zahl. Bitte berichtigen Sie Ihre Eingabe.</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -3652,7 +3652,7 @@
     </message>
     <message>
         <source>You have finished with surface %1. Please lift the handle.</source>
-        <translation>Mit Oberfläche %1 sind Sie fertig. Bitte heben Sie den Griff an.</translation>
+        <translation>Sie sind mit Oberfläche %1 fertig. Bitte heben Sie den Griff an.</translation>
     </message>
     <message>
         <source>Please assign a picture to surface %1 first.</source>
@@ -3834,7 +3834,7 @@
     </message>
     <message>
         <source>the participant label &quot;%1&quot; is not acceptable for a human participant: labels that begin with &quot;virtual&quot; are reserved for virtual participants; use another label</source>
-        <translation>das Kürzel „%1“ ist für eine menschliche Versuchsperson nicht zulässig: Kürzel, die mit „virtual“ beginnen, sind virtuellen Versuchspersonen vorbehalten; ein anderes wählen</translation>
+        <translation>das Kürzel „%1“ ist für eine menschliche Versuchsperson nicht zulässig: Kürzel, die mit „virtual“ beginnen, sind virtuellen Versuchspersonen vorbehalten; ein anderes Kürzel verwenden</translation>
     </message>
     <message>
         <source>the participant label &quot;%1&quot; is not acceptable: it must consist of 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
@@ -3909,11 +3909,11 @@
     </message>
     <message>
         <source>missed deadlines: %1, at most %2 allowed</source>
-        <translation>verpasste Fristen: %1, erlaubt höchstens %2</translation>
+        <translation>verpasste Fristen: %1, höchstens %2 erlaubt</translation>
     </message>
     <message>
         <source>lost records: %1, at most %2 allowed</source>
-        <translation>verlorene Datensätze: %1, erlaubt höchstens %2</translation>
+        <translation>verlorene Datensätze: %1, höchstens %2 erlaubt</translation>
     </message>
     <message>
         <source>ticks with limited force: %1</source>
@@ -4036,15 +4036,15 @@
     </message>
     <message>
         <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the device&apos;s own friction is %3 N, which masks the texture.</source>
-        <translation>Die Textur von „%1“ entspricht einer Kraft von %2 N (RMS); die Reibung des Geräts beträgt %3 N und maskiert die Textur.</translation>
+        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die Reibung des Geräts beträgt %3 N und maskiert die Textur.</translation>
     </message>
     <message>
         <source>The texture of &quot;%1&quot; corresponds to a force of %2 N RMS, and the smallest force that moves the device is %3 N.</source>
-        <translation>Die Textur von „%1“ entspricht einer Kraft von %2 N (RMS); die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
+        <translation>Die Textur von „%1“ entspricht einem Effektivwert der Kraft von %2 N; die kleinste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
         <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: at least two steps per wave are needed.</source>
-        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei Schritte nötig.</translation>
+        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät misst Positionen in Schritten von %3 µm: Je Welle sind mindestens zwei Schritte nötig.</translation>
     </message>
     <message>
         <source>When &quot;%1&quot; is stroked at %2 mm/s, %3 waves per second pass under the probe, and the bandwidth of the device is %4 Hz.</source>
@@ -4052,7 +4052,7 @@
     </message>
     <message>
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
-        <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
+        <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff erreicht %4 bis %5 mm.</translation>
     </message>
     <message>
         <source>The protocol requires a device whose %1 is at most %2; the measured value is %3.</source>
@@ -4076,7 +4076,7 @@
     </message>
     <message>
         <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device reads positions in steps of %3 µm.</source>
-        <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät liest Positionen in Schritten von %3 µm.</translation>
+        <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät misst Positionen in Schritten von %3 µm.</translation>
     </message>
     <message>
         <source>At the force limit of %2 N, the greatest stiffness of &quot;%1&quot; is %3 N/m; the device renders up to %4 N/m without oscillation.</source>
@@ -4116,7 +4116,7 @@
     </message>
     <message>
         <source>This assumes a moving mass of %1 g, which was not measured, and a velocity delayed by %2 ms.</source>
-        <translation>Angenommen sind eine bewegte Masse von %1 g, die nicht gemessen wurde, und eine um %2 ms verzögerte Geschwindigkeit.</translation>
+        <translation>Das setzt eine bewegte Masse von %1 g voraus, die nicht gemessen wurde, und eine um %2 ms verzögerte Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Limit the pressing force to %1 N, or lower the friction of the surface; no friction_speed_m_per_s that the model accepts is high enough.</source>
@@ -4140,7 +4140,7 @@
     </message>
     <message>
         <source>With a force of %2 N and a speed of %3 mm/s, contact with &quot;%1&quot; is expected to be lost for about %4 % of a stroke: a mass of %5 g with a damping of %6 N s/m, as measured for the device, does not follow the height of the surface. Lower stiffness_N_per_m, the texture&apos;s amplitude or the speed, or request a higher pressing force.</source>
-        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft verlangen.</translation>
+        <translation>Bei einer Kraft von %2 N und einer Geschwindigkeit von %3 mm/s ist zu erwarten, dass der Kontakt mit „%1“ für etwa %4 % eines Strichs verloren geht: Eine Masse von %5 g mit einer Dämpfung von %6 N s/m, wie am Gerät gemessen, folgt der Höhe der Oberfläche nicht. stiffness_N_per_m, die Amplitude der Textur oder die Geschwindigkeit verringern oder eine höhere Andruckkraft vorgeben.</translation>
     </message>
 </context>
 <context>
@@ -4159,11 +4159,11 @@
     </message>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
-        <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; nichts wurde gespeichert</translation>
+        <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; es wurde nichts gespeichert</translation>
     </message>
     <message>
         <source>the new label &quot;%1&quot; is not that of the participant of the session, %2; enter the label of that participant</source>
-        <translation>das neue Kürzel „%1“ ist nicht das der Versuchsperson der Sitzung, %2; das Kürzel dieser Versuchsperson eingeben</translation>
+        <translation>das neue Kürzel „%1“ gehört nicht zur Versuchsperson der Sitzung, %2; das Kürzel dieser Versuchsperson eingeben</translation>
     </message>
     <message>
         <source>session %1 of participant %2 runs on a simulated clock; resume it without --realtime</source>
@@ -4258,7 +4258,7 @@
     </message>
     <message>
         <source>Start a new session instead.</source>
-        <translation>Stattdessen eine neue Sitzung beginnen.</translation>
+        <translation>Stattdessen eine neue Sitzung starten.</translation>
     </message>
     <message>
         <source>Session %1 can be resumed.</source>
@@ -4270,7 +4270,7 @@
     </message>
     <message>
         <source>Resume it; a new one can start when it is complete.</source>
-        <translation>Diese fortsetzen; eine neue kann beginnen, sobald sie vollständig ist.</translation>
+        <translation>Diese Sitzung fortsetzen; eine neue kann beginnen, sobald diese vollständig ist.</translation>
     </message>
     <message>
         <source>%1 has completed %2 of %3 planned sessions.</source>
@@ -4490,7 +4490,7 @@
     </message>
     <message>
         <source>Enough for this session, but hardly for another one: free some space soon.</source>
-        <translation>Reicht für diese Sitzung, aber kaum für eine weitere: bald Platz schaffen.</translation>
+        <translation>Der Platz reicht für diese Sitzung, aber kaum für eine weitere: bald Platz schaffen.</translation>
     </message>
     <message>
         <source>the protocol %1 has changed since it was checked: its SHA-256 was %2 and is now %3; choose it again to read and check the new version</source>
@@ -4554,7 +4554,7 @@
     </message>
     <message>
         <source>%1; some stimuli exceed the capabilities of the device.</source>
-        <translation>%1; einige Reize übersteigen den Leistungsbereich des Geräts.</translation>
+        <translation>%1; einige Reize liegen außerhalb des Leistungsbereichs des Geräts.</translation>
     </message>
     <message>
         <source>%1 The device failed an item of the measurement.</source>
@@ -4661,7 +4661,7 @@
     </message>
     <message>
         <source>session %1 of participant %2 cannot be resumed: the file %3 has changed since the session began; restore the earlier file</source>
-        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit dem Beginn der Sitzung geändert; die frühere Datei wiederherstellen</translation>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht fortgesetzt werden: Die Datei %3 hat sich seit Beginn der Sitzung geändert; die frühere Datei wiederherstellen</translation>
     </message>
     <message>
         <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; in its present form; leave out --resume to begin one</source>
@@ -4673,14 +4673,14 @@
     </message>
     <message>
         <source>equal force is requested with the model &quot;%1&quot;, which this program does not have; see asperity models</source>
-        <translation>gleiche Kraft wird mit dem Modell „%1“ verlangt, das dieses Programm nicht hat; siehe asperity models</translation>
+        <translation>das Protokoll verlangt gleiche Kraft mit dem Modell „%1“, das dieses Programm nicht hat; siehe asperity models</translation>
     </message>
 </context>
 <context>
     <name>SessionText</name>
     <message>
         <source>The session has not begun</source>
-        <translation>Die Sitzung hat nicht begonnen</translation>
+        <translation>Die Sitzung hat noch nicht begonnen</translation>
     </message>
     <message>
         <source>Preparation: the participant is reading, or the device is being checked</source>
@@ -4839,7 +4839,7 @@
     </message>
     <message>
         <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored; resume with --resume</source>
-        <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
+        <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>
     <message>
         <source>the simulation in %3 (participants: %1, seed: %2) is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
@@ -4882,7 +4882,7 @@
     </message>
     <message>
         <source>Gradual changes of lighting are attenuated and fine detail is amplified.</source>
-        <translation>Allmähliche Änderungen der Beleuchtung werden abgeschwächt, feine Einzelheiten verstärkt.</translation>
+        <translation>Allmähliche Änderungen der Beleuchtung werden abgeschwächt, feine Details verstärkt.</translation>
     </message>
     <message>
         <source>Waves longer than the longest wavelength kept; they are subtracted from the previous step.</source>
@@ -4961,15 +4961,15 @@
     <name>StudyOutputs</name>
     <message>
         <source>The study was made by an older version of Asperity and was not changed: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
-        <translation>Die Studie wurde mit einer älteren Version von Asperity angelegt und nicht geändert: Sie führt %1 nicht unter ihren Ausgaben auf. Dies für den Fall notieren, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
+        <translation>Die Studie wurde mit einer älteren Version von Asperity angelegt und nicht geändert: %1 ist nicht unter ihren Ausgaben verzeichnet. Diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
         <source>The study is read-only: it does not list %1 among its outputs. Keep a note of it in case a participant withdraws.</source>
-        <translation>Die Studie ist schreibgeschützt: Sie führt %1 nicht unter ihren Ausgaben auf. Dies für den Fall notieren, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
+        <translation>Die Studie ist schreibgeschützt: %1 ist nicht unter ihren Ausgaben verzeichnet. Diese Ausgabe notieren, für den Fall, dass eine Versuchsperson die Teilnahme zurückzieht.</translation>
     </message>
     <message>
         <source>%1 is complete, but the study does not list it: %2</source>
-        <translation>%1 ist vollständig, die Studie führt es aber nicht auf: %2</translation>
+        <translation>%1 ist vollständig, aber nicht in der Studie verzeichnet: %2</translation>
     </message>
     <message>
         <source>export</source>
@@ -4996,7 +4996,7 @@
     </message>
     <message>
         <source>“%1” cannot be the name of a protocol. Use lower-case letters, digits and underscores, beginning with a letter.</source>
-        <translation>„%1“ kann nicht der Name eines Protokolls sein. Kleinbuchstaben, Ziffern und Unterstriche verwenden, mit einem Buchstaben beginnend.</translation>
+        <translation>„%1“ kann nicht der Name eines Protokolls sein. Nur Kleinbuchstaben, Ziffern und Unterstriche verwenden und mit einem Buchstaben beginnen.</translation>
     </message>
     <message>
         <source>The study already has a file %1. Choose another name.</source>
@@ -5095,7 +5095,7 @@
     </message>
     <message>
         <source>The CIs of d for choices are approximate: in simulations they contained the true value in 92 % or more of the studies with a true d of 0.8 or less, and in 59 % or more of those with a larger one.</source>
-        <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derer mit einem größeren.</translation>
+        <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derjenigen mit einem größeren.</translation>
     </message>
     <message>
         <source>The CIs of W for choices are approximate: in simulations with 12 and 20 participants they contained the true value in 77 to 100 % of the studies.</source>
@@ -5157,11 +5157,11 @@
     </message>
     <message>
         <source>The masking noise cannot start: the sound card does not play. The session is paused. Fix the sound, then resume.</source>
-        <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
+        <translation>Das Maskierrauschen kann nicht starten: Die Soundkarte gibt keinen Ton aus. Die Sitzung ist angehalten. Das Problem mit dem Ton beheben, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The servo loop stalled for more than 50 ms: the force was set to zero, and the interrupted step is repeated. At the third occurrence the session stops.</source>
-        <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und der unterbrochene Schritt wird wiederholt. Beim dritten Mal endet die Sitzung.</translation>
+        <translation>Die Servoschleife stand länger als 50 ms still: Die Kraft wurde auf null gesetzt, und der unterbrochene Schritt wird wiederholt. Beim dritten Mal wird die Sitzung gestoppt.</translation>
     </message>
 </context>
 <context>
@@ -5202,7 +5202,7 @@
     </message>
     <message>
         <source>Psychophysics experiments on haptic texture.</source>
-        <translation>Psychophysische Experimente zu haptischer Textur.</translation>
+        <translation>Psychophysische Experimente zu haptischen Texturen.</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
@@ -5325,7 +5325,7 @@
     </message>
     <message>
         <source>Writing the tables was cancelled. No part of them remains in %1.</source>
-        <translation>Die Tabellen wurden nicht geschrieben: Der Vorgang wurde abgebrochen. In %1 ist kein Teil davon zurückgeblieben.</translation>
+        <translation>Das Schreiben der Tabellen wurde abgebrochen. In %1 ist nichts davon zurückgeblieben.</translation>
     </message>
     <message>
         <source>With tick-by-tick recordings (large files)</source>
@@ -5469,7 +5469,7 @@
     </message>
     <message>
         <source>Reason for including the attempt in the analyses again</source>
-        <translation>Grund, den Versuch wieder in die Auswertungen einzuschließen</translation>
+        <translation>Grund für den Wiedereinschluss des Versuchs in die Auswertungen</translation>
     </message>
     <message>
         <source>Include attempt</source>
@@ -5477,7 +5477,7 @@
     </message>
     <message>
         <source>Reason for excluding the attempt from the analyses. It remains in the study and can be included again.</source>
-        <translation>Grund, den Versuch von den Auswertungen auszuschließen. Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+        <translation>Grund für den Ausschluss des Versuchs von den Auswertungen. Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
     </message>
     <message>
         <source>Exclude attempt</source>
@@ -5492,8 +5492,8 @@
         <translation>Tabulatorgetrennte Tabelle (*.tsv)</translation>
     </message>
     <message>
-        <source>Reading the recording was cancelled. It is read when the attempt is opened again.</source>
-        <translation>Das Lesen der Aufzeichnung wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
+        <source>Reading the recording was cancelled. Open the attempt again to read it.</source>
+        <translation>Das Lesen der Aufzeichnung wurde abgebrochen. Um sie zu lesen, den Versuch erneut öffnen.</translation>
     </message>
     <message>
         <source>The session is running, and its experimenter is blind: stimuli and responses are shown here once it has ended.</source>
@@ -5509,7 +5509,7 @@
     </message>
     <message>
         <source>Textures and models are shown by name, although the session is not complete: an experimenter who resumes it is no longer blind to them.</source>
-        <translation>Texturen und Modelle werden mit Namen angezeigt, obwohl die Sitzung nicht abgeschlossen ist: Eine Versuchsleitung, die sie fortsetzt, ist nicht mehr verblindet.</translation>
+        <translation>Texturen und Modelle werden mit Namen gezeigt, obwohl die Sitzung nicht abgeschlossen ist: Eine Versuchsleitung, die sie fortsetzt, ist nicht mehr verblindet.</translation>
     </message>
     <message>
         <source>Reason for flagging the attempt. It remains in the analyses.</source>
@@ -5778,20 +5778,20 @@
         <translation>„Einrichten…“</translation>
     </message>
     <message>
-        <source>Keep hands away: the device moves by itself until it has found its zero position. Esc, Cancel or its power switch stops it.</source>
-        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. Esc, „Abbrechen“ oder sein Netzschalter hält es an.</translation>
+        <source>Keep hands away: the device moves by itself until it has found its zero position. To stop it, press Esc or Cancel, or switch it off.</source>
+        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. Zum Stoppen Esc oder „Abbrechen“ drücken oder das Gerät ausschalten.</translation>
     </message>
     <message>
         <source>A virtual hand holds it; the participant feels nothing.</source>
         <translation>Eine virtuelle Hand hält es; die Versuchsperson fühlt nichts.</translation>
     </message>
     <message>
-        <source>A virtual hand holds it, with the latency, steps and forces of the device as far as they are known. The participant feels nothing.</source>
+        <source>A virtual hand holds it, with the latency, position steps and forces of the device as far as they are known. The participant feels nothing.</source>
         <translation>Eine virtuelle Hand hält es, mit Latenz, Positionsschritten und Kräften des Geräts, soweit sie bekannt sind. Die Versuchsperson fühlt nichts.</translation>
     </message>
     <message>
-        <source>The mouse over the participant&apos;s window moves the probe, and presses while its button is held; a pen presses according to its pressure. The participant feels no force.</source>
-        <translation>Die Maus über dem Fenster der Versuchsperson bewegt den Taster und drückt, solange ihre Taste gehalten wird; ein Stift drückt entsprechend seinem Druck. Die Versuchsperson fühlt keine Kraft.</translation>
+        <source>In the participant&apos;s window, the mouse moves the probe and presses it while the button is held; a pen presses it with its own pressure. The participant feels no force.</source>
+        <translation>Im Fenster der Versuchsperson bewegt die Maus den Taster und drückt ihn an, solange die Maustaste gehalten wird; ein Stift drückt ihn mit dem Druck seiner Spitze an. Die Versuchsperson fühlt keine Kraft.</translation>
     </message>
     <message>
         <source>Rescan</source>
@@ -5842,7 +5842,7 @@
     </message>
     <message>
         <source>The Devices page lists the devices that can be tested.</source>
-        <translation>Die Seite „Geräte“ führt die Geräte auf, die getestet werden können.</translation>
+        <translation>Auf der Seite „Geräte“ stehen die Geräte, die getestet werden können.</translation>
     </message>
     <message>
         <source>Show devices</source>
@@ -5890,11 +5890,11 @@
     </message>
     <message>
         <source>Stopped: the force is zero, and nothing was stored.</source>
-        <translation>Gestoppt: Die Kraft ist null, und nichts wurde gespeichert.</translation>
+        <translation>Gestoppt: Die Kraft ist null, und es wurde nichts gespeichert.</translation>
     </message>
     <message>
         <source>Nothing was measured: %1</source>
-        <translation>Nichts wurde gemessen: %1</translation>
+        <translation>Es wurde nichts gemessen: %1</translation>
     </message>
     <message>
         <source>Begin the test</source>
@@ -5953,12 +5953,12 @@
         <translation>Nicht aufgeführt: %1</translation>
     </message>
     <message>
-        <source>Keep hands away: the device moves by itself until it has found its zero position. Stop or its power switch stops it.</source>
-        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. „Halt“ oder sein Netzschalter hält es an.</translation>
+        <source>Keep hands away: the device moves by itself until it has found its zero position. To stop it, press Stop or switch it off.</source>
+        <translation>Hände fernhalten: Das Gerät bewegt sich von selbst, bis es seine Nullposition gefunden hat. Zum Stoppen „Halt“ drücken oder das Gerät ausschalten.</translation>
     </message>
     <message>
         <source>Stopped, and nothing was stored: %1</source>
-        <translation>Gestoppt, und nichts wurde gespeichert: %1</translation>
+        <translation>Gestoppt; es wurde nichts gespeichert: %1</translation>
     </message>
     <message>
         <source>The profile is stored as %1.</source>
@@ -5980,16 +5980,16 @@
         <translation>Den Griff nicht berühren: Er hängt frei, und keine Kraft wirkt auf ihn. Das Zeitverhalten der Servoschleife wird gemessen, und die Kraft muss genau null sein.</translation>
     </message>
     <message>
-        <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. The resistance gives the friction and the damping.</source>
-        <translation>Hände fernhalten: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Der Widerstand ergibt Reibung und Dämpfung.</translation>
+        <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. Friction and damping are determined from the resistance.</source>
+        <translation>Hände fernhalten: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Reibung und Dämpfung werden aus dem Widerstand bestimmt.</translation>
     </message>
     <message>
-        <source>Keep hands away: sudden force steps along %1, to and fro. The delay until the motion begins gives the latency, the acceleration the mass.</source>
-        <translation>Hände fernhalten: Kraftsprünge entlang %1, hin und her. Die Zeit bis zum Beginn der Bewegung ergibt die Latenz, die Beschleunigung die Masse.</translation>
+        <source>Keep hands away: sudden force steps along %1, to and fro. The latency is determined from the delay until the motion begins, the mass from the acceleration.</source>
+        <translation>Hände fernhalten: Kraftsprünge entlang %1, hin und her. Die Latenz wird aus der Zeit bis zum Beginn der Bewegung bestimmt, die Masse aus der Beschleunigung.</translation>
     </message>
     <message>
-        <source>Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. Its response gives its resonance.</source>
-        <translation>Hände fernhalten: Der Griff wird entlang %1 mit Frequenzen von 8 bis 200 Hz angetrieben. Seine Antwort ergibt seine Resonanz.</translation>
+        <source>Keep hands away: the handle is driven along %1 at frequencies from 8 to 200 Hz. Its resonance is determined from its motion.</source>
+        <translation>Hände fernhalten: Der Griff wird entlang %1 mit Frequenzen von 8 bis 200 Hz angetrieben. Seine Resonanz wird aus seiner Bewegung bestimmt.</translation>
     </message>
     <message>
         <source>Keep hands away: increasingly stiff springs along %1, each with a small impulse. The result is the stiffest spring on which the handle comes to rest.</source>
@@ -6159,7 +6159,7 @@
         <translation>Simulierte Modelle von Geräten</translation>
     </message>
     <message>
-        <source>The simulated device with the workspace, forces, latency and steps of a real one, as far as they are known: for rehearsing a protocol before the device is available.</source>
+        <source>The simulated device with the workspace, forces, latency and position steps of a real one, as far as they are known: for rehearsing a protocol before the device is available.</source>
         <translation>Das simulierte Gerät mit Arbeitsraum, Kräften, Latenz und Positionsschritten eines echten, soweit sie bekannt sind: um ein Protokoll zu proben, bevor das Gerät verfügbar ist.</translation>
     </message>
     <message>
@@ -6172,7 +6172,7 @@
     </message>
     <message>
         <source>It replays a recording and is available only at a terminal: asperity run PROTOCOL --device replay:FILE.</source>
-        <translation>Es gibt eine Aufzeichnung wieder und ist nur im Terminal verfügbar: asperity run PROTOCOL --device replay:FILE.</translation>
+        <translation>Es spielt eine Aufzeichnung ab und ist nur im Terminal verfügbar: asperity run PROTOCOL --device replay:FILE.</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -6330,11 +6330,11 @@
     <name>asperity::EndSummary</name>
     <message>
         <source>Show the table</source>
-        <translation>Tabelle ansehen</translation>
+        <translation>Tabelle zeigen</translation>
     </message>
     <message>
         <source>Show the trials</source>
-        <translation>Durchgänge ansehen</translation>
+        <translation>Durchgänge zeigen</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6358,7 +6358,7 @@
     </message>
     <message>
         <source>Nothing was stored.</source>
-        <translation>Nichts wurde gespeichert.</translation>
+        <translation>Es wurde nichts gespeichert.</translation>
     </message>
     <message>
         <source>%1
@@ -6427,8 +6427,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>PNG, für Folien und Büroprogramme (*.png)</translation>
     </message>
     <message>
-        <source>Another figure is being written; save this one when that is done.</source>
-        <translation>Gerade wird eine andere Abbildung geschrieben; danach diese noch einmal speichern.</translation>
+        <source>Another figure is being saved; save this one afterwards.</source>
+        <translation>Eine andere Abbildung wird gerade gespeichert; diese erst danach speichern.</translation>
     </message>
     <message>
         <source>The file %1 already exists.</source>
@@ -6508,7 +6508,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ForceComparison</name>
     <message>
-        <source>Choose models, then drag the mouse over the relief: for each model, the force on the same path of the hand is shown.</source>
+        <source>Choose models, then drag the mouse over the relief: the force of each model along the same path of the hand is shown.</source>
         <translation>Modelle wählen, dann mit der Maus über das Relief ziehen: Für jedes Modell wird die Kraft auf demselben Weg der Hand gezeigt.</translation>
     </message>
     <message>
@@ -6549,11 +6549,11 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>%1 could not be opened; close other programs that may be using it.</source>
-        <translation>%1 ließ sich nicht öffnen; andere Programme schließen, die das Gerät möglicherweise benutzen.</translation>
+        <translation>%1 ließ sich nicht öffnen; andere Programme schließen, die das Gerät möglicherweise verwenden.</translation>
     </message>
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
-        <translation>%1 gibt keinen Ton wieder. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
+        <translation>%1 gibt keinen Ton aus. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
     <message>
         <source>%1: RMS %2 m/s², maximum %3 m/s², %4 dB above the vibrotactile threshold</source>
@@ -6588,7 +6588,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>the sound card does not play: no masking noise</source>
-        <translation>die Soundkarte spielt nicht: kein Maskierrauschen</translation>
+        <translation>die Soundkarte gibt keinen Ton aus: kein Maskierrauschen</translation>
     </message>
     <message>
         <source>no sound card: no masking noise</source>
@@ -7162,8 +7162,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 existiert bereits; einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>The name is used as the name of a folder: it cannot be “%1”.</source>
-        <translation>Der Name dient als Name eines Ordners: „%1“ ist nicht möglich.</translation>
+        <source>The study&apos;s folder cannot be named “%1”; choose another name.</source>
+        <translation>Der Ordner der Studie kann nicht „%1“ heißen; einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Enter the full path of the folder, beginning with “/” or “~”.</source>
@@ -7206,7 +7206,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Relative to the highest level that the sound card can play</source>
-        <translation>Bezogen auf den höchsten Pegel, den die Soundkarte wiedergeben kann</translation>
+        <translation>Bezogen auf den höchsten Pegel, den die Soundkarte ausgeben kann</translation>
     </message>
     <message>
         <source>&amp;Gain</source>
@@ -7266,7 +7266,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
-        <translation>%1 gibt keinen Ton wieder. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
+        <translation>%1 gibt keinen Ton aus. Neu anschließen oder in den Einstellungen des Rechners eine andere Tonausgabe wählen.</translation>
     </message>
 </context>
 <context>
@@ -7293,7 +7293,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Remove this phrase</source>
-        <translation>Diesen Textbaustein löschen</translation>
+        <translation>Diesen Textbaustein entfernen</translation>
     </message>
     <message>
         <source>earlier  %1</source>
@@ -7716,7 +7716,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Zufällige Reihenfolgen werden für jede Sitzung neu gezogen.</translation>
     </message>
     <message>
-        <source>Row of the counterbalancing: each new participant is assigned the least used one.</source>
+        <source>Counterbalancing row: each new participant is assigned the least used one.</source>
         <translation>Zeile der Ausbalancierung: Jede neue Versuchsperson erhält die bisher am seltensten verwendete.</translation>
     </message>
     <message>
@@ -7868,7 +7868,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Der Plan erscheint hier, sobald der Text gültig ist. Jetzt: %1, das erste in Zeile %2.</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
@@ -7933,7 +7933,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Choose one of the study&apos;s protocols and press “Edit”.</source>
-        <translation>Unter den Protokollen der Studie eines auswählen und „Bearbeiten“ drücken.</translation>
+        <translation>Ein Protokoll der Studie auswählen und „Bearbeiten“ drücken.</translation>
     </message>
     <message>
         <source>Saved as %1: the file is named after the protocol.</source>
@@ -8259,7 +8259,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>▲ The paint becomes relief: what is felt does not correspond to the surface under it. Use it only if this is intended.</source>
-        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, entspricht nicht der Oberfläche darunter. Nur benutzen, wenn das beabsichtigt ist.</translation>
+        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, entspricht nicht der Oberfläche darunter. Nur verwenden, wenn das beabsichtigt ist.</translation>
     </message>
     <message>
         <source>Dark is high: for light mortar between bricks or light sand between pebbles, in even light. On five measured surfaces the heights matched the relief only in part, and on four of them less well than the unprocessed brightness.</source>
@@ -8437,7 +8437,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The study already has a stimulus “%1”. Protocols that use it would present the new one; sessions that were run keep the SHA-256 of the old one.</source>
-        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten den SHA-256 des alten.</translation>
+        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn verwenden, würden den neuen darbieten; durchgeführte Sitzungen behalten den SHA-256 des alten.</translation>
     </message>
     <message>
         <source>Replace “%1”</source>
@@ -8527,7 +8527,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 bis %2 Einträge</translation>
     </message>
     <message>
-        <source>A comment: it is ignored by the program.</source>
+        <source>A comment: the program ignores it.</source>
         <translation>Ein Kommentar: Das Programm wertet ihn nicht aus.</translation>
     </message>
     <message>
@@ -8618,7 +8618,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Strg+Umschalt+Q</translation>
     </message>
     <message>
-        <source>There is no session under way.</source>
+        <source>No session is under way.</source>
         <translation>Es läuft keine Sitzung.</translation>
     </message>
     <message>
@@ -8630,7 +8630,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Wiederholen: Der letzte Durchgang wird als Nächstes wiederholt.</translation>
     </message>
     <message>
-        <source>Repeat: no trial has been finished yet.</source>
+        <source>Repeat: no trial has been completed yet.</source>
         <translation>Wiederholen: Noch ist kein Durchgang abgeschlossen.</translation>
     </message>
     <message>
@@ -8864,7 +8864,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected: the force is zero, and the trial is repeated. Reconnect the screen, restore the window, then clear the stop.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Bildschirm anschließen, Fenster zurückholen, dann den NOT-HALT aufheben.</translation>
+        <translation>Der Bildschirm „%1“ der Versuchsperson wurde getrennt: Die Kraft ist null, und der Durchgang wird wiederholt. Den Bildschirm wieder anschließen, das Fenster zurückholen, dann den NOT-HALT aufheben.</translation>
     </message>
     <message>
         <source>The participant&apos;s screen “%1” was disconnected. There is no force, and the session pauses before the next trial. Reconnect the screen, restore the participant&apos;s window, then resume with F5.</source>
@@ -9054,7 +9054,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The session is running: until it ends, only its own window shows its data, as far as the blinding permits.</source>
-        <translation>Die Sitzung läuft: Bis sie endet, zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
+        <translation>Die Sitzung läuft: Bis zum Ende der Sitzung zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
     <message>
         <source>This study is read-only: no session can be stored.</source>
@@ -9394,7 +9394,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The sessions of virtual participants are being simulated.</source>
-        <translation>Die Sitzungen der virtuellen Versuchspersonen werden simuliert.</translation>
+        <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert.</translation>
     </message>
     <message>
         <source>Ready.</source>
@@ -9421,7 +9421,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>The simulation was stopped. Trials that are finished and stored: %1.</source>
+        <source>The simulation was stopped. Trials completed and stored: %1.</source>
         <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
     </message>
     <message>
@@ -9513,7 +9513,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Used by</source>
-        <translation>Benutzt von</translation>
+        <translation>Verwendet von</translation>
     </message>
     <message>
         <source>picture</source>
@@ -9569,7 +9569,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Made from %1.</source>
-        <translation>Hergestellt aus %1.</translation>
+        <translation>Erzeugt aus %1.</translation>
     </message>
     <message>
         <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, or copy files into the folder: they appear here at once.</source>
@@ -9634,7 +9634,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Studie konnte nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>The study is no longer at %1: its folder was removed or renamed, or is on a medium that is no longer connected. Restore the folder, or close the study.</source>
+        <source>The study is no longer at %1: its folder was removed or renamed, or is on a disk that is no longer connected. Restore the folder, or close the study.</source>
         <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der nicht mehr angeschlossen ist. Den Ordner wiederherstellen oder die Studie schließen.</translation>
     </message>
     <message>
@@ -9754,7 +9754,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Metadaten der Studie konnten nicht gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>This study is read-only: its folder, or the medium that it is on, cannot be written to. It can be viewed, analysed and exported; to run sessions, copy it to a folder that you may write to.</source>
+        <source>This study is read-only: its folder or its disk cannot be written to. It can be viewed, analysed and exported; to run sessions, copy it to a folder that you may write to.</source>
         <translation>Diese Studie ist schreibgeschützt: In ihren Ordner oder auf den Datenträger kann nicht geschrieben werden. Sie kann angesehen, ausgewertet und exportiert werden; für Sitzungen in einen beschreibbaren Ordner kopieren.</translation>
     </message>
 </context>
@@ -9821,7 +9821,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>requested</source>
-        <translation>verlangt</translation>
+        <translation>vorgegeben</translation>
     </message>
     <message>
         <source>in contact</source>
@@ -9940,11 +9940,11 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>To show details, select a trial that has begun.</source>
-        <translation>Einen begonnenen Durchgang auswählen, um seine Einzelheiten anzuzeigen.</translation>
+        <translation>Einen begonnenen Durchgang auswählen, um seine Einzelheiten zu sehen.</translation>
     </message>
     <message>
         <source>Reason for including the session in the analyses again</source>
-        <translation>Grund, die Sitzung wieder in die Auswertungen einzuschließen</translation>
+        <translation>Grund für den Wiedereinschluss der Sitzung in die Auswertungen</translation>
     </message>
     <message>
         <source>Include session</source>
@@ -9952,7 +9952,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Reason for excluding the whole session from the analyses. It remains in the study and can be included again.</source>
-        <translation>Grund, die ganze Sitzung von den Auswertungen auszuschließen. Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+        <translation>Grund für den Ausschluss der ganzen Sitzung von den Auswertungen. Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
     </message>
     <message>
         <source>Exclude session</source>
@@ -9992,7 +9992,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>The session is running, and its experimenter is blind: until it ends, only its own window shows its data, as far as the blinding permits.</source>
-        <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Bis zum Ende zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
+        <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Bis zum Ende der Sitzung zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -10243,8 +10243,8 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Aufbewahrt und von jeder Auswertung ausgeschlossen: %1.</translation>
     </message>
     <message>
-        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact and the time of the withdrawal and its reason remain stored.</source>
-        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Gespeichert bleiben nur Tatsache, Zeitpunkt und Grund des Rückzugs.</translation>
+        <source>Rows, recordings and the kept older versions of the study are deleted and cannot be restored. Only the fact, time and reason of the withdrawal remain stored.</source>
+        <translation>Zeilen, Aufzeichnungen und die aufbewahrten älteren Fassungen der Studie werden gelöscht und sind nicht wiederherzustellen. Nur Tatsache, Zeitpunkt und Grund des Rückzugs bleiben gespeichert.</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -10275,7 +10275,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>It becomes a relief that can be felt: uneven light is corrected, long waves are removed, and the remaining brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. A picture in even light, taken from directly above, gives the best result.</source>
-        <translation>Daraus wird ein Relief zum Fühlen: Ungleichmäßiges Licht wird ausgeglichen, lange Wellen werden entfernt, und die verbleibende Helligkeit gilt als Höhe. Gelesen werden PNG, JPEG, TIFF, BMP und WebP. Am besten eignet sich ein Bild in gleichmäßigem Licht, senkrecht von oben aufgenommen.</translation>
+        <translation>Daraus wird ein Relief zum Fühlen: Ungleichmäßiges Licht wird ausgeglichen, lange Wellen werden entfernt, und die verbleibende Helligkeit gilt als Höhe. PNG, JPEG, TIFF, BMP und WebP werden gelesen. Am besten eignet sich ein Bild in gleichmäßigem Licht, senkrecht von oben aufgenommen.</translation>
     </message>
     <message>
         <source>Open a photograph…</source>
@@ -10415,7 +10415,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     </message>
     <message>
         <source>Predicted acceleration of a hand-held tool of 50 g under the force of the last second of this stroke, computed as by asperity sweep.</source>
-        <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g unter der Kraft der letzten Sekunde dieses Strichs, berechnet wie mit asperity sweep.</translation>
+        <translation>Vorhergesagte Beschleunigung eines in der Hand gehaltenen Werkzeugs von 50 g, auf das die Kraft der letzten Sekunde dieses Strichs wirkt; berechnet wie mit asperity sweep.</translation>
     </message>
 </context>
 </TS>

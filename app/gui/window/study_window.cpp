@@ -151,9 +151,9 @@ void StudyWindow::make_pages() {
 void StudyWindow::tell_limits() {
   if (!study_->can_be_written()) {
     banner_->show_news(State::look,
-                       tr("This study is read-only: its folder, or the medium that it is on, "
-                          "cannot be written to. It can be viewed, analysed and exported; to run "
-                          "sessions, copy it to a folder that you may write to."));
+                       tr("This study is read-only: its folder or its disk cannot be written to. "
+                          "It can be viewed, analysed and exported; to run sessions, copy it to a "
+                          "folder that you may write to."));
   } else if (study_->study().schema_version() < Study::kSchemaVersion) {
     banner_->show_news(
         State::look,
@@ -294,7 +294,7 @@ void StudyWindow::watch_folder() {
   if (study_ == nullptr || Study::exists(study_->folder())) return;
   banner_->show_news(
       State::stop,
-      tr("The study is no longer at %1: its folder was removed or renamed, or is on a medium that "
+      tr("The study is no longer at %1: its folder was removed or renamed, or is on a disk that "
          "is no longer connected. Restore the folder, or close the study.")
           .arg(text_of_path(study_->folder())),
       tr("Close study"), [this] { close_action_->trigger(); });

@@ -54,8 +54,8 @@ std::vector<Parameter> surface_parameters() {
           number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
                  "Depth of the probe below the mean height during the stroke"),
           number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
-                 "Diameter of the ball with which a model of two bodies strokes; the other models "
-                 "use a point")};
+                 "Diameter of the ball that a model of two bodies uses as the probe; the other "
+                 "models use a point")};
 }
 
 QString model_name(const ForceModel& model) {
@@ -87,8 +87,8 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, kGrid, 0);
   layout->setSpacing(kMargin);
-  layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: for each "
-                                 "model, the force on the same path of the hand is shown."),
+  layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: the force "
+                                 "of each model along the same path of the hand is shown."),
                               this, true));
   auto* across = make_button(tr("Stroke once across"), ButtonRole::plain, this);
   across->setObjectName("stroke_across");

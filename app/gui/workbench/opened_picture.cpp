@@ -37,9 +37,8 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 is a folder; open one of the pictures in it.").arg(name));
   }
   if (!std::filesystem::exists(status)) {
-    refuse(
-        OpeningWords::tr("%1 was not found; it may have been moved, or its storage medium removed.")
-            .arg(name));
+    refuse(OpeningWords::tr("%1 was not found; it may have been moved, or its disk removed.")
+               .arg(name));
   }
   if (!std::filesystem::is_regular_file(status)) {
     refuse(OpeningWords::tr("%1 is not a picture file; open a PNG, JPEG, TIFF, BMP or WebP file.")

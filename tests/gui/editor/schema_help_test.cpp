@@ -47,7 +47,7 @@ TEST_F(SchemaHelpTest, SaysWhatAForceModelDeclaresOfAParameter) {
 }
 
 TEST_F(SchemaHelpTest, KnowsRemarksAndSaysNothingOfKeysThatTheFormatDoesNotHave) {
-  EXPECT_EQ(of({"observer", "$comment"}).meaning, "A comment: it is ignored by the program.");
+  EXPECT_EQ(of({"observer", "$comment"}).meaning, "A comment: the program ignores it.");
   EXPECT_FALSE(help_.of({"environment", "visoin"}));
   EXPECT_FALSE(help_.of({}));
 }

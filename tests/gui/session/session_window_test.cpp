@@ -149,7 +149,7 @@ TEST(SessionWindow, CanBeCancelledWhileItIsPrepared) {
   EXPECT_TRUE(cancel.isEnabled());
   EXPECT_FALSE(child<QPushButton>(window, "pause").isEnabled());
   EXPECT_EQ(child<QProgressBar>(window, "progress").maximum(), 0) << "to and fro";
-  EXPECT_FALSE(child<QLabel>(window, "why_disabled").text().contains("no session under way"));
+  EXPECT_FALSE(child<QLabel>(window, "why_disabled").text().contains("No session is under way"));
   preparing.update([](SessionSnapshot& s) { s.compared = 0.25; });
   window.show();
   EXPECT_TRUE(eventually([&] { return child<QProgressBar>(window, "progress").value() == 25; }));
@@ -726,7 +726,7 @@ TEST(SessionWindow, SaysBesideTheButtonsWhyOneCannotBePressed) {
   EXPECT_FALSE(child<QPushButton>(*window, "repeat_last").isEnabled());
   EXPECT_FALSE(child<QPushButton>(*window, "skip").isEnabled());
   const QString why = child<QLabel>(*window, "why_disabled").text();
-  EXPECT_TRUE(why.contains("no trial has been finished yet"));
+  EXPECT_TRUE(why.contains("no trial has been completed yet"));
   EXPECT_TRUE(why.contains("no trial is under way"));
 }
 
