@@ -95,7 +95,7 @@ Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size
   for (const Comparison& one : comparisons) {
     const bool judged = !one.winner || *one.winner == one.first || *one.winner == one.second;
     if (one.first >= items || one.second >= items || one.first == one.second || !judged) {
-      throw std::invalid_argument("a comparison must be of two different items of " +
+      throw std::invalid_argument("comparisons: each must be of two different items below " +
                                   std::to_string(items) + ", and won by one of them or tied");
     }
     const auto a = static_cast<Eigen::Index>(one.first);
@@ -227,7 +227,10 @@ std::optional<Davidson> davidson(const Comparisons& counts) {
 
 Consistency consistency(std::span<const std::size_t> wins) {
   const auto k = static_cast<double>(wins.size());
-  if (wins.size() < 3) throw std::invalid_argument("wins must be of at least 3 items");
+  if (wins.size() < 3) {
+    throw std::invalid_argument("wins: number of items " + std::to_string(wins.size()) +
+                                "; circular triads require at least 3");
+  }
   double squares = 0.0;
   for (const std::size_t own : wins) squares += static_cast<double>(own * own);
   Consistency result{.circular_triads = k * (k - 1.0) * (2.0 * k - 1.0) / 12.0 - 0.5 * squares};

@@ -11,7 +11,7 @@ namespace asperity {
 
 CochranTest cochran_test(const CountMatrix& answers) {
   if (answers.cols() < 1)
-    throw std::invalid_argument("answers has no column; a condition is needed");
+    throw std::invalid_argument("answers has no column; at least one condition is needed");
   if (answers.size() > 0 && (answers.minCoeff() < 0 || answers.maxCoeff() > 1)) {
     throw std::invalid_argument("answers must contain only zeros and ones");
   }
@@ -42,8 +42,10 @@ double mcnemar_test(const Discordance& discordance) {
 
 ConfidenceInterval mcnemar_bounds(const McNemarMargins& margins) {
   if (std::max(margins.first, margins.second) > margins.participants) {
-    throw std::invalid_argument("more participants answered yes than there are, " +
-                                std::to_string(margins.participants));
+    throw std::invalid_argument("margins: first is " + std::to_string(margins.first) +
+                                " and second " + std::to_string(margins.second) + " of " +
+                                std::to_string(margins.participants) +
+                                " participants; neither can exceed their number");
   }
   // Of those who say yes first, all but `both` say so only then.
   const std::uint64_t most = std::min(margins.first, margins.second);

@@ -17,7 +17,8 @@ bool is_inside(const AskedBand& band, double value) noexcept {
 std::optional<Compliance> compliance_of(std::span<const double> samples, const AskedBand& band) {
   if ((band.minimum && std::isnan(*band.minimum)) || (band.maximum && std::isnan(*band.maximum)) ||
       (band.minimum && band.maximum && *band.minimum > *band.maximum)) {
-    throw std::invalid_argument("band: minimum and maximum must be numbers in this order");
+    throw std::invalid_argument(
+        "band: minimum and maximum must be numbers, and minimum must not exceed maximum");
   }
   const std::optional<Summary> summary = summary_of(samples);
   if (!summary) {
@@ -97,7 +98,8 @@ std::vector<StrokePassage> strokes_along(std::span<const double> position_m,
   StrokeCutter cutter(least_length_m);
   for (std::size_t i = 0; i < position_m.size(); ++i) {
     if (!std::isfinite(position_m[i])) {
-      throw std::invalid_argument("position_m: sample " + std::to_string(i) + " is not finite");
+      throw std::invalid_argument("position_m: sample " + std::to_string(i) +
+                                  " is not finite; all samples must be finite");
     }
     if (const auto ended = cutter.take(position_m[i], 0)) strokes.push_back(*ended);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -14,7 +15,8 @@
 namespace asperity {
 
 void ChoiceData::add(double count, std::span<const Term> terms) {
-  if (strata_.empty()) throw std::logic_error("an alternative needs a stratum that was begun");
+  if (strata_.empty())
+    throw std::logic_error("no stratum has begun; call begin_stratum before add");
   counts_.push_back(count);
   for (const Term& term : terms) {
     terms_.push_back(term);
@@ -175,7 +177,9 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
 Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
                                      std::span<const std::size_t> clusters) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters must name the cluster of every stratum");
+    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) + " and data " +
+                                std::to_string(data.strata()) +
+                                " strata; clusters must have one entry per stratum");
   }
   const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
   return fit.covariance * (scores.transpose() * scores) * fit.covariance;
@@ -185,7 +189,9 @@ std::vector<ClusteredError> clustered_errors(const ConditionalLogit& fit, const 
                                              std::span<const std::size_t> clusters,
                                              const Eigen::MatrixXd& combinations) {
   if (clusters.size() != data.strata()) {
-    throw std::invalid_argument("clusters must name the cluster of every stratum");
+    throw std::invalid_argument("clusters has " + std::to_string(clusters.size()) + " and data " +
+                                std::to_string(data.strata()) +
+                                " strata; clusters must have one entry per stratum");
   }
   if (std::set<std::size_t>(clusters.begin(), clusters.end()).size() < kFewestClusters) return {};
   const ChoiceData::Slopes at = data.slopes(fit.coefficients, clusters);

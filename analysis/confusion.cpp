@@ -19,9 +19,9 @@ ConfusionCounts confusion_counts(std::span<const LabelPair> trials, std::size_t 
   ConfusionCounts counts = ConfusionCounts::Zero(size, size);
   for (const LabelPair& trial : trials) {
     if (trial.stimulus >= labels || trial.answer >= labels) {
-      throw std::invalid_argument("trials: label " +
+      throw std::invalid_argument("trials: a label is " +
                                   std::to_string(std::max(trial.stimulus, trial.answer)) +
-                                  " is not one of " + std::to_string(labels));
+                                  "; every label must be below " + std::to_string(labels));
     }
     counts(static_cast<Eigen::Index>(trial.stimulus), static_cast<Eigen::Index>(trial.answer)) +=
         1.0;
@@ -31,13 +31,13 @@ ConfusionCounts confusion_counts(std::span<const LabelPair> trials, std::size_t 
 
 void refuse_impossible_counts(const ConfusionCounts& counts) {
   if (counts.rows() != counts.cols() || counts.rows() < 2) {
-    throw std::invalid_argument(
-        "counts has " + std::to_string(counts.rows()) + " rows and " +
-        std::to_string(counts.cols()) +
-        " columns; a confusion matrix must be square, with at least 2 labels");
+    throw std::invalid_argument("counts has the size " + std::to_string(counts.rows()) + " × " +
+                                std::to_string(counts.cols()) +
+                                "; a confusion matrix must be square, with at least 2 labels");
   }
   if (!counts.allFinite() || counts.minCoeff() < 0.0) {
-    throw std::invalid_argument("counts: a count is negative or not finite");
+    throw std::invalid_argument(
+        "counts: a count is negative or not finite; all must be finite and at least 0");
   }
 }
 

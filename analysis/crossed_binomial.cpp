@@ -68,14 +68,19 @@ class CrossedLikelihood final {
       : responses_(responses), model_(model) {
     if (responses.empty() || model.design.rows() != static_cast<Eigen::Index>(responses.size()) ||
         model.design.cols() < 1) {
-      throw std::invalid_argument("design: it has " + std::to_string(model.design.rows()) +
-                                  " rows for " + std::to_string(responses.size()) + " responses");
+      throw std::invalid_argument(
+          "design has the size " + std::to_string(model.design.rows()) + " × " +
+          std::to_string(model.design.cols()) + " and the number of responses is " +
+          std::to_string(responses.size()) +
+          "; design must have one row per response and at least one column");
     }
     if (!model.participants_vary && !model.items_vary) {
-      throw std::invalid_argument("model: neither participants nor items vary");
+      throw std::invalid_argument(
+          "model: neither participants nor items vary; at least one of them must");
     }
     if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
-      throw std::invalid_argument("design: its columns are linearly dependent");
+      throw std::invalid_argument(
+          "design: the columns are linearly dependent; omit those that follow from others");
     }
     for (const CrossedHits& one : responses) {
       static_cast<void>(proportion(one.count));  // refuses impossible counts
@@ -408,7 +413,8 @@ SampledError intercept_error(const CrossedFit& fit, std::size_t participants, st
   const auto add = [&](double sigma, std::size_t intercepts) {
     if (sigma == 0.0) return;
     if (intercepts < 2) {
-      throw std::invalid_argument("a factor that varies needs at least two intercepts");
+      throw std::invalid_argument("participants or items: a factor that varies has " +
+                                  std::to_string(intercepts) + "; at least two are needed");
     }
     const auto k = static_cast<double>(intercepts);
     variance += sigma * sigma / (k * (k - 1.0));

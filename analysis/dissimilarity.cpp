@@ -21,11 +21,11 @@ Eigen::MatrixXd conditional_probabilities(const ConfusionCounts& counts) {
 
 void refuse_impossible_matrix(const Dissimilarities& d) {
   if (d.rows() != d.cols() || d.rows() < 2) {
-    throw std::invalid_argument("dissimilarities must be a square matrix of at least 2 items");
+    throw std::invalid_argument("dissimilarities must be a square matrix with at least 2 rows");
   }
   if (!d.allFinite() || d.minCoeff() < 0.0 || d.diagonal().maxCoeff() > 0.0 || d != d.transpose()) {
     throw std::invalid_argument(
-        "dissimilarities must be finite, symmetric, not negative, and 0 on the diagonal");
+        "dissimilarities must be finite, symmetric, at least 0, and 0 on the diagonal");
   }
 }
 

@@ -24,10 +24,10 @@ void refuse_unless_positive(double value, const char* name) {
 
 ConfidenceInterval interval_of(const EstimatedDifference& difference, double alpha) {
   refuse_unless_positive(difference.standard_error, "standard error");
-  refuse_unless_positive(difference.df, "degrees of freedom");
+  refuse_unless_positive(difference.df, "df");
   if (!(alpha > 0.0 && alpha < 0.5)) {
     throw std::invalid_argument("alpha is " + number_text(alpha) +
-                                "; alpha of a one-sided test lies between 0 and 0.5");
+                                "; it must lie between 0 and 0.5");
   }
   const double half =
       *t_limit({.confidence = 1.0 - 2.0 * alpha, .df = difference.df}) * difference.standard_error;
@@ -40,9 +40,9 @@ EquivalenceTest equivalence_test(const EstimatedDifference& difference,
                                  const EquivalenceBounds& bounds) {
   EquivalenceTest test{.interval = interval_of(difference, bounds.alpha)};
   if (!(bounds.lower < bounds.upper)) {
-    throw std::invalid_argument("the bounds of equivalence are " + number_text(bounds.lower) +
+    throw std::invalid_argument("the equivalence bounds are " + number_text(bounds.lower) +
                                 " and " + number_text(bounds.upper) +
-                                "; the lower one must be less than the upper one");
+                                "; the lower bound must be less than the upper one");
   }
   const double error = difference.standard_error;
   test.t_lower = (difference.value - bounds.lower) / error;
@@ -63,7 +63,7 @@ double jzs_bayes_factor(const BayesFactorQuestion& question) {
   if (!std::isfinite(question.t)) {
     throw std::invalid_argument("t is " + number_text(question.t) + "; it must be finite");
   }
-  refuse_unless_positive(question.df, "degrees of freedom");
+  refuse_unless_positive(question.df, "df");
   refuse_unless_positive(question.n, "n");
   refuse_unless_positive(question.scale, "scale of the prior");
   const double squared = question.t * question.t / question.df;

@@ -230,7 +230,8 @@ RelabellingTest random_relabellings(const CountMatrix& counts, Random& random) {
 }  // namespace
 
 RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
-  if (counts.cols() < 1) throw std::invalid_argument("counts has no column; a label is needed");
+  if (counts.cols() < 1)
+    throw std::invalid_argument("counts has no column; at least one label is needed");
   if (counts.size() > 0 && counts.minCoeff() < 0) {
     throw std::invalid_argument("counts must not be negative");
   }
@@ -368,7 +369,8 @@ double kinds_of_counts(double n, double alternatives) {
 }  // namespace
 
 MultinomialTest uniform_multinomial_test(std::span<const std::uint64_t> counts) {
-  if (counts.empty()) throw std::invalid_argument("counts is empty; an alternative is needed");
+  if (counts.empty())
+    throw std::invalid_argument("counts is empty; at least one alternative is needed");
   constexpr double kMostKinds = 1e6;
   const auto n =
       static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));

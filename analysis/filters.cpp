@@ -18,14 +18,15 @@ using Complex = std::complex<double>;
 void refuse(int order, std::span<const double> cutoffs_Hz, double rate_Hz) {
   if (order < 1 || order > 8) {
     throw std::invalid_argument("order is " + std::to_string(order) +
-                                "; a Butterworth filter here has an order from 1 to 8");
+                                "; it must be a whole number from 1 to 8");
   }
   double below_Hz = 0.0;
   for (const double cutoff_Hz : cutoffs_Hz) {
     if (!(cutoff_Hz > below_Hz && cutoff_Hz < 0.5 * rate_Hz)) {
-      throw std::invalid_argument("cut-off " + number_text(cutoff_Hz) + " Hz of a filter at " +
-                                  number_text(rate_Hz) + " Hz must lie between " +
-                                  number_text(below_Hz) + " Hz and half the rate");
+      throw std::invalid_argument("cut-off is " + number_text(cutoff_Hz) +
+                                  " Hz with a sampling rate of " + number_text(rate_Hz) +
+                                  " Hz; it must lie between " + number_text(below_Hz) +
+                                  " Hz and half the sampling rate");
     }
     below_Hz = cutoff_Hz;
   }

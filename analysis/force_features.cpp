@@ -37,7 +37,8 @@ void refuse_unusable_force(const FeltForce& felt) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(felt.time_s[i]) || !std::isfinite(felt.travel_m[i]) ||
         !std::isfinite(felt.normal_N[i]) || !std::isfinite(felt.lateral_N[i])) {
-      throw std::invalid_argument("FeltForce: sample " + std::to_string(i) + " is not finite");
+      throw std::invalid_argument("FeltForce: sample " + std::to_string(i) +
+                                  " is not finite; all must be finite");
     }
     if (i > 0 && (felt.time_s[i] < felt.time_s[i - 1] || felt.travel_m[i] < felt.travel_m[i - 1])) {
       throw std::invalid_argument("FeltForce: time_s or travel_m decreases at sample " +

@@ -34,7 +34,7 @@ std::vector<double> midranks(std::span<const double> numbers) {
 
 FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   if (judgements.cols() < 2)
-    throw std::invalid_argument("judgements must be of at least two items");
+    throw std::invalid_argument("judgements must have at least two columns, one per item");
   if (!judgements.allFinite()) throw std::invalid_argument("judgements must be finite");
   const auto n = static_cast<double>(judgements.rows());
   const auto k = static_cast<double>(judgements.cols());

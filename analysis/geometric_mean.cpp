@@ -15,8 +15,8 @@ GeometricMean geometric_mean(std::span<const double> numbers, double confidence)
   logarithms.reserve(numbers.size());
   for (const double number : numbers) {
     if (!std::isfinite(number) || number <= 0.0) {
-      throw std::invalid_argument("a geometric mean needs numbers above 0; " + number_text(number) +
-                                  " is not one");
+      throw std::invalid_argument("numbers contains " + number_text(number) +
+                                  "; a geometric mean requires finite numbers above 0");
     }
     logarithms.push_back(std::log(number));
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "analysis/tail_probabilities.h"
 
@@ -99,7 +100,9 @@ PooledTrials pooled_trials(std::span<const std::vector<LabelPair>> trials_of_par
   for (const std::vector<LabelPair>& own : trials_of_participants) {
     for (const LabelPair& trial : own) {
       if (trial.stimulus >= labels || trial.answer >= labels) {
-        throw std::invalid_argument("trials: a label is not below the number of labels");
+        throw std::invalid_argument("trials: a label is " +
+                                    std::to_string(std::max(trial.stimulus, trial.answer)) +
+                                    "; every label must be below " + std::to_string(labels));
       }
       pool.stimuli.push_back(trial.stimulus);
       pool.answers.push_back(trial.answer);

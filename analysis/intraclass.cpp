@@ -111,11 +111,12 @@ IntraclassCorrelation test_of(double targets, double error, double df1, double d
 
 std::optional<Reliability> reliability_of(const Eigen::MatrixXd& ratings, double confidence) {
   if (ratings.rows() < 2 || ratings.cols() < 2) {
-    throw std::invalid_argument("ratings: " + std::to_string(ratings.rows()) + " targets of " +
-                                std::to_string(ratings.cols()) +
-                                " raters; a reliability needs at least two of each");
+    throw std::invalid_argument("ratings: number of targets " + std::to_string(ratings.rows()) +
+                                ", of raters " + std::to_string(ratings.cols()) +
+                                "; at least 2 of each are needed");
   }
-  if (!ratings.allFinite()) throw std::invalid_argument("ratings: a rating is not finite");
+  if (!ratings.allFinite())
+    throw std::invalid_argument("ratings: a rating is not finite; all must be finite");
   static_cast<void>(normal_limit(confidence));  // refuses what is no confidence
   MeanSquares ms = mean_squares(ratings);
   // What rounding leaves of a sum of squares that is 0.

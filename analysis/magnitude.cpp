@@ -21,8 +21,8 @@ namespace {
 
 void refuse_unknown_place(std::size_t place, std::size_t size, const char* what) {
   if (place >= size) {
-    throw std::invalid_argument(std::string("estimates: ") + what + " " + std::to_string(place) +
-                                " is not one of " + std::to_string(size));
+    throw std::invalid_argument(std::string("estimates: ") + what + " is " + std::to_string(place) +
+                                "; it must be below " + std::to_string(size));
   }
 }
 
@@ -52,16 +52,17 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
   LeastSquares fit{.powers = powers_of(curves.x, coefficients)};
   fit.solver.compute(fit.powers);
   if (fit.solver.rank() < coefficients) {
-    throw std::invalid_argument("x has too few different levels for " +
-                                std::to_string(coefficients) + " coefficients");
+    throw std::invalid_argument("x has too few different levels; a curve with " +
+                                std::to_string(coefficients) + " coefficients needs as many");
   }
   return fit;
 }
 
 LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.log10.rows() < 2) {
-    throw std::invalid_argument("log10 has " + std::to_string(curves.log10.rows()) +
-                                " participants; curves are compared over at least two");
+    throw std::invalid_argument("log10: number of participants " +
+                                std::to_string(curves.log10.rows()) +
+                                "; curves are compared over at least two");
   }
   return least_squares_of_any(curves, coefficients);
 }
@@ -160,8 +161,8 @@ std::optional<double> resampled_peak(const Eigen::MatrixXd& coefficients,
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for (const std::size_t place : places) {
     if (place >= static_cast<std::size_t>(coefficients.rows())) {
-      throw std::invalid_argument("resamples: participant " + std::to_string(place + 1) +
-                                  " is not one of " + std::to_string(coefficients.rows()));
+      throw std::invalid_argument("resamples: participant is " + std::to_string(place) +
+                                  "; it must be below " + std::to_string(coefficients.rows()));
     }
     sum += coefficients.row(index(place));
   }
@@ -234,7 +235,7 @@ std::vector<MagnitudeEstimate> without_zeros(std::span<const MagnitudeEstimate> 
   for (const MagnitudeEstimate& one : estimates) {
     if (!std::isfinite(one.estimate) || one.estimate < 0.0) {
       throw std::invalid_argument("estimate is " + number_text(one.estimate) +
-                                  "; a magnitude is a number from 0 up");
+                                  "; it must be finite and at least 0");
     }
     if (one.estimate > 0.0) {
       const auto [place, is_first] = least.emplace(one.participant, one.estimate);
@@ -249,9 +250,9 @@ std::vector<MagnitudeEstimate> without_zeros(std::span<const MagnitudeEstimate> 
       }
       const auto found = least.find(one.participant);
       if (found == least.end()) {
-        throw std::invalid_argument(
-            "estimates: all of participant " + std::to_string(one.participant + 1) +
-            " are 0; half of the smallest positive estimate needs a positive estimate");
+        throw std::invalid_argument("estimates: all those of participant " +
+                                    std::to_string(one.participant + 1) +
+                                    " are 0; at least one must be positive");
       }
       one.estimate = 0.5 * found->second;
     }
@@ -271,8 +272,9 @@ MagnitudeCells magnitude_cells(std::span<const MagnitudeEstimate> estimates,
     refuse_unknown_place(one.condition, design.conditions, "condition");
     refuse_unknown_place(one.level, design.levels, "level");
     if (!(one.estimate > 0.0) || !std::isfinite(one.estimate)) {
-      throw std::invalid_argument("estimate is " + number_text(one.estimate) +
-                                  "; its logarithm needs a positive number");
+      throw std::invalid_argument(
+          "estimate is " + number_text(one.estimate) +
+          "; it must be finite and positive, because its logarithm is analysed");
     }
     sums[one.condition](index(one.participant), index(one.level)) += std::log10(one.estimate);
     counts[one.condition](index(one.participant), index(one.level)) += 1.0;

@@ -61,11 +61,12 @@ double root_beyond(double from, double step, Function rising) {
 
 MallowsFit mallows_fit(std::span<const std::size_t> right, std::size_t items, double confidence) {
   const std::vector<double> chance = fixed_point_distribution(items);
-  if (right.empty()) throw std::invalid_argument("right is empty; an assignment is needed");
+  if (right.empty())
+    throw std::invalid_argument("right is empty; at least one assignment is needed");
   for (const std::size_t one : right) {
     if (one > items) {
       throw std::invalid_argument("right is " + std::to_string(one) + " of " +
-                                  std::to_string(items) + " items; it cannot exceed items");
+                                  std::to_string(items) + " items; it cannot exceed their number");
     }
   }
   const auto n = static_cast<double>(right.size());

@@ -19,8 +19,7 @@ constexpr std::size_t kMostItems = 12;
 
 void refuse_impossible_size(std::size_t items) {
   if (items < 1 || items > kMostItems) {
-    throw std::invalid_argument("items is " + std::to_string(items) +
-                                "; matching is counted for 1 to 12 items");
+    throw std::invalid_argument("items is " + std::to_string(items) + "; it must be from 1 to 12");
   }
 }
 

@@ -36,7 +36,7 @@ RankingCounts count_stages(std::span<const Ranking> rankings, std::size_t items)
     std::sort(all.begin(), all.end());
     if ((!all.empty() && all.back() >= items) ||
         std::adjacent_find(all.begin(), all.end()) != all.end()) {
-      throw std::invalid_argument("a ranking must be of different items out of " +
+      throw std::invalid_argument("rankings: the items of each must differ and be below " +
                                   std::to_string(items));
     }
   }

@@ -12,7 +12,7 @@ namespace asperity {
 
 PooledShare pooled_share(std::span<const HitCount> participants) {
   if (participants.empty()) {
-    throw std::invalid_argument("participants is empty; a proportion needs at least one");
+    throw std::invalid_argument("participants is empty; at least one is needed");
   }
   HitCount all{};
   for (const HitCount& own : participants) {

@@ -34,21 +34,20 @@ using boost::math::complement;
 void refuse_unless_probability(double value, const char* name) {
   if (!(value >= 0.0 && value <= 1.0)) {
     throw std::invalid_argument(std::string(name) + " is " + number_text(value) +
-                                "; a probability lies between 0 and 1");
+                                "; it must be from 0 to 1");
   }
 }
 
 void refuse_error(double error) {
   if (!(error > 0.0 && error < 1.0)) {
-    throw std::invalid_argument("error is " + number_text(error) +
-                                "; a test's error lies between 0 and 1");
+    throw std::invalid_argument("error is " + number_text(error) + "; it must lie between 0 and 1");
   }
 }
 
 void refuse_fewer(std::size_t number, std::size_t least, const char* name) {
   if (number < least) {
     throw std::invalid_argument(std::string(name) + " is " + std::to_string(number) +
-                                "; a plan needs at least " + std::to_string(least));
+                                "; it must be at least " + std::to_string(least));
   }
 }
 
@@ -299,10 +298,10 @@ UniformPower uniform_power(const UniformPlan& plan) {
       std::exp(std::lgamma(choices + places) - std::lgamma(places) - std::lgamma(choices + 1.0));
   constexpr double kMostCounts = 2e7;  // some seconds
   if (counts > kMostCounts) {
-    throw std::invalid_argument("choices is " + std::to_string(plan.choices) + " among " +
-                                std::to_string(plan.truth.size()) +
-                                " alternatives: more outcomes than can be counted one by one; plan "
-                                "fewer of either");
+    throw std::invalid_argument(
+        "choices is " + std::to_string(plan.choices) + " among " +
+        std::to_string(plan.truth.size()) +
+        " alternatives: too many outcomes to enumerate; plan fewer choices or alternatives");
   }
   Enumeration enumeration{.plan = plan};
   const double ways = std::lgamma(static_cast<double>(plan.choices) + 1.0);
@@ -327,7 +326,7 @@ UniformPower uniform_power(const UniformPlan& plan) {
 
 MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
   if (!std::isfinite(theta)) {
-    throw std::invalid_argument("theta is not finite");
+    throw std::invalid_argument("theta is not finite; it must be finite");
   }
   std::vector<double> alternative = fixed_point_distribution(plan.items);
   double sum = 0.0;
@@ -346,7 +345,8 @@ MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
 MatchingPower known_items_power(const MatchingPlan& plan, std::size_t known) {
   if (known > plan.items) {
     throw std::invalid_argument("known is " + std::to_string(known) + " of " +
-                                std::to_string(plan.items) + " items; known cannot exceed items");
+                                std::to_string(plan.items) +
+                                " items; it cannot exceed their number");
   }
   std::vector<double> alternative(known, 0.0);
   const std::vector<double> rest =
@@ -427,7 +427,7 @@ PooledRejection pooled_rejection(const PooledPlan& plan) {
   if (!(plan.truth > 0.0 && plan.truth < 1.0) ||
       !(plan.correlation > 0.0 && plan.correlation < 1.0)) {
     throw std::invalid_argument("truth is " + number_text(plan.truth) + " and correlation " +
-                                number_text(plan.correlation) + "; both lie between 0 and 1");
+                                number_text(plan.correlation) + "; both must lie between 0 and 1");
   }
   const double both = 1.0 / plan.correlation - 1.0;
   const double alpha = plan.truth * both;
@@ -448,7 +448,7 @@ PooledRejection pooled_rejection(const PooledPlan& plan) {
     throw std::invalid_argument(
         std::to_string(plan.participants) + " participants with " +
         std::to_string(plan.trials_each) +
-        " trials each: more outcomes than can be counted in seconds; plan fewer trials each");
+        " trials each: too many outcomes to enumerate; plan fewer trials per participant");
   }
   std::vector<double> one;
   for (std::size_t hits = 0; hits <= plan.trials_each; ++hits) {

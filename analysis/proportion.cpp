@@ -23,7 +23,7 @@ void refuse_impossible_count(const HitCount& count) {
   if (count.hits > count.trials) {
     throw std::invalid_argument("hits is " + std::to_string(count.hits) + " of " +
                                 std::to_string(count.trials) +
-                                " trials; hits cannot exceed trials");
+                                " trials; it cannot exceed their number");
   }
 }
 

@@ -74,7 +74,8 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
   for (const std::vector<std::uint64_t>& hits : resamples) {
     if (hits.size() != blocks.size()) {
       throw std::invalid_argument("resamples: a row has " + std::to_string(hits.size()) +
-                                  " counts for " + std::to_string(blocks.size()) + " blocks");
+                                  " counts; it must have one per block, " +
+                                  std::to_string(blocks.size()));
     }
     for (std::size_t i = 0; i < hits.size(); ++i) {
       resampled[i].hits = hits[i];

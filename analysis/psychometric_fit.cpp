@@ -103,7 +103,9 @@ std::optional<PsychometricFit> fit_psychometric(std::span<const PsychometricBloc
                                                 const PsychometricQuestion& question) {
   if (judge(blocks, question.model).status != PsychometricStatus::ok) {
     throw std::invalid_argument(
-        "blocks: these data have no maximum-likelihood function; call judge first");
+        "blocks: these data have no maximum-likelihood estimate; call judge first, and fit only if "
+        "its "
+        "status is ok");
   }
   normal_limit(question.confidence);  // throws for a confidence outside (0, 1)
   const PsychometricLikelihood data(blocks, question.model);

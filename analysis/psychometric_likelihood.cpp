@@ -60,7 +60,7 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
   const auto refuse_rate = [](const std::optional<double>& rate, const char* name) {
     if (rate && !(*rate >= 0.0 && *rate < 1.0)) {
       throw std::invalid_argument(std::string(name) + " is " + number_text(*rate) +
-                                  "; a rate lies between 0 and 1");
+                                  "; it must be at least 0 and below 1");
     }
   };
   refuse_rate(model.gamma, "gamma");
@@ -74,15 +74,15 @@ std::vector<PsychometricBlock> answered_blocks(std::span<const PsychometricBlock
     if (block.hits > block.trials) {
       throw std::invalid_argument("hits is " + std::to_string(block.hits) + " of " +
                                   std::to_string(block.trials) +
-                                  " trials; hits cannot exceed trials");
+                                  " trials; it cannot exceed their number");
     }
     if (!std::isfinite(block.x) || (is_weibull(model.shape) && block.x < 0.0)) {
       throw std::invalid_argument("x is " + number_text(block.x) +
-                                  "; a level is a finite number, for a weibull from 0 up");
+                                  "; it must be finite, and at least 0 for a weibull");
     }
     if (is_impossible(block, model)) {
       throw std::invalid_argument("hits is " + std::to_string(block.hits) +
-                                  " at x = 0, where a weibull with gamma 0 has none");
+                                  " at x = 0; it must be 0 there for a weibull with gamma 0");
     }
     if (block.trials > 0) {
       kept.push_back(block);

@@ -76,9 +76,9 @@ RelabelledMatching::RelabelledMatching(std::span<const RepeatedTrial> trials) {
   for (Exchanged& group : exchanged_) {
     const std::size_t items = group.items.size();
     if (items > kMostExchanged) {
-      throw std::invalid_argument(
-          std::to_string(items) +
-          " items were felt together; matching is counted for 1 to 12 items");
+      throw std::invalid_argument("trials: a set has " + std::to_string(items) +
+                                  " items; at most " + std::to_string(kMostExchanged) +
+                                  " are possible");
     }
     group.chosen =
         CountMatrix::Zero(static_cast<Eigen::Index>(items), static_cast<Eigen::Index>(items));

@@ -23,22 +23,22 @@ void refuse_no_table(const RepeatedMeasures& data) {
   std::size_t cells = 1;
   for (const std::size_t levels : data.levels) {
     if (levels < 2) {
-      throw std::invalid_argument("levels: a factor has " + std::to_string(levels) +
-                                  "; a comparison needs at least two");
+      throw std::invalid_argument("levels: the number of levels of a factor is " +
+                                  std::to_string(levels) + "; it must be at least 2");
     }
     cells *= levels;
   }
   if (data.levels.empty() || static_cast<std::size_t>(data.y.cols()) != cells ||
       !data.y.allFinite()) {
-    throw std::invalid_argument("y has " + std::to_string(data.y.cols()) +
-                                " columns; it must have one per cell, " + std::to_string(cells) +
+    throw std::invalid_argument("y: number of columns " + std::to_string(data.y.cols()) +
+                                "; it must have one per cell, " + std::to_string(cells) +
                                 ", and all its values must be finite");
   }
   const auto participants = static_cast<std::size_t>(data.y.rows());
   if (participants <= data.groups) {
-    throw std::invalid_argument("y has " + std::to_string(participants) + " participants in " +
-                                std::to_string(data.groups) +
-                                " groups; an error needs more participants than groups");
+    throw std::invalid_argument("y: number of participants " + std::to_string(participants) +
+                                ", of groups " + std::to_string(data.groups) +
+                                "; an error term requires more participants than groups");
   }
   if (data.groups > 1) {
     if (data.group.size() != participants) {
@@ -46,8 +46,9 @@ void refuse_no_table(const RepeatedMeasures& data) {
     }
     for (std::size_t group = 0; group < data.groups; ++group) {
       if (std::count(data.group.begin(), data.group.end(), group) == 0) {
-        throw std::invalid_argument("group " + std::to_string(group + 1) +
-                                    " has no participant with all cells");
+        throw std::invalid_argument(
+            "group " + std::to_string(group + 1) +
+            " has no participant with all cells; each group needs at least one");
       }
     }
   }
@@ -133,7 +134,7 @@ double within_squares(const Grouped& z, SumsOfSquares type) {
       return z.means.colwise().mean().squaredNorm() * groups * groups /
              z.sizes.cwiseInverse().sum();
   }
-  throw std::invalid_argument("type is neither type_2 nor type_3");
+  throw std::invalid_argument("type must be type_2 or type_3");
 }
 
 // Differences between the groups, weighted by their sizes: the same for both types.
@@ -284,7 +285,7 @@ AnovaTable repeated_measures_anova(const RepeatedMeasures& data, SumsOfSquares t
 
 CellMeans cell_means(const Eigen::MatrixXd& y, double confidence) {
   if (y.rows() < 1 || y.cols() < 1) {
-    throw std::invalid_argument("y has no participants or no cells");
+    throw std::invalid_argument("y is empty; at least one participant and one cell are needed");
   }
   CellMeans answer{.mean = y.colwise().mean()};
   const auto n = static_cast<double>(y.rows());
@@ -309,7 +310,7 @@ CellMeans cell_means(const Eigen::MatrixXd& y, double confidence) {
 Eigen::MatrixXd marginal_means(const RepeatedMeasures& data, std::size_t factor) {
   refuse_no_table(data);
   if (factor >= data.levels.size()) {
-    throw std::invalid_argument("factor " + std::to_string(factor) + " is not one of " +
+    throw std::invalid_argument("factor is " + std::to_string(factor) + "; it must be below " +
                                 std::to_string(data.levels.size()));
   }
   std::size_t inner = 1;  // cells that run within one level
@@ -341,8 +342,9 @@ Eigen::MatrixXd orthonormal_polynomials(const Eigen::VectorXd& levels, std::size
     }
     constexpr double kVanished = 1e-10;
     if (!(scale > 0.0) || !(next.norm() > kVanished)) {
-      throw std::invalid_argument("levels has too few different numbers for " +
-                                  std::to_string(degrees) + " degrees");
+      throw std::invalid_argument(
+          "levels has too few different numbers; polynomials up to degree " +
+          std::to_string(degrees) + " require " + std::to_string(degrees + 1));
     }
     basis.col(degree) = next.normalized();
     power *= centred / scale;

@@ -94,7 +94,7 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
   const auto waking = static_cast<std::size_t>(0.010 * rate_Hz);
   if (acceleration_m_per_s2.size() <= waking) {
     throw std::invalid_argument(
-        "the record is not longer than the 10 ms in which the filter settles");
+        "the record must be longer than the 10 ms in which the filter settles");
   }
   const std::vector<double> passed =
       filtered(ButterworthFilter(LowPass{.order = 4, .cutoff_Hz = 300.0}, rate_Hz),

@@ -13,6 +13,8 @@
 #include <Eigen/Dense>
 #include <unsupported/Eigen/FFT>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -118,9 +120,9 @@ Patch tapered_centre(const HeightSamples& samples) {
       const double height_m =
           samples.heights_m[(first_row + r) * samples.columns + first_column + c];
       if (!std::isfinite(height_m)) {
-        throw std::invalid_argument("heights_m: the height in row " +
-                                    std::to_string(first_row + r) + ", column " +
-                                    std::to_string(first_column + c) + " is not finite");
+        throw std::invalid_argument(
+            "heights_m: the height in row " + std::to_string(first_row + r) + ", column " +
+            std::to_string(first_column + c) + " is not finite; all must be finite");
       }
       patch.heights_m[r * patch.columns + c] = height_m;
       greatest_m = std::max(greatest_m, std::abs(height_m));
@@ -174,9 +176,9 @@ std::vector<Complex> real_spectrum(std::span<const double> signal) {
 PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows& windows) {
   const std::size_t length = windows.length;
   if (length < 2 || signal.size() < length) {
-    throw std::invalid_argument("a window has " + std::to_string(length) +
-                                " samples and the signal " + std::to_string(signal.size()) +
-                                "; a window needs 2 or more and at most the signal's");
+    throw std::invalid_argument(
+        "windows.length is " + std::to_string(length) + " with " + std::to_string(signal.size()) +
+        " samples; it must be at least 2 and at most the number of samples");
   }
   if (!(windows.rate_Hz > 0.0)) {
     throw std::invalid_argument("rate_Hz must be positive");
@@ -223,7 +225,9 @@ double band_rms(std::span<const double> signal, double rate_Hz, double low_Hz, d
     throw std::invalid_argument("rate_Hz must be positive");
   }
   if (!(low_Hz >= 0.0 && low_Hz <= high_Hz)) {
-    throw std::invalid_argument("a band needs 0 <= low_Hz <= high_Hz");
+    throw std::invalid_argument("low_Hz is " + number_text(low_Hz) + " and high_Hz " +
+                                number_text(high_Hz) +
+                                "; the band must satisfy 0 <= low_Hz <= high_Hz");
   }
   if (signal.empty()) {
     throw std::invalid_argument("signal is empty; an RMS needs at least one sample");
@@ -247,13 +251,13 @@ double band_rms(std::span<const double> signal, double rate_Hz, double low_Hz, d
 
 std::optional<double> dominant_wavelength_m(const HeightSamples& samples) {
   if (samples.rows < 16 || samples.columns < 16) {
-    throw std::invalid_argument("heights_m: " + std::to_string(samples.rows) + " rows and " +
+    throw std::invalid_argument("heights_m has the size " + std::to_string(samples.rows) + " × " +
                                 std::to_string(samples.columns) +
-                                " columns; a dominant wavelength needs 16 of each");
+                                "; a dominant wavelength requires at least 16 rows and columns");
   }
   if (samples.heights_m.size() != samples.rows * samples.columns) {
     throw std::invalid_argument("heights_m: " + std::to_string(samples.heights_m.size()) +
-                                " heights are not rows times columns, " +
+                                " heights; their number must be rows times columns, " +
                                 std::to_string(samples.rows) + " times " +
                                 std::to_string(samples.columns));
   }

@@ -34,7 +34,8 @@ std::optional<Summary> summary_of(std::span<const double> samples) {
   double sum = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!std::isfinite(samples[i])) {
-      throw std::invalid_argument("samples: number " + std::to_string(i) + " is not finite");
+      throw std::invalid_argument("samples: sample " + std::to_string(i) +
+                                  " is not finite; all must be finite");
     }
     sum += samples[i];
   }

@@ -27,7 +27,7 @@ double spread_of(std::span<const double> sample) {
 OneSampleT one_sample_t(std::span<const double> sample, const OneSampleQuestion& question) {
   const std::optional<Summary> summary = summary_of(sample);
   if (!summary) {
-    throw std::invalid_argument("sample is empty; a mean needs at least one number");
+    throw std::invalid_argument("sample is empty; a mean needs at least one value");
   }
   OneSampleT answer{.n = summary->n, .mean = summary->mean};
   if (answer.n < 2) {

@@ -153,7 +153,7 @@ TEST(Power, OfThePooledTestIsRefusedWhereItTakesMinutes) {
                         .correlation = 0.1};
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { pooled_rejection(plan); }),
               testing::AllOf(testing::HasSubstr("100000 participants with 100000 trials each"),
-                             testing::HasSubstr("plan fewer trials each")));
+                             testing::HasSubstr("plan fewer trials per participant")));
   // Many participants with few trials are quick, and one with many.
   PooledPlan many = plan;
   many.trials_each = 3;
