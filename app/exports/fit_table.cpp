@@ -42,11 +42,11 @@ Columns FitTable::columns() {
   add("condition", "text",
       "data of one psychometric function: participant, protocol, question, what is counted, and "
       "the levels of all factors but x and the repetition (column)");
-  add("x", "number", "level of the numeric factor that the column factor names, in its unit");
+  add("x", "number", "level of the numeric factor named in the column factor, in its unit");
   add("k", "integer",
-      "responses at this level that the column counted names, of completed sessions; the other "
-      "sessions contain only some of the conditions");
-  add("n", "integer", "responses at this level, of completed sessions");
+      "responses at this level of the kind named in the column counted, in completed sessions; the "
+      "other sessions contain only some of the conditions");
+  add("n", "integer", "responses at this level, in completed sessions");
   add("participant", "text", "label of the participant");
   add("protocol", "text", "name of the protocol");
   add("protocol_version", "text", "version of the protocol");

@@ -156,7 +156,9 @@ WrittenTable SavTable::write(const std::filesystem::path& path, const std::strin
   std::vector<Cell> row(columns_.size());
   for (std::size_t done = 0; done < rows_; ++done) {
     if (!read_row(row)) {
-      throw ResultsError("the rows of " + path.string() + " cannot be read back", path, EIO);
+      throw ResultsError(
+          "the rows of " + path.string() + " cannot be read from the temporary file; export again",
+          path, EIO);
     }
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (const auto* text = std::get_if<std::string>(&row[i]); text != nullptr && is_coded(i)) {

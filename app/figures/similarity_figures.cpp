@@ -129,8 +129,9 @@ Figure similarity_map(const FoundNumbers& found) {
     return figure;
   }
   if (!read) {
-    figure.instead =
-        phrase("Figures", "The dissimilarities span fewer than two dimensions: there is no plane.");
+    figure.instead = phrase(
+        "Figures",
+        "The dissimilarities span fewer than two dimensions: there is no configuration to show.");
     return figure;
   }
   figure.note =

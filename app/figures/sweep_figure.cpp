@@ -102,7 +102,7 @@ std::size_t series_of_condition(const Figure& estimates, const std::string& cond
   std::string names{};
   for (const std::string& name : there) names += (names.empty() ? "" : ", ") + name;
   throw std::runtime_error("the study has no estimates for the condition " + condition +
-                           " yet; it has estimates for " + names);
+                           "; choose a condition with estimates: " + names);
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
       .title = sweep_title(sweep.order.varied),
       .note =
           phrase("Figures",
-                 "Filled symbols: strokes of the held tool. Small open symbols: strokes excluded "
+                 "Filled symbols: strokes of the held tool. Small open symbols: strokes left out "
                  "because of their status. Curves: parabolas fitted to the logarithms. Large open "
                  "symbols: their peaks within the range, with 95 % Fieller intervals of the fit."),
       .x = {.name = phrase("Figures", "texture frequency"),

@@ -1244,7 +1244,7 @@ TEST(Magnitudes, ReportNoMaximumThatTheTestOfAnInteriorOneDoesNotShow) {
   EXPECT_THAT(question_of(outcome, "peaks").answer.english(),
               HasSubstr("large without a significant interior maximum (p = "));
   EXPECT_THAT(table_of(outcome, "tests").table.rows.back().back(),
-              Cell{"not both conditions have an interior maximum"});
+              Cell{"at least one condition has no interior maximum"});
 }
 
 // Their peaks are 0.15 decades apart, which t of one degree of freedom makes an interval of nearly two:

@@ -181,8 +181,8 @@ TEST(ReliabilityOfMagnitudes, IsTheMeanOfTheParticipantsOwn) {
   ASSERT_NE(asked(outcome), nullptr);
   EXPECT_EQ(
       asked(outcome)->answer.english(),
-      "For a single one of the 2 repetitions, within participants: mean ICC(3,1) = .00, 95 % CI "
-      "[−1.00, 1.00]; N = 4 participants.");
+      "Reliability of a single one of the 2 repetitions, within participants: mean ICC(3,1) = .00, "
+      "95 % CI [−1.00, 1.00]; N = 4 participants.");
 }
 
 // The second repetition is a fifth of a decade higher: consistent in logarithms alone.

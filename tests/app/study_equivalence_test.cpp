@@ -125,8 +125,8 @@ TEST(ReliabilityOverRepetitions, TellsConsistencyFromAgreement) {
   EXPECT_THAT(
       answer_of(outcome, "reliability"),
       StartsWith(
-          "For a single repetition, ICC(3,1) = 1.00 (consistency) and ICC(2,1) = .77 (agreement); "
-          "for the mean of the 2 repetitions, ICC(3,k) = 1.00; N = 4 participants."));
+          "Reliability of a single repetition: ICC(3,1) = 1.00 (consistency) and ICC(2,1) = .77 "
+          "(agreement); of the mean of the 2 repetitions: ICC(3,k) = 1.00; N = 4 participants."));
 }
 
 TEST(ReliabilityOverRepetitions, IsNotAskedWithoutRepetitions) {

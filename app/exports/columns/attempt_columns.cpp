@@ -78,9 +78,9 @@ Columns attempt_columns() {
                      [](const Place& at) { return text_cell_of(at.attempt->flag_reason); }))));
   add(codes_column("flag_code", "not flagged", "the reasons as codes, as in invalid_code",
                    &AttemptRow::flag_reason));
-  add(column("onset_s", "number", "s", "beginning, since the session began",
+  add(column("onset_s", "number", "s", "time of the beginning, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
-  add(column("offset_s", "number", "s", "end, since the session began",
+  add(column("offset_s", "number", "s", "time of the end, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->offset_ns); }));
   const auto of_recording = [](auto member) {
     return [member](const Place& at) -> Cell {

@@ -38,12 +38,13 @@ Columns compliance_columns() {
   value("p05", "5th percentile", &Row::p05);
   value("p50", "median", &Row::p50);
   value("p95", "95th percentile", &Row::p95);
-  add(missing(
-      "the protocol declares no band",
-      fraction(
-          column("fraction_in_band", "number", "1",
-                 "fraction inside the band: of the contact time, of the strokes for the speed",
-                 [](const Place& at) { return optional_cell(at.compliance->fraction_in_band); }))));
+  add(missing("the protocol declares no band",
+              fraction(column("fraction_in_band", "number", "1",
+                              "fraction inside the band: of the contact time for the force, of the "
+                              "strokes for their speed and length",
+                              [](const Place& at) {
+                                return optional_cell(at.compliance->fraction_in_band);
+                              }))));
   add(missing("the protocol declares no requirement",
               column("passed", "boolean", "", "1: explored as the protocol requires",
                      [](const Place& at) { return optional_boolean(at.compliance->passed); })));

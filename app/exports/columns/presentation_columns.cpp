@@ -46,7 +46,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                 })));
   };
   sha256("height_field",
-         "SHA-256 of the height field's sidecar, which contains that of its picture",
+         "SHA-256 of the height field's sidecar; the sidecar contains the SHA-256 of its picture",
          "no height field is involved");
   sha256("surface", "SHA-256 of the body that was touched (docs/formats/study.md)",
          "the tool of the model is a point");
@@ -63,11 +63,12 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                   return seconds_in_session(at, at.presentation->*member);
                 })));
   };
-  time("onset_s", "first tick with the surface present, since the session began",
+  time("onset_s", "time of the first tick with the surface present, since the session began",
        "the surface was not presented", &PresentationRow::onset_ns);
-  time("contact_onset_s", "first tick with the probe in the surface, since the session began",
+  time("contact_onset_s",
+       "time of the first tick with the probe in the surface, since the session began",
        "the surface was not touched", &PresentationRow::contact_ns);
-  time("offset_s", "last tick with the surface present, since the session began",
+  time("offset_s", "time of the last tick with the surface present, since the session began",
        "the surface was not presented", &PresentationRow::offset_ns);
   add(at_least(0, column("contact_s", "number", "s", "time in contact",
                          [](const Place& at) { return at.presentation->contact_s; })));

@@ -76,7 +76,8 @@ Finding no_deviation(const char* factor, std::size_t participants) {
   none.key = factor;
   none.value = 0.0;
   none.unit = "1";
-  none.method = "estimated as 0: the model without these intercepts has the same maximum";
+  none.method =
+      "estimated as 0: the model without these intercepts has the same maximum likelihood";
   none.n = participants;
   return none;
 }
@@ -134,7 +135,7 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
              "Generalised linear mixed model (logit) with crossed random intercepts of "
              "participants and textures, by maximum likelihood with the Laplace approximation; t "
              "test and CI of the fixed intercept, with the degrees of freedom of the smaller "
-             "sample, of participants or of textures. In simulations with 5 to 20 participants and "
+             "sample (participants or textures). In simulations with 5 to 20 participants and "
              "SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies "
              "with an estimate and four textures, and in 90 to 100 % with ten.");
   add_question(outcome, kCrossed,

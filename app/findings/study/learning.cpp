@@ -110,12 +110,12 @@ void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Ta
 }
 
 Phrase note_on_changes(const Table& changes, bool has_proportions) {
-  Phrase note =
-      phrase("Analysis",
-             "Exploratory, without a test, and not adjusted for the conditions of the trials. "
-             "Halves of each participant's counted trials, as numbered in the plan, without the "
-             "middle one if their number is odd; a repeated trial keeps its planned place. Times: "
-             "geometric means, and ratio of the second to the first half.");
+  Phrase note = phrase("Analysis",
+                       "The results are exploratory: they are not tested and not adjusted for the "
+                       "conditions of the trials. Each participant's counted trials are divided "
+                       "into halves as numbered in the plan; the middle trial of an odd number is "
+                       "left out, and a repeated trial keeps its planned place. Times: "
+                       "geometric means, and ratio of the second to the first half.");
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };

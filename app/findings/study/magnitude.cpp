@@ -227,7 +227,7 @@ Cell whole_cell(const FoundNumbers& found, const char* quantity, const std::stri
 constexpr const char* kTooFew = "too_few_to_say";
 /// The test for an interior maximum is not significant.
 constexpr const char* kNoInterior = "no_interior_maximum";
-constexpr const char* kNotBoth = "not both conditions have an interior maximum";
+constexpr const char* kNotBoth = "at least one condition has no interior maximum";
 
 bool has_interior_maximum(const FoundNumbers& found, const std::string& condition) {
   const Finding* significant = found.find("invU.significant", condition);
@@ -528,8 +528,8 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
           "%2, neither %3.")
           .with(fixed(counts[0], 0), fixed(counts[1], 0), fixed(counts[2], 0)),
       phrase("Analysis",
-             "By the slopes of each participant's own parabola at the smallest and the largest "
-             "spacing, without a test."),
+             "The shape is determined by the slopes of each participant's own parabola at the "
+             "smallest and the largest spacing; there is no test."),
       "peaks", found.find(kTypes[0], conditions.front()));
 }
 

@@ -219,8 +219,8 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
     cells.resize(table.table.columns.size());
     finding.status =
         sizes.empty()
-            ? "no responses count here"
-            : "the number of items differs between the trials, and with it the chance level";
+            ? "there are no responses that count"
+            : "the number of items, and therefore the chance level, differs between the trials";
     outcome.findings.push_back(std::move(finding));
     return;
   }
@@ -372,7 +372,7 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
       phrase("Analysis", "Trials by their number of correctly matched items"),
       {{"right", "goes", "by_chance"}, {}},
       phrase("Analysis",
-             "Expected under guessing: trials in which every assignment is equally likely.")};
+             "Expected under guessing: number of trials if every assignment is equally likely.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
     const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
@@ -491,7 +491,7 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
   finding.value = static_cast<double>(times);
   finding.unit = "1";
-  finding.method = "items of one that were assigned the picture of the other";
+  finding.method = "items of one texture that were assigned the picture of the other";
   finding.n = people;
   add_question(
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
@@ -620,7 +620,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   } else {
     add_no_crossed_model(
         "chance_differs",
-        "the number of items differs between the trials, and with it the chance level", outcome);
+        "the number of items, and therefore the chance level, differs between the trials", outcome);
   }
   const std::vector<RepeatedScore> scores = repeated_scores(gathered);
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},

@@ -391,10 +391,10 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
                                  : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
       enough ? phrase("Analysis",
-                      "The responses transmit %1 of %2 bits about the texture presented, "
-                      "bias-corrected; %3.")
+                      "Transmitted information about the texture presented, bias-corrected: %1 of "
+                      "%2 bits; %3.")
              : phrase("Analysis",
-                      "The responses transmit about %1 of %2 bits about the texture presented; "
+                      "Transmitted information about the texture presented: about %1 of %2 bits; "
                       "with so few responses the bias correction is not reliable; %3.");
   add_question(
       outcome, "information", phrase("Analysis", "How much information do the responses transmit?"),
@@ -622,7 +622,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   } else {
     outcome.remarks.push_back(phrase(
         "Analysis",
-        "The pictures, and with them the chance level, differ between trials: sensitivity, "
+        "The pictures, and therefore the chance level, differ between trials: sensitivity, "
         "information and similarities over all responses are not meaningful and are left out."));
   }
   const FoundNumbers found(findings);
@@ -693,7 +693,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
                        outcome);
   } else {
     add_no_crossed_model("pictures_differ",
-                         "the pictures differ between the trials, and with them the chance level",
+                         "the pictures, and therefore the chance level, differ between the trials",
                          outcome);
   }
   ask_reliability(gathered, {scores, phrase("Analysis", "the participants' proportions correct")},

@@ -99,8 +99,8 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
           ? phrase("Analysis",
                    "Not defined: all participants have the same result in every repetition.")
           : phrase("Analysis",
-                   "For a single repetition, %1 (consistency) and %2 (agreement); for the mean of "
-                   "the %3 repetitions, %4; N = %5 participants.")
+                   "Reliability of a single repetition: %1 (consistency) and %2 (agreement); of "
+                   "the mean of the %3 repetitions: %4; N = %5 participants.")
                 .with(correlation_text("ICC(3,1)", *one), correlation_text("ICC(2,1)", *agreement),
                       std::to_string(repetitions), correlation_text("ICC(3,k)", *all),
                       std::to_string(one->n));
@@ -168,9 +168,9 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
   const Finding& mean = findings.front();
   add_question(
       outcome, kReliability, reliability_question(),
-      phrase(
-          "Analysis",
-          "For a single one of the %1 repetitions, within participants: %2; N = %3 participants.")
+      phrase("Analysis",
+             "Reliability of a single one of the %1 repetitions, within participants: %2; N = %3 "
+             "participants.")
           .with(std::to_string(repetitions),
                 correlation_text(phrase("Analysis", "mean ICC(3,1)"), mean),
                 std::to_string(mean.n)),

@@ -112,10 +112,11 @@ TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<Tria
 }
 
 Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials) {
-  Phrase note = phrase("Analysis",
-                       "From the cue (the first question after the last surface) to the response, "
-                       "including any surface that is presented again. Geometric means over "
-                       "participants of each participant's geometric mean.");
+  Phrase note = phrase(
+      "Analysis",
+      "Response times are measured from the cue (the first question after the last surface) to the "
+      "response and include any surface that is presented again. Geometric means over "
+      "participants of each participant's geometric mean.");
   if (has_cells(times, "time_s_low")) {
     note = phrase("Analysis",
                   "%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations "

@@ -82,7 +82,7 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                     {}};
   if (selection.can_abstain) {
     shares.note =
-        phrase("Analysis", "%1 “Cannot tell” responses are counted above and excluded here.")
+        phrase("Analysis", "%1 “Cannot tell” responses are counted above and left out here.")
             .with(shares.note);
   }
   ShareTable pairs{
@@ -156,8 +156,8 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
       found.find(paired ? "bt.cluster.status" : "pl.cluster.status") == nullptr;
   const Phrase intervals =
       has_intervals ? phrase("Analysis",
-                             "95 % CI: t intervals of CR2 standard errors with the participants as "
-                             "clusters, with Satterthwaite's degrees of freedom.")
+                             "95 % CI: t intervals based on CR2 standard errors with the "
+                             "participants as clusters and Satterthwaite's degrees of freedom.")
                     : phrase("Analysis", "No CI: at least %1 participants are needed.")
                           .with(std::to_string(kFewestClusters));
   NamedTable made{

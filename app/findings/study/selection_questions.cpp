@@ -307,12 +307,12 @@ void ask_pairs(const Selection& selection, const std::string& name, const StudyT
       selection.all_offered
           ? phrase("Analysis",
                    "For each pair, exact sign-flip (randomisation) test of each participant's "
-                   "difference between the two counts (both names exchanged within a participant). "
-                   "Choices of a third model are not counted.")
+                   "difference between the two counts (both labels exchanged within a "
+                   "participant). Choices of a third model are not counted.")
           : phrase("Analysis",
                    "For each pair, exact sign-flip (randomisation) test of each participant's "
-                   "difference between the two counts (both names exchanged within a participant), "
-                   "on the trials in which both were presented.");
+                   "difference between the two counts (both labels exchanged within a "
+                   "participant), on the trials in which both were presented.");
   const std::vector<const StudyTests::Test*> smallest = smallest_p(name, tests);
   if (smallest.empty()) {
     const bool is_one_participant = std::any_of(

@@ -126,12 +126,11 @@ Phrase method_of_sexes(const SexesComparison& sexes) {
           : means;
   return sexes.women->n + sexes.men->n <= kMostPermuted
              ? phrase("Analysis",
-                      "%1 The permutation test uses all divisions of the participants into groups "
-                      "of these sizes.")
+                      "%1 The permutation test uses all permutations of the group labels.")
                    .with(intervals)
              : phrase("Analysis",
-                      "%1 The permutation test uses %2 random divisions of the participants into "
-                      "groups of these sizes, because there are too many to enumerate.")
+                      "%1 The permutation test uses %2 permutations of the group labels drawn at "
+                      "random, because there are too many to enumerate.")
                    .with(intervals, std::to_string(kRandomSplits));
 }
 

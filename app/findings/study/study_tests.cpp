@@ -284,7 +284,7 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
   Phrase note =
       !is_any_adjusted
-          ? phrase("Analysis", "No test of the family (%1) could be performed.").with(family)
+          ? phrase("Analysis", "No test of the family (%1) could be computed.").with(family)
       : tests == 1
           ? (is_declared_
                  ? phrase("Analysis",
@@ -298,13 +298,13 @@ Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) 
           : (is_declared_
                  ? phrase("Analysis",
                           "p, Holm: Holm-corrected over the %1 confirmatory tests, the family that "
-                          "the protocol declares (%2); a test that cannot be performed counts as p "
+                          "the protocol declares (%2); a test that cannot be computed counts as p "
                           "= 1.")
                  : phrase(
                        "Analysis",
                        "The protocol declares no family of tests, so that no test is confirmatory. "
                        "p, Holm: Holm-corrected over the %1 tests of the usual family of this kind "
-                       "of protocol (%2); a test that cannot be performed counts as p = 1."))
+                       "of protocol (%2); a test that cannot be computed counts as p = 1."))
                 .with(std::to_string(tests), family);
   note =
       (is_declared_

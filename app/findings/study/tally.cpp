@@ -93,7 +93,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     about.n = row.tally.persons();
     if (count.trials == 0) {
       cells.resize(made.table.columns.size());
-      about.status = "no responses count here";
+      about.status = "there are no responses that count";
       outcome.findings.push_back(about);
       continue;
     }

@@ -252,12 +252,12 @@
         <translation>d′ hat keinen endlichen Wert</translation>
     </message>
     <message>
-        <source>The responses transmit %1 of %2 bits about the texture presented, bias-corrected; %3.</source>
-        <translation>Die Antworten übertragen %1 von %2 Bit über die dargebotene Textur, bias-korrigiert; %3.</translation>
+        <source>Transmitted information about the texture presented, bias-corrected: %1 of %2 bits; %3.</source>
+        <translation>Übertragene Information über die dargebotene Textur, bias-korrigiert: %1 von %2 Bit; %3.</translation>
     </message>
     <message>
-        <source>The responses transmit about %1 of %2 bits about the texture presented; with so few responses the bias correction is not reliable; %3.</source>
-        <translation>Die Antworten übertragen etwa %1 von %2 Bit über die dargebotene Textur; bei so wenigen Antworten ist die Bias-Korrektur nicht verlässlich; %3.</translation>
+        <source>Transmitted information about the texture presented: about %1 of %2 bits; with so few responses the bias correction is not reliable; %3.</source>
+        <translation>Übertragene Information über die dargebotene Textur: etwa %1 von %2 Bit; bei so wenigen Antworten ist die Bias-Korrektur nicht verlässlich; %3.</translation>
     </message>
     <message>
         <source>How much information do the responses transmit?</source>
@@ -272,7 +272,7 @@
         <translation>Welche Texturen werden miteinander verwechselt?</translation>
     </message>
     <message>
-        <source>The pictures, and with them the chance level, differ between trials: sensitivity, information and similarities over all responses are not meaningful and are left out.</source>
+        <source>The pictures, and therefore the chance level, differ between trials: sensitivity, information and similarities over all responses are not meaningful and are left out.</source>
         <translation>Die Bilder und mit ihnen das Zufallsniveau unterscheiden sich zwischen den Durchgängen: Sensitivität, Information und Ähnlichkeiten aller Antworten zusammen haben keine Bedeutung und entfallen.</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>Wird eine Wiedergabe einer anderen vorgezogen?</translation>
     </message>
     <message>
-        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant). Choices of a third model are not counted.</source>
+        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both labels exchanged within a participant). Choices of a third model are not counted.</source>
         <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht). Wahlen eines dritten Modells werden nicht gezählt.</translation>
     </message>
     <message>
@@ -408,7 +408,7 @@
         <translation>Sitzungen virtueller Beobachter, die die Oberfläche nicht beachten oder keine Erwartung haben, sodass ihre Antworten geraten sind: %1.</translation>
     </message>
     <message>
-        <source>Expected under guessing: trials in which every assignment is equally likely.</source>
+        <source>Expected under guessing: number of trials if every assignment is equally likely.</source>
         <translation>Beim Raten erwartet: Durchgänge, in denen jede Zuordnung gleich wahrscheinlich ist.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Das Zufallsniveau ist 1 geteilt durch die Anzahl der gezeigten Bilder; „kann es nicht sagen“ zählt als falsch. p: exakter Binomialtest, zweiseitig, nicht für die Anzahl der Zeilen korrigiert.</translation>
     </message>
     <message>
-        <source>%1 “Cannot tell” responses are counted above and excluded here.</source>
+        <source>%1 “Cannot tell” responses are counted above and left out here.</source>
         <translation>%1 Antworten „kann es nicht sagen“ sind oben gezählt und hier ausgeschlossen.</translation>
     </message>
     <message>
@@ -496,7 +496,7 @@
         <translation>Formen der Kurven der Versuchspersonen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, keines von beiden %3.</translation>
     </message>
     <message>
-        <source>By the slopes of each participant&apos;s own parabola at the smallest and the largest spacing, without a test.</source>
+        <source>The shape is determined by the slopes of each participant&apos;s own parabola at the smallest and the largest spacing; there is no test.</source>
         <translation>Bestimmt nach den Steigungen der individuellen Parabel jeder Versuchsperson beim kleinsten und beim größten Abstand, ohne Test.</translation>
     </message>
     <message>
@@ -676,7 +676,7 @@
         <translation>%1. Die Wahlen unterscheiden sich nicht signifikant von gleichen Anteilen (%2).</translation>
     </message>
     <message>
-        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both names exchanged within a participant), on the trials in which both were presented.</source>
+        <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both labels exchanged within a participant), on the trials in which both were presented.</source>
         <translation>Für jedes Paar ein exakter Vorzeichen-Permutationstest der Differenz der beiden Wahlhäufigkeiten jeder Versuchsperson (beide Namen innerhalb einer Versuchsperson vertauscht), in den Durchgängen, in denen beide dargeboten wurden.</translation>
     </message>
     <message>
@@ -796,11 +796,11 @@
         <translation>%1; das kleinste erreichbare p ist %2</translation>
     </message>
     <message>
-        <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be performed counts as p = 1.</source>
+        <source>p, Holm: Holm-corrected over the %1 confirmatory tests, the family that the protocol declares (%2); a test that cannot be computed counts as p = 1.</source>
         <translation>p, Holm: Holm-korrigiert über die %1 konfirmatorischen Tests, die Familie, die das Protokoll festlegt (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
-        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be performed counts as p = 1.</source>
+        <source>The protocol declares no family of tests, so that no test is confirmatory. p, Holm: Holm-corrected over the %1 tests of the usual family of this kind of protocol (%2); a test that cannot be computed counts as p = 1.</source>
         <translation>Das Protokoll legt keine Familie von Tests fest; daher ist kein Test konfirmatorisch. p, Holm: Holm-korrigiert über die %1 Tests der üblichen Familie dieser Art von Protokoll (%2); ein nicht durchführbarer Test zählt als p = 1.</translation>
     </message>
     <message>
@@ -868,7 +868,7 @@
         <translation>Anteile je Versuchsperson, über die Versuchspersonen zusammengefasst</translation>
     </message>
     <message>
-        <source>95 % CI: t intervals of CR2 standard errors with the participants as clusters, with Satterthwaite&apos;s degrees of freedom.</source>
+        <source>95 % CI: t intervals based on CR2 standard errors with the participants as clusters and Satterthwaite&apos;s degrees of freedom.</source>
         <translation>95-%-KI: t-Intervalle aus CR2-Standardfehlern mit den Versuchspersonen als Clustern; Freiheitsgrade nach Satterthwaite.</translation>
     </message>
     <message>
@@ -928,7 +928,7 @@
         <translation>Nicht definiert: Alle Versuchspersonen haben in jeder Wiederholung dasselbe Ergebnis.</translation>
     </message>
     <message>
-        <source>For a single repetition, %1 (consistency) and %2 (agreement); for the mean of the %3 repetitions, %4; N = %5 participants.</source>
+        <source>Reliability of a single repetition: %1 (consistency) and %2 (agreement); of the mean of the %3 repetitions: %4; N = %5 participants.</source>
         <translation>Für eine einzelne Wiederholung: %1 (Konsistenz) und %2 (Übereinstimmung); für den Mittelwert der %3 Wiederholungen: %4; N = %5 Versuchspersonen.</translation>
     </message>
     <message>
@@ -944,8 +944,8 @@
         <translation>Intraklassenkorrelationen über die Wiederholungen; Werte: %1 in jeder Wiederholung. Sie sind auch dort niedrig, wo sich die Versuchspersonen wenig voneinander unterscheiden.</translation>
     </message>
     <message>
-        <source>For a single one of the %1 repetitions, within participants: %2; N = %3 participants.</source>
-        <translation>Für eine einzelne der %1 Wiederholungen, innerhalb der Versuchspersonen: %2; N = %3 Versuchspersonen.</translation>
+        <source>Reliability of a single one of the %1 repetitions, within participants: %2; N = %3 participants.</source>
+        <translation>Reliabilität einer einzelnen der %1 Wiederholungen, innerhalb der Versuchspersonen: %2; N = %3 Versuchspersonen.</translation>
     </message>
     <message>
         <source>mean ICC(3,1)</source>
@@ -1112,7 +1112,7 @@
         <translation>Die Zuordnungen eines Durchgangs gelten als voneinander unabhängig.</translation>
     </message>
     <message>
-        <source>Exploratory, without a test, and not adjusted for the conditions of the trials. Halves of each participant&apos;s counted trials, as numbered in the plan, without the middle one if their number is odd; a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
+        <source>The results are exploratory: they are not tested and not adjusted for the conditions of the trials. Each participant&apos;s counted trials are divided into halves as numbered in the plan; the middle trial of an odd number is left out, and a repeated trial keeps its planned place. Times: geometric means, and ratio of the second to the first half.</source>
         <translation>Explorativ, ohne Test und nicht für die Bedingungen der Durchgänge adjustiert. Hälften der gezählten Durchgänge jeder Versuchsperson, nummeriert wie im Plan, bei ungerader Anzahl ohne den mittleren; ein wiederholter Durchgang behält seine geplante Stelle. Zeiten: geometrische Mittel und Verhältnis der zweiten zur ersten Hälfte.</translation>
     </message>
     <message>
@@ -1176,8 +1176,8 @@
         <translation>%1 Einseitiger exakter Binomialtest gegen das Zufallsniveau. Antworten „kann es nicht sagen“ geben kein Bild an und sind hier weggelassen; in der Tabelle der Anteile zählen sie als falsch.</translation>
     </message>
     <message>
-        <source>From the cue (the first question after the last surface) to the response, including any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
-        <translation>Vom Signal (der ersten Frage nach der letzten Oberfläche) bis zur Antwort, einschließlich erneut dargebotener Oberflächen. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
+        <source>Response times are measured from the cue (the first question after the last surface) to the response and include any surface that is presented again. Geometric means over participants of each participant&apos;s geometric mean.</source>
+        <translation>Reaktionszeiten werden vom Signal (der ersten Frage nach der letzten Oberfläche) bis zur Antwort gemessen, einschließlich erneut dargebotener Oberflächen. Geometrische Mittel über die Versuchspersonen aus dem geometrischen Mittel jeder Versuchsperson.</translation>
     </message>
     <message>
         <source>%1 Equal choice probabilities are tested by a within-participant permutation test: the models are exchanged within each participant&apos;s choices, so that the test is valid however the choices of a participant depend on each other.</source>
@@ -1196,12 +1196,12 @@
         <translation>%1 Die Konfidenzintervalle der Mittelwerte sind t-basiert, für Anteile auf der Logit-Skala; für die Differenz gilt das Konfidenzintervall nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
     </message>
     <message>
-        <source>%1 The permutation test uses all divisions of the participants into groups of these sizes.</source>
-        <translation>%1 Der Permutationstest verwendet alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
+        <source>%1 The permutation test uses all permutations of the group labels.</source>
+        <translation>%1 Der Permutationstest verwendet alle Permutationen der Gruppenzugehörigkeit.</translation>
     </message>
     <message>
-        <source>%1 The permutation test uses %2 random divisions of the participants into groups of these sizes, because there are too many to enumerate.</source>
-        <translation>%1 Der Permutationstest verwendet %2 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen, weil es zu viele Aufteilungen gibt, um alle zu verwenden.</translation>
+        <source>%1 The permutation test uses %2 permutations of the group labels drawn at random, because there are too many to enumerate.</source>
+        <translation>%1 Der Permutationstest verwendet %2 zufällig gezogene Permutationen der Gruppenzugehörigkeit, weil es zu viele gibt, um alle zu verwenden.</translation>
     </message>
     <message>
         <source>%1, averaged over the participants, with a t-based CI on the logit scale.</source>
@@ -1220,7 +1220,7 @@
         <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 88 % der Studien.</translation>
     </message>
     <message>
-        <source>No test of the family (%1) could be performed.</source>
+        <source>No test of the family (%1) could be computed.</source>
         <translation>Kein Test der Familie (%1) ließ sich durchführen.</translation>
     </message>
     <message>
@@ -1244,7 +1244,7 @@
         <translation>Für eine Versuchsperson und eine Textur mit mittlerem Achsenabschnitt wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample, of participants or of textures. In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
+        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures). In simulations with 5 to 20 participants and SDs of 0.5 and 1 the 95 % CI contained the true value in 95 to 100 % of the studies with an estimate and four textures, and in 90 to 100 % with ten.</source>
         <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-Konfidenzintervall den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
@@ -1944,8 +1944,8 @@
         <translation>kein signifikantes inneres Maximum</translation>
     </message>
     <message>
-        <source>not both conditions have an interior maximum</source>
-        <translation>nicht beide Bedingungen haben ein inneres Maximum</translation>
+        <source>at least one condition has no interior maximum</source>
+        <translation>mindestens eine Bedingung hat kein inneres Maximum</translation>
     </message>
     <message>
         <source>two models were never presented in the same trial</source>
@@ -2052,7 +2052,7 @@
         <translation>richtige Zuordnungen je Durchgang</translation>
     </message>
     <message>
-        <source>proportion correct, “cannot tell” excluded</source>
+        <source>proportion correct, “cannot tell” left out</source>
         <translation>Anteil richtiger Antworten ohne „kann es nicht sagen“</translation>
     </message>
     <message>
@@ -2740,7 +2740,7 @@
         <translation>Leistung über der Schwelle</translation>
     </message>
     <message>
-        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes excluded because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
         <translation>Gefüllte Zeichen: Striche des gehaltenen Werkzeugs. Kleine offene Zeichen: Striche, die wegen ihres Status ausgeschlossen sind. Kurven: Parabeln der Logarithmen. Große offene Zeichen: ihre Maxima im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
@@ -2992,8 +2992,8 @@
         <translation>%1 − %2</translation>
     </message>
     <message>
-        <source>The dissimilarities span fewer than two dimensions: there is no plane.</source>
-        <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Ebene.</translation>
+        <source>The dissimilarities span fewer than two dimensions: there is no configuration to show.</source>
+        <translation>Die Unähnlichkeiten spannen weniger als zwei Dimensionen auf: Es gibt keine Konfiguration zum Darstellen.</translation>
     </message>
     <message>
         <source>all trials</source>

@@ -31,8 +31,8 @@ constexpr std::array kSelectionClaims{
 
 std::string task_of_selection(const Protocol& protocol) {
   if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
-    return "Task: in each trial, surfaces are presented that differ in " +
-           words_of_parameter(*parameter) + " only, and one of them is to be chosen.";
+    return "Task: in each trial, surfaces that differ only in " + words_of_parameter(*parameter) +
+           " are presented, and one of them is to be chosen.";
   }
   std::string text = "Task: in each trial, several surfaces are presented, and one is to be chosen";
   const std::vector<std::string> questions = main_questions(protocol);
