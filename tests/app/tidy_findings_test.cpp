@@ -72,7 +72,7 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
             "the option \"conf\" is 95; it must lie between 0 and 1");
   EXPECT_THAT(refusal_of<std::runtime_error>([] { FamilyOptions::of_json("{", "o.json"); }),
-              HasSubstr("o.json: the options are not JSON"));
+              HasSubstr("o.json: the options are not valid JSON"));
 }
 
 TEST(FamilyOptions, KnowWhichNobodyAskedFor) {
@@ -247,13 +247,14 @@ TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));
             }),
-            "table.csv:2:4: winner is \"c\", which is not one of the two items compared");
+            "table.csv:2:4: winner is \"c\", which is not one of the two items compared; it must "
+            "be one of them or tie");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
                                         R"({"items": ["a", "b"]})"));
             }),
-            "table.csv:3:4: the rank occurs twice in its trial; tied items are for the family "
-            "\"rating\"");
+            "table.csv:3:4: the rank occurs twice in its trial; give each item its own rank, or "
+            "analyse tied items with the family \"rating\"");
   EXPECT_EQ(refusal_of<std::runtime_error>([] {
               selection_findings(input_of("subject,sample,choice\nx,1,a\n",
                                           R"({"renderers": ["a", "b"], "target": "c"})"));

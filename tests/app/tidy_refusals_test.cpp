@@ -70,7 +70,8 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n",
                            R"({"items": ["a", "b"]})"),
-            "t.csv:4:2: A has a score of \"a\" already; a participant scores an item once");
+            "t.csv:4:2: A has a score of \"a\" already; remove one of the rows: a participant "
+            "scores an item once");
   EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
                            R"({"items": ["a", "b"]})"),
             "")
@@ -93,7 +94,7 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
                            "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
                            "A,2,x,x,M\nA,2,y,y,M\n",
                            "[]"),
-            "t.csv:4:5: A is in two groups");
+            "t.csv:4:5: A is in two groups; a participant must be in one");
   const std::string times = "all rows of a trial must stand for the same number of trials";
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
@@ -125,7 +126,7 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
 TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
   const std::string pairs = "subject,a,b\nA,1,2\nB,2,4\n";
   EXPECT_EQ(family_refusal("equivalence", pairs, R"({"lower": -1})"),
-            "the option \"upper\" is missing: give both bounds of equivalence, \"lower\" and "
+            "the option \"upper\" is missing; set both equivalence bounds, \"lower\" and "
             "\"upper\", or neither");
   EXPECT_THAT(family_refusal("equivalence", pairs, R"({"lower": 1, "upper": 1})"),
               HasSubstr("the lower bound must be less than the upper one"));
@@ -135,7 +136,8 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
             "undefined_zero_variance");
   EXPECT_EQ(word_of(findings_of("equivalence", "subject,a,b\nA,1,\n", "{}"), "diff"), "no_data");
   EXPECT_EQ(family_refusal("icc", "target,rater,score\nx,A,1\nx,A,2\n", "{}"),
-            "t.csv:3:3: x has a score of A already; a target is rated once by each rater");
+            "t.csv:3:3: x has a score of A already; remove one of the rows: a target is rated once "
+            "by each rater");
   EXPECT_EQ(word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\n", "{}"), "icc"),
             "too_few");
   EXPECT_EQ(
@@ -164,7 +166,7 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
   EXPECT_EQ(family_refusal("learning", columns + "A,2,1.5\nB,2,1\nA,2,3\n", "{}"),
             "t.csv:4:2: A has a trial 2 already; number the trials of a participant consecutively");
   EXPECT_EQ(family_refusal("learning", columns + "A,0,1.5\n", "{}"),
-            "t.csv:2:2: trials are numbered from 1");
+            "t.csv:2:2: trial is 0; trials are numbered from 1");
   EXPECT_EQ(family_refusal("learning", columns + "A,1,1.5\n", R"({"blocks": 1.5})"),
             "the option \"blocks\" must be a whole number above 0");
   EXPECT_EQ(family_refusal("learning", "subject,trial,correct,items\nA,1,3,2\n", "{}"),
@@ -259,7 +261,8 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
   const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
   EXPECT_EQ(
       why(findings_of("selection", "subject,sample,choice\nA,1,a\n", choices), "subj.t.p.two"),
-      "NA: differences between participants require at least two participants: add participants");
+      "NA: differences between participants cannot be estimated from one participant: add "
+      "participants");
   EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
                 "subj.t.p.two"),
             "NA: all participants have the same proportion");

@@ -101,7 +101,7 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
   ComparedMeans made{.comparison = {.method = names[0] + " − " + names[1] + ", Welch"}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "every participant needs a group");
+      table.refuse(row, "group", "the group is missing; every participant needs one");
     }
     if (!values[row]) {
       ++made.comparison.incomplete;
@@ -149,7 +149,7 @@ std::optional<EquivalenceBounds> bounds_of(const FamilyOptions& options, double 
   if (lower.has_value() != upper.has_value()) {
     throw std::runtime_error(
         std::string("the option \"") + (lower ? "upper" : "lower") +
-        "\" is missing: give both bounds of equivalence, \"lower\" and \"upper\", or neither");
+        "\" is missing; set both equivalence bounds, \"lower\" and \"upper\", or neither");
   }
   if (!lower) return std::nullopt;
   if (!(*lower < *upper)) {
@@ -164,7 +164,7 @@ double alpha_of(const FamilyOptions& options) {
   const double alpha = options.number_or("alpha", 0.05);
   if (alpha > 0.0 && alpha < 0.5) return alpha;
   throw std::runtime_error("the option \"alpha\" is " + number_text(alpha) +
-                           "; alpha of a one-sided test must lie between 0 and 0.5");
+                           "; it must lie between 0 and 0.5");
 }
 
 void add_bayes_factors(const MeanComparison& comparison, FindingList& findings) {
@@ -218,8 +218,8 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   if (!comparison.estimate) {
     findings.number("diff", "", comparison.difference, basis);
     findings.word("tost.p", "", "undefined_zero_variance",
-                  "the difference has no standard error: a mean is based on one participant, or "
-                  "the participants of each mean do not differ",
+                  "the standard error of the difference is undefined: a mean is based on one "
+                  "participant, or the participants of each mean do not differ",
                   basis);
     return findings.take();
   }
@@ -243,7 +243,7 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
        .method = "smallest Δ with which ±Δ would be equivalent; a description, not a test"});
   for (const StandardisedEffect& effect : compared.effects) {
     Basis effect_basis{.n = comparison.n,
-                       .method = effect.method + "; interval by the noncentral t",
+                       .method = effect.method + "; interval from the noncentral t distribution",
                        .interval = effect.interval};
     if (effect.interval) effect_basis.confidence = confidence;
     findings.number(effect.quantity, "", effect.value, effect_basis);

@@ -84,7 +84,8 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw std::runtime_error(file_name + ": the options are not JSON: " + error.what());
+    throw std::runtime_error(file_name +
+                             ": the options are not valid JSON; correct them: " + error.what());
   } catch (const Json::out_of_range& error) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
     const std::string what = error.what();
@@ -98,7 +99,9 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
   if (const auto* object = std::get_if<OptionValue::Object>(&value.value)) {
     options.options_ = *object;
   } else if (!json.empty()) {
-    throw std::runtime_error(file_name + ": the options must be an object of names and values");
+    throw std::runtime_error(
+        file_name +
+        ": the options are not an object; they must be names with values, as {\"conf\": 0.9}");
   }
   return options;
 }

@@ -92,7 +92,8 @@ CrossedTable crossed_table(const TidyInput& input) {
     for (std::size_t factor = 0; factor < codes.size(); ++factor) {
       const std::size_t level = codes[factor].codes[row];
       if (level == LabelColumn::kMissing) {
-        table.refuse(row, read.factors[factor].name, "a response needs a level of each factor");
+        table.refuse(row, read.factors[factor].name,
+                     "the level is missing; a response needs a level of each factor");
       }
       if (level == 0) continue;
       read.model.design(static_cast<Eigen::Index>(row),
@@ -203,7 +204,8 @@ class CrossedFindings final {
       number("glmm.se", key, error, "observed information");
       const double statistic = (beta - null) / error;
       number("glmm.z", key, statistic, "Wald's z");
-      number("glmm.p", key, std::erfc(std::abs(statistic) / std::sqrt(2.0)), "Wald's z, two-sided");
+      number("glmm.p", key, std::erfc(std::abs(statistic) / std::sqrt(2.0)),
+             "Wald's z test, two-sided");
     };
     add("intercept", 0, null_);
     average_proportion(fit);
@@ -225,8 +227,8 @@ class CrossedFindings final {
     }
     const SampledError error = intercept_error(fit, table_.participants, table_.items);
     const std::string method =
-        "t with the degrees of freedom of the smaller sample, of participants or of items; "
-        "standard error corrected for the bias of the variances";
+        "t with the degrees of freedom of the smaller sample (participants or items); standard "
+        "error corrected for the bias of the variances";
     const TLimit limit{.confidence = confidence_, .df = error.df};
     proportion(fit, error.standard_error * t_limit(limit).value_or(kUndefined), method);
     const double t = (fit.beta(0) - null_) / error.standard_error;

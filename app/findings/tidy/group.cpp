@@ -44,7 +44,7 @@ Groups read_groups(const TidyInput& input) {
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (group.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "every participant needs a group");
+      table.refuse(row, "group", "the group is missing; every participant needs one");
     }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
@@ -180,7 +180,7 @@ class GroupComparison final {
         if (one.second_group == second) own.push_back(one.count);
       }
       add_mean_share("subj.mean", groups_.names[second ? 1 : 0], own,
-                     "mean of the own proportions of the group's participants",
+                     "mean of the proportions of the group's participants",
                      {.confidence = confidence_}, list_);
     }
     for (std::size_t i = 0; i < groups_.participants.size(); ++i) {
@@ -194,26 +194,27 @@ class GroupComparison final {
     if (welch) {
       number("welch.t", welch->t, "Welch's t over participants");
       number("welch.df", welch->df, "Welch's degrees of freedom");
-      number("welch.p.two", welch->p, "Welch's t over participants, two-sided");
+      number("welch.p.two", welch->p, "two-sided Welch's t test over participants");
       const auto limits =
           standardised_difference_interval(welch->d,
                                            {.first = static_cast<double>(samples.first.size()),
                                             .second = static_cast<double>(samples.second.size())},
                                            confidence_);
       effect("cohen.d", welch->d, limits,
-             "difference divided by the pooled standard deviation; interval by the noncentral t");
+             "difference divided by the pooled standard deviation; interval from the noncentral t "
+             "distribution");
       effect("hedges.g", welch->g, bias_corrected(*welch, limits),
-             "d corrected for bias, exact J; interval by the noncentral t");
+             "d corrected for bias, exact J; interval from the noncentral t distribution");
     } else {
       list_.word("welch.t", "", "undefined_zero_variance",
                  "a group has a single participant, or the participants of a group do not differ: "
-                 "there is no t",
+                 "t is undefined",
                  basis("Welch's t over participants"));
     }
     const SplitTest splits = permutation_test(samples);
     number("perm.p.two", splits.p,
            (splits.exact ? "all" : way_of_counting(kRandomSplits)) +
-               " permutations of the group labels, difference of means");
+               " permutation test of the group labels, difference of means");
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U,
@@ -271,13 +272,13 @@ class GroupComparison final {
     number("mixed.lr.group", mixed.likelihood_ratio, "likelihood ratio against equal groups");
     number(
         "mixed.lr.group.p", mixed.p.value_or(kUndefined),
-        "χ² with one degree of freedom; too small with few participants: in simulations of equal "
-        "groups p was at most .05 in up to 9 % of the tables with 3 in each, 7 % with 6");
+        "χ² test with one degree of freedom; p is too small with few participants: in simulations "
+        "of equal groups p was at most .05 in up to 9 % of the tables with 3 in each, 7 % with 6");
     const auto df = static_cast<double>(groups_.first.size() + groups_.second.size()) - 2.0;
     number("mixed.lr.group.F.p",
            upper_tail(FStatistic{.value = mixed.likelihood_ratio, .df1 = 1.0, .df2 = df})
                .value_or(kUndefined),
-           "the likelihood ratio as F with 1 and N − 2 degrees of freedom, N participants");
+           "likelihood ratio as F test with 1 and N − 2 degrees of freedom, N participants");
   }
 
   const Groups& groups_;

@@ -30,7 +30,7 @@ RatedTargets rated_targets(const TidyTable& table) {
       table.refuse(row, "score",
                    targets.names[targets.codes[row]] + " has a score of " +
                        raters.names[raters.codes[row]] +
-                       " already; a target is rated once by each rater");
+                       " already; remove one of the rows: a target is rated once by each rater");
     }
     score = scores[row];
   }
@@ -63,10 +63,10 @@ std::string meaning_of(std::string_view form) {
 
 std::string interval_meaning_of(std::string_view form) {
   return form.starts_with("ICC2")
-             ? "; interval by Satterthwaite's degrees of freedom, which in simulations of normal "
+             ? "; interval with Satterthwaite's degrees of freedom, which in simulations of normal "
                "ratings covered 93 to 97 % instead of 95 %, with three raters 87 to 98 %, with two "
                "targets 80 to 94 %"
-             : "; interval by F, exact for normal ratings";
+             : "; interval from the F distribution, exact for normal ratings";
 }
 
 }  // namespace

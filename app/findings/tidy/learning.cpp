@@ -37,7 +37,8 @@ OrderedTrials ordered_trials(const TidyTable& table, const std::vector<bool>& ha
                         .trials = table.counts("trial")};
   ordered.rows.resize(ordered.participants.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (ordered.trials[row] == 0) table.refuse(row, "trial", "trials are numbered from 1");
+    if (ordered.trials[row] == 0)
+      table.refuse(row, "trial", "trial is 0; trials are numbered from 1");
     ordered.last = std::max(ordered.last, ordered.trials[row]);
     if (has_result[row]) ordered.rows[participants.codes[row]].push_back(row);
   }

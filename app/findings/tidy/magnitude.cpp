@@ -65,7 +65,7 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
       continue;
     }
     if (*values[row] < 0.0) {
-      table.refuse(row, "estimate", "a magnitude cannot be negative");
+      table.refuse(row, "estimate", "the estimate is negative; it must be at least 0");
     }
     if (!(spacings[row] > 0.0)) {
       table.refuse(row, "spacing", "a spacing must be positive: its logarithm is the abscissa");
@@ -157,7 +157,7 @@ class MagnitudeList final {
     means(normalised);
     if (n_ < 2) {
       list_.word("status", "", "one_participant",
-                 "differences between participants require at least two participants: add "
+                 "differences between participants cannot be estimated from one participant: add "
                  "participants for intervals and tests",
                  basis("complete participants"));
       return list_.take();
@@ -289,8 +289,8 @@ class MagnitudeList final {
           Basis of_limit = basis(std::move(method));
           of_limit.undefined =
               cell.half_width ? "with a single cell all normalised estimates are the grand mean"
-                              : "differences between participants require at least two "
-                                "participants: add participants";
+                              : "differences between participants cannot be estimated from one "
+                                "participant: add participants";
           list_.number(quantity, key, value, of_limit);
         };
         limit("geomean.ci.lower", ends.low, "t interval of logarithms");
@@ -352,10 +352,11 @@ class MagnitudeList final {
       number("exponent.ci.lower", probe, test->interval.low, "t interval");
       number("exponent.ci.upper", probe, test->interval.high, "t interval");
       number("exponent.t", probe, test->t, "exponent against 0, t over participants");
-      number("exponent.p", probe, test->p, "exponent against 0, two-sided t over participants");
+      number("exponent.p", probe, test->p,
+             "exponent against 0, two-sided t test over participants");
     } else {
       list_.word("exponent.t", probe, "undefined_zero_variance",
-                 "all participants have the same exponent, so there is no t",
+                 "all participants have the same exponent, so that t is undefined",
                  basis("t over participants"));
     }
     number("intercept.mean", probe, law.intercept, "log₁₀R at x = 0, mean over participants");
@@ -384,10 +385,10 @@ class MagnitudeList final {
       number("quad.c.t", probe, test->t,
              "curvature of the parabola against 0, t over participants");
       number("quad.c.p", probe, test->p,
-             "curvature of the parabola against 0, two-sided t over participants");
+             "curvature of the parabola against 0, two-sided t test over participants");
     } else {
       list_.word("quad.c.t", probe, "undefined_zero_variance",
-                 "all participants have the same curvature, so there is no t",
+                 "all participants have the same curvature, so that t is undefined",
                  basis("t of c over participants"));
     }
     for (const auto& [name, end] : {std::pair{std::string("low"), fit.ends[0]},
@@ -395,8 +396,9 @@ class MagnitudeList final {
       number("invU.slope." + name, probe, end.slope, "slope of the mean curve at this end");
       number("invU.t." + name, probe, end.t, "t of that slope");
       number("invU.p." + name, probe, end.p,
-             name == "low" ? "slope of the mean curve at the low end, one-sided t: rising"
-                           : "slope of the mean curve at the high end, one-sided t: falling");
+             name == "low"
+                 ? "slope of the mean curve at the low end, one-sided t test for a rising curve"
+                 : "slope of the mean curve at the high end, one-sided t test for a falling curve");
     }
     number("invU.p", probe, fit.interior_maximum_p(),
            "interior maximum: the larger of the two one-sided p values (Lind and Mehlum)");
@@ -503,7 +505,7 @@ class MagnitudeList final {
            "delta method, joint covariance of the participants' coefficients");
     number("peakratio.t", key, found->t, "t over participants");
     number("peakratio.df", key, static_cast<double>(n_) - 1.0, "degrees of freedom of t");
-    number("peakratio.p", key, found->p, "two-sided t over participants");
+    number("peakratio.p", key, found->p, "two-sided t test over participants");
     number("peakratio.lower", key, ends.low, "delta interval");
     number("peakratio.upper", key, ends.high, "delta interval");
   }

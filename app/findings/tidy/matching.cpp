@@ -115,7 +115,9 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     std::string& group = read.groups[participants.codes[row]];
     if (group.empty()) group = groups[row];
     if (!groups[row].empty() && groups[row] != group) {
-      table.refuse(row, "group", participants.names[participants.codes[row]] + " is in two groups");
+      table.refuse(row, "group",
+                   participants.names[participants.codes[row]] +
+                       " is in two groups; a participant must be in one");
     }
   }
 }
@@ -440,7 +442,8 @@ void add_mallows(const Matching& read, FindingList& findings) {
     }
   }
   if (right.empty()) return;
-  Basis basis{.n = right.size(), .method = "Mallows model with Hamming distance; chance is 0"};
+  Basis basis{.n = right.size(),
+              .method = "Mallows' model with Hamming distance; 0 under guessing"};
   findings.count("mallows.n", "", right.size(), basis);
   const MallowsFit fit = mallows_fit(right, read.items, read.confidence);
   Basis with_interval = basis;
@@ -506,12 +509,13 @@ void add_groups(const Matching& read, const std::vector<double>& means,
   findings.number("group.perm.p.two", key, test.p,
                   {.n = first.size() + second.size(),
                    .method = way_of_counting(test.exact ? 0 : kRandomSplits) +
-                             " permutation of the group labels, two-sided"});
+                             " permutation test of the group labels, two-sided"});
   add_splits("group.perm", key, test, first.size() + second.size(), findings);
   if (const std::optional<WelchT> welch = welch_t(samples, read.confidence)) {
     Basis effect{
         .n = first.size() + second.size(),
-        .method = "Hedges' g of the participants' means; interval by the noncentral t",
+        .method =
+            "Hedges' g of the participants' means; interval from the noncentral t distribution",
         .interval = bias_corrected(
             *welch, standardised_difference_interval(welch->d,
                                                      {.first = static_cast<double>(first.size()),
@@ -531,12 +535,11 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
   add_mean_share("subj.mean", "", own,
                  "mean of the participants' own proportions of correctly matched items",
                  {.confidence = confidence, .least_design_effect = kLeastDesignEffect}, findings);
-  findings.number(
-      "subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
-      {.n = t.n,
-       .method = "of the participants' proportions",
-       .undefined =
-           "differences between participants require at least two participants: add participants"});
+  findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
+                  {.n = t.n,
+                   .method = "of the participants' proportions",
+                   .undefined = "differences between participants cannot be estimated from one "
+                                "participant: add participants"});
   add_spread("", shares, findings);
 }
 
@@ -577,8 +580,9 @@ std::vector<Finding> matching_findings(const TidyInput& input) {
   const Matching read = matching_in(input);
   const std::string parts = input.options.text_or("parts", "all");
   if (parts != "all" && parts != "summary" && parts != "totals") {
-    throw std::runtime_error("the option \"parts\" is \"" + parts +
-                             "\"; it must be all, summary (no number of a single trial) or totals");
+    throw std::runtime_error(
+        "the option \"parts\" is \"" + parts +
+        "\"; it must be all, summary (without numbers of single trials) or totals");
   }
   FindingList findings{};
   if (parts == "all") add_fixed_points(read, findings);

@@ -58,14 +58,17 @@ Paired paired_in(const TidyInput& input) {
                    .times = times[row]};
     if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
         one.first == one.second) {
-      table.refuse(row, "second", "a judgement needs two different items");
+      table.refuse(
+          row, "second",
+          "first and second are missing or the same; a judgement needs two different items");
     }
     if (winner.codes[row] < read.items.size()) {
       one.winner = winner.codes[row];
       if (*one.winner != one.first && *one.winner != one.second) {
-        table.refuse(row, "winner",
-                     "winner is \"" + read.items[*one.winner] +
-                         "\", which is not one of the two items compared");
+        table.refuse(
+            row, "winner",
+            "winner is \"" + read.items[*one.winner] +
+                "\", which is not one of the two items compared; it must be one of them or tie");
       }
     }
     read.comparisons.push_back(one);
@@ -179,7 +182,7 @@ void add_thurstone(const Paired& read, FindingList& findings) {
                     test);
   }
   findings.count("thurstone.clipped.cells", "", fit->clipped,
-                 {.n = n, .method = "pairs that one item always won"});
+                 {.n = n, .method = "pairs in which one item always won"});
 }
 
 void add_davidson(const Paired& read, FindingList& findings) {

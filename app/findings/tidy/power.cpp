@@ -34,7 +34,8 @@ class Scenario final {
       found = columns_.emplace(column, table_.numbers(column)).first;
     }
     const std::optional<double> value = found->second[row_];
-    if (!value) table_.refuse(row_, column, std::string(column) + " is missing for this kind");
+    if (!value)
+      table_.refuse(row_, column, std::string(column) + " is missing; this kind of plan needs it");
     return *value;
   }
   std::size_t whole(const char* column) const {
@@ -43,7 +44,7 @@ class Scenario final {
     if (value != std::round(value) || value < 0.0 || value > kMost) {
       table_.refuse(row_, column,
                     std::string(column) + " is " + number_text(value) +
-                        "; it must be a whole number from 0 to a million");
+                        "; it must be a whole number from 0 to 1000000");
     }
     return static_cast<std::size_t>(value);
   }
@@ -105,7 +106,7 @@ void uniform(const Scenario& plan, double error, PowerList& list) {
   list.number("alpha.actual", power.actual_error,
               "size: probability that the χ² test rejects a true null hypothesis");
   list.number("power", power.power, "exact power of Pearson's X² against equal proportions");
-  list.number("power.noncentral", power.noncentral_power, "by the noncentral χ²");
+  list.number("power.noncentral", power.noncentral_power, "from the noncentral χ² distribution");
 }
 
 void within(const Scenario& plan, double error, PowerList& list) {
@@ -116,7 +117,7 @@ void within(const Scenario& plan, double error, PowerList& list) {
                                           .epsilon = plan.number("eps"),
                                           .error = error});
   list.number("lambda", power.noncentrality, "f²·n·K·ε/(1 − ρ)");
-  list.number("power", power.power, "one factor within participants, noncentral F");
+  list.number("power", power.power, "one factor within participants, noncentral F distribution");
 }
 
 void forced_choice(const Scenario& plan, double error, PowerList& list) {
@@ -172,11 +173,11 @@ void plan_findings(const Scenario& plan, const std::string& kind, PowerList& lis
         "power",
         known_items_power(matching(), static_cast<std::size_t>(std::llround(plan.number("d"))))
             .exact.power,
-        "exact, some items known, the rest at random");
+        "exact; some items known, the others assigned at random");
   } else if (kind == "paired_t") {
     list.number("power",
                 paired_t_power({.pairs = plan.whole("n"), .d = plan.number("d"), .error = error}),
-                "two-sided paired t, noncentral t");
+                "two-sided paired t test, noncentral t distribution");
   } else if (kind == "rm_anova") {
     within(plan, error, list);
   } else if (kind == "fisher_two") {

@@ -106,7 +106,7 @@ Word word_of(PsychometricStatus status) {
     case PsychometricStatus::all_wrong:
       return {"all_wrong", "every response is incorrect: present stronger stimuli"};
     case PsychometricStatus::one_level:
-      return {"one_level", "a slope needs more than one level: present more"};
+      return {"one_level", "a slope requires at least two levels: present more"};
     case PsychometricStatus::separated:
       return {"separated",
               "a step function fits perfectly: present levels between those on either side of the "
@@ -181,8 +181,8 @@ class PsychometricList final {
     number("lr.same.function", ratio, "likelihood ratio against shared α and β");
     number("lr.same.function.p",
            upper_tail(ChiSquaredStatistic{.value = ratio, .df = 2.0}).value_or(kUndefined),
-           "χ² with two degrees of freedom; too small with few trials: in simulations of equal "
-           "functions p was at most .05 in up to 12 % of the tables");
+           "χ² test with two degrees of freedom; p is too small with few trials: in simulations of "
+           "equal functions p was at most .05 in up to 12 % of the tables");
   }
 
   void bootstrap(const Condition& condition,

@@ -43,11 +43,12 @@ Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
   for (std::size_t i = 0; i < offered.size(); ++i) {
     const OfferedItem& one = offered[i];
     if (!seen.insert(one.item).second) {
-      table.refuse(one.row, "item", "the item occurs twice in its trial");
+      table.refuse(one.row, "item", "the item occurs twice in its trial; remove one of the rows");
     }
     if (i > 0 && one.rank && one.rank == offered[i - 1].rank) {
       table.refuse(one.row, "rank",
-                   "the rank occurs twice in its trial; tied items are for the family \"rating\"");
+                   "the rank occurs twice in its trial; give each item its own rank, or analyse "
+                   "tied items with the family \"rating\"");
     }
     (one.rank ? ranking.ranked : ranking.behind).push_back(one.item);
   }
@@ -71,11 +72,12 @@ Rankings rankings_in(const TidyInput& input) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> place{};
   std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (items.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    if (items.codes[row] == LabelColumn::kMissing)
+      table.refuse(row, "item", "the item is missing; every row needs one");
     if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
       table.refuse(row, "rank",
                    "rank is " + number_text(*ranks[row]) +
-                       "; it must be a whole number from 1, and empty for items ranked behind");
+                       "; it must be a whole number from 1, or empty for items ranked behind");
     }
     const std::pair name{participants.codes[row], trials.codes[row]};
     const auto [found, first] = place.emplace(name, offers.size());
@@ -172,7 +174,7 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
     add_friedman(friedman_test(read.ranks),
                  {.n = rows,
                   .none = {},
-                  .one = "a single ranking has no agreement with others: collect more",
+                  .one = "agreement requires at least two rankings: collect more",
                   // Rankings of one participant are not independent.
                   .concordance =
                       rows == n ? concordance_interval(read.ranks, read.confidence) : std::nullopt,

@@ -28,14 +28,15 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
       participants.names.size(), std::vector<std::optional<double>>(items.size()));
   Scores made{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (codes.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    if (codes.codes[row] == LabelColumn::kMissing)
+      table.refuse(row, "item", "the item is missing; every row needs one");
     if (!scores[row]) continue;
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];
     if (all[person][item]) {
       table.refuse(row, "item",
                    participants.names[person] + " has a score of \"" + items[item] +
-                       "\" already; a participant scores an item once");
+                       "\" already; remove one of the rows: a participant scores an item once");
     }
     all[person][item] = scores[row];
   }
@@ -113,7 +114,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   add_friedman(test,
                {.n = n,
                 .none = "no participant rated every item",
-                .one = "agreement requires two participants: add participants",
+                .one = "agreement requires at least two participants: add participants",
                 .concordance = concordance_interval(scores, input.options.confidence()),
                 .confidence = input.options.confidence()},
                findings);

@@ -46,7 +46,7 @@ Trials read_trials(const TidyInput& input) {
   std::vector<HitCount> participants(subjects.names.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (stimuli.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "stimulus", "every trial needs a stimulus");
+      table.refuse(row, "stimulus", "the stimulus is missing; every trial needs one");
     }
     if (responses.codes[row] == LabelColumn::kMissing) {
       ++trials.missing;
@@ -86,9 +86,9 @@ class Recognition final {
     information();
     similarity();
     structure("shepard", shepard_dissimilarities(trials_.counts),
-              "max(0, −ln η) from counts and ½");
+              "max(0, −ln η) of the counts plus ½");
     structure("linear", linear_dissimilarities(trials_.counts),
-              "1 − (p_ij + p_ji)/2 from counts and ½");
+              "1 − (p_ij + p_ji)/2 of the counts plus ½");
     return list_.take();
   }
 
@@ -160,7 +160,8 @@ class Recognition final {
     const auto of_spread = [this](const char* method) {
       Basis made = basis(method);
       made.undefined =
-          "differences between participants require at least two participants: add participants";
+          "differences between participants cannot be estimated from one participant: add "
+          "participants";
       return made;
     };
     list_.number("subj.sd", "", t.sd.value_or(kUndefined),
@@ -171,25 +172,25 @@ class Recognition final {
       number("subj.t.df", "", t.test->df, "degrees of freedom of t");
       const double d = (t.mean - chance()) / *t.sd;
       Basis effect = basis(
-          "Cohen's d of the participants' proportions against the chance level 1/m; interval by "
+          "Cohen's d of the participants' proportions against the chance level 1/m; interval from "
           "the noncentral t distribution");
       effect.interval = standardised_mean_interval(d, static_cast<double>(t.n), confidence_);
       effect.confidence = confidence_;
       list_.number("subj.d", "", d, effect);
       number("subj.t.p.two", "", t.test->p,
-             "two-sided t over participants against the chance level 1/m");
+             "two-sided t test over participants against the chance level 1/m");
       number("subj.ci.lower", "", t.test->interval.low,
              "t interval over participants, not truncated");
       number("subj.ci.upper", "", t.test->interval.high,
              "t interval over participants, not truncated");
     } else if (t.n < 2) {
-      list_.word(
-          "subj.t", "", "undefined_one_participant",
-          "differences between participants require at least two participants: add participants",
-          basis("t over participants"));
+      list_.word("subj.t", "", "undefined_one_participant",
+                 "differences between participants cannot be estimated from one participant: add "
+                 "participants",
+                 basis("t over participants"));
     } else {
       list_.word("subj.t", "", "undefined_zero_variance",
-                 "all participants have the same proportion, so there is no t",
+                 "all participants have the same proportion, so that t is undefined",
                  basis("t over participants"));
     }
     list_.number("pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
@@ -270,8 +271,8 @@ class Recognition final {
     number("G.df", "", it.df, "degrees of freedom of G");
     list_.number(
         "G.p", "", it.p.value_or(kUndefined),
-        of_trials("χ² test of G, trials treated as independent; too small where trials are "
-                  "few: in simulations of 24 to 144 trials without information p was at "
+        of_trials("χ² test of G, trials treated as independent; p is too small with few trials: in "
+                  "simulations of 24 to 144 trials without information p was at "
                   "most .05 in 6 to 12 % of the tables"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
@@ -369,10 +370,10 @@ class Recognition final {
       number((start + ".height").c_str(), std::to_string(join + 1), tree.joins[join].height,
              method);
       list_.word(start + ".first", std::to_string(join + 1), trials_.labels[tree.joins[join].first],
-                 "ok", basis(method + ", a member of the one cluster"));
+                 "ok", basis(method + ", a member of the first cluster"));
       list_.word(start + ".second", std::to_string(join + 1),
                  trials_.labels[tree.joins[join].second], "ok",
-                 basis(method + ", a member of the other"));
+                 basis(method + ", a member of the second cluster"));
     }
     of_pairs(start + ".cophenetic", tree.cophenetic, method);
   }

@@ -37,7 +37,8 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
       [](const auto& one, const auto& other) { return one.second < other.second; });
   const Basis basis{
       .n = participants,
-      .method = "cells of the participants with this number of values, which are averaged"};
+      .method =
+          "participants' cells with this number of values; the values of a cell are averaged"};
   for (const auto& [rows, count] : cells_with) {
     findings.count("cells.with.k", std::to_string(rows), count, basis);
   }

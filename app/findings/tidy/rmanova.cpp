@@ -122,8 +122,9 @@ Design read_design(const TidyInput& input) {
       order.push_back(subjects.codes[row]);
     }
     if (person.group != groups[row]) {
-      table.refuse(row, design.between.front().first,
-                   subjects.names[subjects.codes[row]] + " is in two groups");
+      table.refuse(
+          row, design.between.front().first,
+          subjects.names[subjects.codes[row]] + " is in two groups; a participant must be in one");
     }
     person.sums[cells[row]] += *values[row];
     ++person.counts[cells[row]];
@@ -182,9 +183,10 @@ class AnovaList final {
                 basis("participants with all cells"));
     add_replicates(design_.rows, design_.participants.size(), list_);
     if (design_.participants.size() <= design_.data.groups) {
-      list_.word("status", "", "too_few_participants",
-                 "an error needs more participants with all cells than groups: run more",
-                 basis("participants with all cells"));
+      list_.word(
+          "status", "", "too_few_participants",
+          "an error term requires more participants with all cells than groups: add participants",
+          basis("participants with all cells"));
       return list_.take();
     }
     for (std::size_t group = 0; group < design_.data.groups; ++group) {
@@ -262,7 +264,7 @@ class AnovaList final {
     number("df1", key, effect.df1, "degrees of freedom");
     number("df2", key, effect.df2, "degrees of freedom of the error");
     number("F", key, effect.F, "F");
-    number("p", key, effect.p, "F, without a correction for sphericity");
+    number("p", key, effect.p, "F test, without a correction for sphericity");
     const std::optional<ConfidenceInterval> partial = eta_interval(effect);
     std::optional<ConfidenceInterval> generalised{};
     if (partial && effect.error_sum_of_squares > 0.0) {
@@ -271,10 +273,11 @@ class AnovaList final {
                      .high = generalised_eta(partial->high, errors)};
     }
     effect_size("pes", key, effect.pes, partial,
-                "partial η²; interval by the noncentral F, degrees of freedom corrected for "
-                "sphericity");
-    effect_size("ges", key, effect.ges, generalised,
-                "generalised η², all factors manipulated; interval by the noncentral F");
+                "partial η²; interval from the noncentral F distribution, degrees of freedom "
+                "corrected for sphericity");
+    effect_size(
+        "ges", key, effect.ges, generalised,
+        "generalised η², all factors manipulated; interval from the noncentral F distribution");
     if (!design_.between.empty()) {
       number("ges.observed", key, effect.ges_observed, "generalised η², between factor measured");
     }
@@ -287,9 +290,9 @@ class AnovaList final {
     number("eps.lower", key, of.lower_bound, "lower bound of ε");
     number("eps.HF.lecoutre", key, of.hf_lecoutre, "Huynh–Feldt ε, Lecoutre's correction");
     number("eps.HF.original", key, of.hf_original, "Huynh–Feldt ε, as published");
-    number("p.GG", key, of.p_gg, "F, Greenhouse–Geisser-corrected");
-    number("p.HF", key, of.p_hf, "F, Huynh–Feldt-corrected (Lecoutre), ε at most 1");
-    number("p.lower", key, of.p_lower_bound, "F, corrected with the lower bound of ε");
+    number("p.GG", key, of.p_gg, "F test, Greenhouse–Geisser-corrected");
+    number("p.HF", key, of.p_hf, "F test, Huynh–Feldt-corrected (Lecoutre), ε at most 1");
+    number("p.lower", key, of.p_lower_bound, "F test, corrected with the lower bound of ε");
     if (!of.mauchly) {
       list_.word("mauchly.W", key, "undefined",
                  "there are fewer participants than contrasts: use the corrected p",
@@ -355,7 +358,8 @@ class AnovaList final {
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (scale == "log10" && !(numbers[i] > 0.0)) {
-        table.refuse(i, "level", "a logarithm needs a positive level");
+        table.refuse(i, "level",
+                     "the level is not positive; trend_scale log10 requires positive levels");
       }
       levels(static_cast<Eigen::Index>(i)) = scale == "log10" ? std::log10(numbers[i]) : numbers[i];
     }
@@ -383,7 +387,7 @@ class AnovaList final {
     list_.number(name + (is_pair ? ".diff" : ".estimate"), key, t.mean, shown);
     if (!t.test) {
       list_.word(name + ".t", key, "undefined_zero_variance",
-                 "all participants have the same value, so there is no t", basis(method));
+                 "all participants have the same value, so that t is undefined", basis(method));
       return;
     }
     list_.number(name + ".t", key, t.test->t, basis(method));
@@ -407,8 +411,8 @@ class AnovaList final {
         const double dz = t.mean / *t.sd;
         effect_size("pair.dz", key, dz,
                     standardised_mean_interval(dz, static_cast<double>(t.n), confidence_),
-                    "mean divided by the standard deviation of the differences; interval by the "
-                    "noncentral t");
+                    "mean divided by the standard deviation of the differences; interval from the "
+                    "noncentral t distribution");
         keys.push_back(key);
         p.push_back(t.test->p);
       }

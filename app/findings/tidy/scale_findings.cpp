@@ -17,7 +17,7 @@ void add_clustered_scale(std::span<const std::string> items, const ClusteredScal
     Basis basis{.n = names.n, .method = method};
     if (has_errors) {
       const ClusteredError& error = scale.errors[i];
-      basis.method += "; t interval of the CR2 standard error with participants as clusters";
+      basis.method += "; t interval based on the CR2 standard error with participants as clusters";
       const auto limit = t_limit({.confidence = names.confidence, .df = error.df});
       if (error.standard_error > 0.0 && limit) {
         const double half = *limit * error.standard_error;
@@ -90,7 +90,8 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     return basis;
   };
   const Basis iman = with_method(
-      "Iman–Davenport F; in simulations without differences p was at most .05 in up to 6 % of the "
+      "Iman–Davenport F test; in simulations without differences p was at most .05 in up to 6 % of "
+      "the "
       "tables of 12 or 20 rows, and in up to 7 % of those of 2 to 6");
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);

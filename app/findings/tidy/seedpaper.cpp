@@ -99,9 +99,9 @@ void add_choices(const ChoiceTable& table, const std::string& block,
   if (block != kPooled) {
     const MultinomialTest exact = uniform_multinomial_test(counts);
     findings.number("t1.multinom.exact.p", block, exact.by_probability,
-                    {.n = n, .method = "exact multinomial test, in the order of probability"});
+                    {.n = n, .method = "exact multinomial test, outcomes ordered by probability"});
     findings.number("t1.multinom.chisqorder.p", block, exact.by_chi_squared,
-                    {.n = n, .method = "exact multinomial test, in the order of Pearson's X²"});
+                    {.n = n, .method = "exact multinomial test, outcomes ordered by Pearson's X²"});
   }
   if (n > 0) {
     findings.number(
@@ -113,11 +113,10 @@ void add_choices(const ChoiceTable& table, const std::string& block,
   }
   for (std::size_t a = 0; a < renderers; ++a) {
     for (std::size_t b = a + 1; b < renderers; ++b) {
-      findings.number(
-          "t1.pair.p.two", both(block, both(table.renderers[a], table.renderers[b])),
-          mcnemar_test({.only_first = counts[a], .only_second = counts[b]}),
-          {.n = static_cast<std::size_t>(counts[a] + counts[b]),
-           .method = "exact binomial, two-sided, as if all these choices were independent"});
+      findings.number("t1.pair.p.two", both(block, both(table.renderers[a], table.renderers[b])),
+                      mcnemar_test({.only_first = counts[a], .only_second = counts[b]}),
+                      {.n = static_cast<std::size_t>(counts[a] + counts[b]),
+                       .method = "exact binomial test, two-sided, choices treated as independent"});
     }
   }
 }
@@ -186,12 +185,12 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
   if (!(preference > 0.5 && preference < 1.0)) return;
   const auto needed =
       decisive_choices({.preference = preference, .error = 0.05, .power = 0.8, .least = 20});
-  findings.number(
-      "t1.n.decisive.for80", both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
-      needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
-      {.n = n,
-       .method = "number of independent choices of either for 80 % power of the two-sided exact "
-                 "test at the observed preference"});
+  findings.number("t1.n.decisive.for80",
+                  both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
+                  needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
+                  {.n = n,
+                   .method = "number of independent choices of either with which the two-sided "
+                             "exact test has a power of 80 % at the observed preference"});
 }
 
 /// Tables 2 and 3: correct responses by experiment and sex.
@@ -220,7 +219,7 @@ RightAnswers read_right_answers(const TidyTable& table) {
   RightAnswers read{.experiments = experiments.names};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (correct[row] > n[row]) {
-      table.refuse(row, "correct", "more responses are correct than were given");
+      table.refuse(row, "correct", "correct exceeds n; it must be at most n");
     }
     HitCount& own =
         read.of[{experiments.names[experiments.codes[row]], sexes.names[sexes.codes[row]]}];
@@ -291,7 +290,7 @@ void add_recognition(const RightAnswers& right, FindingList& findings) {
     };
     add(
         "t3.dprime" + std::to_string(kPictures), [&](double p) { return choice.dprime(p); },
-        "d′ of equally confusable alternatives; limits from those of Wilson", "1");
+        "d′ of equally confusable alternatives; limits from the Wilson limits", "1");
     add(
         "t3.IT.equalerrors", [&](double p) { return equal_error_bits(p, kPictures); },
         "transmitted information if all errors were equally frequent", "bit");

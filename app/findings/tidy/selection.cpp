@@ -68,8 +68,7 @@ double add_block(const Choices& read, const std::string& block,
   if (n == 0) {
     findings.word("status", block, "no_data", kNothingChosen);
   }
-  const std::string independent =
-      pooled ? ", as if the choices of a participant were independent" : "";
+  const std::string independent = pooled ? ", choices treated as independent" : "";
   for (std::size_t j = 0; j < counts.size(); ++j) {
     const std::string key = both(block, read.renderers[j]);
     const HitCount count{.hits = counts[j], .trials = n};
@@ -109,9 +108,9 @@ double add_block(const Choices& read, const std::string& block,
     const MultinomialTest exact = uniform_multinomial_test(counts);
     const bool is_known = exact.counted && n > 0;
     number("multinom.exact.p", block, is_known ? exact.by_probability : kNoNumber,
-           "exact multinomial test against equal proportions, in the order of probability");
+           "exact multinomial test against equal proportions, outcomes ordered by probability");
     number("multinom.chisqorder.p", block, is_known ? exact.by_chi_squared : kNoNumber,
-           "exact multinomial test against equal proportions, in the order of Pearson's X²");
+           "exact multinomial test against equal proportions, outcomes ordered by Pearson's X²");
   }
   const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
                                                1.0 / static_cast<double>(counts.size()))
@@ -133,7 +132,7 @@ double add_block(const Choices& read, const std::string& block,
   const std::vector<double> means = first_choice_means(luce.share);
   for (std::size_t j = 0; j < counts.size(); ++j) {
     number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNoNumber,
-           "Thurstone's scale of the best of K, sum 0");
+           "Thurstone scale value of first choices, sum 0");
   }
   return p;
 }
@@ -194,11 +193,10 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
                        FindingList& findings) {
   const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
-  const std::string undefined =
-      n == 0 ? "there are no choices"
-      : n == 1
-          ? "differences between participants require at least two participants: add participants"
-          : "all participants have the same proportion";
+  const std::string undefined = n == 0   ? "there are no choices"
+                                : n == 1 ? "differences between participants cannot be estimated "
+                                           "from one participant: add participants"
+                                         : "all participants have the same proportion";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
@@ -236,7 +234,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   number("pooled.se.cluster", target, pooled.clustered_standard_error,
          "standard error of the pooled proportion, participants as clusters");
   number("pooled.se.binom", target, pooled.binomial_standard_error,
-         "standard error of the pooled proportion as if all choices were independent");
+         "standard error of the pooled proportion, choices treated as independent");
   number("pooled.deff", target, pooled.design_effect, "design effect");
 }
 
@@ -262,10 +260,10 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
   const OneSampleT t = one_sample_t(numbers);
   Basis basis{.n = numbers.size(),
               .method =
-                  "Cohen's d_z of the participants' differences of counts; interval by the "
+                  "Cohen's d_z of the participants' differences of counts; interval from the "
                   "noncentral t distribution",
-              .undefined = numbers.size() < 2 ? "differences between participants require at least "
-                                                "two participants: add participants"
+              .undefined = numbers.size() < 2 ? "differences between participants cannot be "
+                                                "estimated from one participant: add participants"
                                               : "all participants have the same difference"};
   if (!t.test) {
     findings.number("signflip.d", key, kNoNumber, basis);
@@ -286,14 +284,13 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   Basis basis{.n = static_cast<std::size_t>(counts.rows()),
               .method = "Kendall's W of the participants' counts, corrected for ties",
               .undefined = counts.rows() < 2
-                               ? "agreement requires two participants: add participants"
+                               ? "agreement requires at least two participants: add participants"
                                : "no participant prefers one to another"};
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
     basis.confidence = confidence;
     basis.method +=
-        "; interval by jackknife over participants, which covers some 90 % instead of "
-        "95 %";
+        "; jackknife interval over participants, which covers about 90 % instead of 95 %";
   }
   findings.number("relabel.W", "", friedman_test(judgements).concordance, basis);
 }
@@ -302,7 +299,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const auto n = static_cast<std::size_t>(counts.rows());
   std::vector<std::string> pairs{};
   std::vector<double> p{};
-  const std::string method = "sign flips: both labels exchanged within a participant";
+  const std::string method = "sign-flip test: both labels exchanged within a participant";
   for (Eigen::Index a = 0; a < counts.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < counts.cols(); ++b) {
       const std::string key = both(read.renderers[static_cast<std::size_t>(a)],
@@ -326,7 +323,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
       add_effect_of_pair(key, differences, read.confidence, findings);
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
-          {.n = first + second, .method = "exact binomial as if all choices were independent"});
+          {.n = first + second, .method = "exact binomial test, choices treated as independent"});
       pairs.push_back(key);
       p.push_back(flips.two_sided);
     }
@@ -340,7 +337,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
                    .method = way_of_counting(relabelling.drawn) +
-                             " permutation within participants, sum of squared totals"});
+                             " permutation test within participants, sum of squared totals"});
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
       {.n = n, .method = "smallest attainable p: all participants' counts in one order"});

@@ -135,8 +135,8 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
 
 const TidyTable& TidyInput::table(std::size_t index) const {
   if (index < tables.size()) return tables[index];
-  throw std::runtime_error("this analysis needs more tables; needed: " + std::to_string(index + 1) +
-                           ", given: " + std::to_string(tables.size()));
+  throw std::runtime_error("this analysis needs more tables; add them after the first. Needed: " +
+                           std::to_string(index + 1) + ", given: " + std::to_string(tables.size()));
 }
 
 std::span<const TidyFamily> tidy_families() { return kFamilies; }
