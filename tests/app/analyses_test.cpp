@@ -859,8 +859,9 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
   EXPECT_DOUBLE_EQ(number(tests.table, {"items"}, "p_holm"), 2.0 * items);
   // No split of all is as far: of the random ones and the observed one only the latter.
   EXPECT_DOUBLE_EQ(number(tests.table, {"sexes", "F|M"}, "p"), 1.0 / 10001.0);
-  EXPECT_THAT(finding_of(outcome, "tests", "p", "test=sexes about=F|M").method,
-              HasSubstr("random (10000 draws, seed 1) permutation of the group labels"));
+  EXPECT_THAT(
+      finding_of(outcome, "tests", "p", "test=sexes about=F|M").method,
+      HasSubstr("permutation test of the group labels, two-sided, random (10000 draws, seed 1)"));
   const AnsweredQuestion& sexes = question_of(outcome, "sexes");
   EXPECT_THAT(
       sexes.answer.english(),
@@ -868,7 +869,8 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
                             ".[0-9]+ %, 100 %., n = 13. for women and 50 % .95 % CI .*"));
   EXPECT_THAT(sexes.answer.english(),
               HasSubstr("difference (women − men) 50.0 percentage points (without a CI)"));
-  EXPECT_THAT(sexes.method.english(), HasSubstr("10000 random divisions"));
+  EXPECT_THAT(sexes.method.english(),
+              HasSubstr("10000 permutations of the group labels drawn at random"));
 }
 
 // Nobody is a man, so that nothing compares the sexes; the family has two tests all the same.

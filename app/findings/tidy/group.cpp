@@ -213,8 +213,8 @@ class GroupComparison final {
     }
     const SplitTest splits = permutation_test(samples);
     number("perm.p.two", splits.p,
-           (splits.exact ? "all" : way_of_counting(kRandomSplits)) +
-               " permutation test of the group labels, difference of means");
+           "permutation test of the group labels, difference of means, " +
+               way_of_counting(splits.exact ? 0 : kRandomSplits));
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U,

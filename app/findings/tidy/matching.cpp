@@ -508,8 +508,8 @@ void add_groups(const Matching& read, const std::vector<double>& means,
   const SplitTest test = permutation_test(samples);
   findings.number("group.perm.p.two", key, test.p,
                   {.n = first.size() + second.size(),
-                   .method = way_of_counting(test.exact ? 0 : kRandomSplits) +
-                             " permutation test of the group labels, two-sided"});
+                   .method = "permutation test of the group labels, two-sided, " +
+                             way_of_counting(test.exact ? 0 : kRandomSplits)});
   add_splits("group.perm", key, test, first.size() + second.size(), findings);
   if (const std::optional<WelchT> welch = welch_t(samples, read.confidence)) {
     Basis effect{

@@ -78,7 +78,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       const Eigen::VectorXd differences = scores.col(a) - scores.col(b);
       const SignedRankTest test = signed_rank_test(
           std::span(differences.data(), static_cast<std::size_t>(differences.size())));
-      const Basis basis{.n = test.n, .method = way_of_counting(test.drawn) + ' ' + method};
+      const Basis basis{.n = test.n, .method = method + ", " + way_of_counting(test.drawn)};
       findings.count("wilcoxon.n", key, test.n, basis);
       findings.number("wilcoxon.Wplus", key, test.positive, basis);
       findings.number("wilcoxon.exact.p.two", key, test.p, basis);

@@ -283,8 +283,9 @@ class Recognition final {
   void permutations() {
     const auto test = information_test(trials_.answered, trials_.labels.size());
     const std::size_t drawn = test ? test->drawn : 0;
-    Basis permuted = of_trials("permutation of each participant's responses over the trials, " +
-                               (test ? way_of_counting(drawn) : std::string("random")));
+    Basis permuted =
+        of_trials("permutation test of each participant's responses over the trials, " +
+                  (test ? way_of_counting(drawn) : std::string("random")));
     permuted.undefined =
         "no participant has both two different stimuli and two different responses";
     list_.number("G.perm.p", "", test ? test->p : kUndefined, permuted);

@@ -144,15 +144,17 @@ void add_most_consistent(const ChoiceTable& table, FindingList& findings) {
       differences.push_back(choices(row, table.target) - choices(row, other));
     }
     const SignFlipTest flips = sign_flip_test(differences);
-    findings.number(std::string("t1.nested.signflip.") + kTarget + '.' +
-                        table.renderers[static_cast<std::size_t>(other)],
-                    "", flips.two_sided,
-                    {.n = n, .method = way_of_counting(flips.drawn) + " sign flips" + consistent});
+    findings.number(
+        std::string("t1.nested.signflip.") + kTarget + '.' +
+            table.renderers[static_cast<std::size_t>(other)],
+        "", flips.two_sided,
+        {.n = n, .method = "sign-flip test, " + way_of_counting(flips.drawn) + ',' + consistent});
   }
   const RelabellingTest relabelling = relabelling_test(choices);
-  findings.number(
-      "t1.nested.relabel.p", "", relabelling.p,
-      {.n = n, .method = way_of_counting(relabelling.drawn) + " relabelling" + consistent});
+  findings.number("t1.nested.relabel.p", "", relabelling.p,
+                  {.n = n,
+                   .method = "permutation test within participants, " +
+                             way_of_counting(relabelling.drawn) + ',' + consistent});
   std::vector<HitCount> own{};
   for (Eigen::Index row = 0; row < choices.rows(); ++row) {
     own.push_back({.hits = static_cast<std::uint64_t>(choices(row, table.target)),

@@ -315,7 +315,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                       {.n = n, .method = "difference of the counts"});
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
-                      {.n = n, .method = way_of_counting(flips.drawn) + ' ' + method});
+                      {.n = n, .method = method + ", " + way_of_counting(flips.drawn)});
       findings.number("signflip.smallest", key, flips.smallest,
                       {.n = n, .method = "smallest attainable p: all differences of one sign"});
       findings.count("signflip.draws", key, flips.drawn,
@@ -336,8 +336,8 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const RelabellingTest relabelling = relabelling_test(counts);
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
-                   .method = way_of_counting(relabelling.drawn) +
-                             " permutation test within participants, sum of squared totals"});
+                   .method = "permutation test within participants, sum of squared totals, " +
+                             way_of_counting(relabelling.drawn)});
   findings.number(
       "relabel.exact.smallest", "", relabelling.smallest,
       {.n = n, .method = "smallest attainable p: all participants' counts in one order"});
@@ -421,9 +421,10 @@ void add_cochran(const Choices& read, FindingList& findings) {
   findings.number("cochran.df", target, test.df, basis);
   if (test.q == test.q) {
     findings.number("cochran.p", target, test.p, basis);
-    findings.number("cochran.exact.p", target, test.exact_p,
-                    {.n = first.size(),
-                     .method = way_of_counting(test.drawn) + " permutation within participants"});
+    findings.number(
+        "cochran.exact.p", target, test.exact_p,
+        {.n = first.size(),
+         .method = "permutation test within participants, " + way_of_counting(test.drawn)});
   }
   for (Eigen::Index a = 0; a < answers.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < answers.cols(); ++b) {
