@@ -556,8 +556,8 @@ TEST_F(Conditions, StateWhereAnEyeMaskWasConfirmed) {
   add_session(kFalcon, {began(), {.kind = "mask_on"}});
   add_session(kFalcon, {began()});
   EXPECT_THAT(conditions(),
-              HasSubstr("The protocol requests an eye mask while surfaces are explored. Putting it "
-                        "on was confirmed in 1 of 2 sessions. Whether one was worn is not recorded "
+              HasSubstr("The protocol requests an eye mask while surfaces are explored. Its use "
+                        "was confirmed in 1 of 2 sessions. Whether one was worn is not recorded "
                         "in 1 of 2 sessions."));
 }
 
@@ -571,7 +571,7 @@ TEST_F(Conditions, StateThatNobodyFeltADeviceWithoutMotors) {
                         "2 sessions: forces were computed but not exerted, and no participant "
                         "felt the surfaces there."));
   EXPECT_THAT(words_of(section(chapter(), "Exploration")),
-              HasSubstr("The normal force is zero, as sent to a device without motors, in 1 of "
+              HasSubstr("The normal force was zero, as sent to a device without motors, in 1 of "
                         "2 sessions."));
 }
 
@@ -597,8 +597,8 @@ TEST_F(Conditions, NameTheDeviceThatASessionWasResumedOn) {
                         "resumed on mouse pointer of a window."));
   add_session(kFalcon, {began(), resumed()});
   EXPECT_THAT(conditions(),
-              HasSubstr("The device is not recorded in part of 1 of 2 sessions, after resuming: "
-                        "the program version used stored only the first device."));
+              HasSubstr("The device after resuming is not recorded in part of 1 of 2 sessions: the "
+                        "program version used stored only the first device."));
 }
 
 TEST_F(Conditions, NameEveryProgramThatRanAPartOfASession) {
@@ -910,7 +910,7 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
   EXPECT_THAT(words, HasSubstr("The sensitivity d′ and the CI of the sensitivity d′: every "
                                "response is correct.\n"));
   EXPECT_THAT(words, HasSubstr("2 numbers of the appendix or of tables are not defined for these "
-                               "data; asperity analyze STUDY --json lists each by its name.\n"));
+                               "data; asperity analyze STUDY --json lists each by name.\n"));
   EXPECT_THAT(words, Not(HasSubstr("pooledOLS")));
   EXPECT_THAT(words, Not(HasSubstr("A has 2 rows")));
 }

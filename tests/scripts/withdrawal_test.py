@@ -110,5 +110,5 @@ with tempfile.TemporaryDirectory() as folder:
     assert nobody.returncode == 0 and "who have withdrawn" in nobody.stderr, nobody
     asperity("report", study, "--out", folder / "report.html")
     report = (folder / "report.html").read_text(encoding="utf-8")
-    assert "four withdrawals of participants" in report and "no sessions yet" not in report, report[:3000]
-    assert "No data of participants who have not withdrawn" in report and "No data yet" not in report, report[:3000]
+    assert "four participants were withdrawn" in report and "no sessions yet" not in report, report[:3000]
+    assert "No data: all participants with sessions have withdrawn" in report and "No data yet" not in report, report[:3000]

@@ -65,7 +65,7 @@ std::string noise_text(const ReportFacts& facts) {
 std::string vision_text(const ReportFacts& facts) {
   const SessionShare masked = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return stretch.eye_mask_confirmed; });
-  const std::string confirmed = " Putting it on was confirmed " + masked.text() + '.';
+  const std::string confirmed = " Its use was confirmed " + masked.text() + '.';
   const SessionShare unconfirmed = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return !stretch.eye_mask_confirmed; });
   if (!facts.file.protocol) return masked.is_any() ? "An eye mask was used." + confirmed : "";
@@ -73,7 +73,8 @@ std::string vision_text(const ReportFacts& facts) {
     case Vision::free:
       return "The protocol requests neither an eye mask nor that the hand be out of view.";
     case Vision::hand_occluded:
-      return "The protocol requests that the hand be out of view; whether it was is not recorded.";
+      return "The protocol requests that the hand be out of view; compliance with this is not "
+             "recorded.";
     case Vision::blindfold:
       break;
   }
@@ -90,9 +91,8 @@ std::string devices_text(const ReportFacts& facts) {
   const SessionShare unknown = share_of_sessions(
       facts, [](const RecordedStretch& stretch) { return !stretch.device.has_value(); });
   if (unknown.is_any()) {
-    text += (text.empty() ? "" : " ") + std::string("The device is not recorded ") +
-            unknown.text_after_not() +
-            ", after resuming: the program version used stored only the first device.";
+    text += (text.empty() ? "" : " ") + std::string("The device after resuming is not recorded ") +
+            unknown.text_after_not() + ": the program version used stored only the first device.";
   }
   return text;
 }

@@ -62,7 +62,8 @@ std::string until_text(const Protocol::Criterion& until) {
          (until.correct == until.of_last
               ? (until.correct == 1 ? "a trial is" : "the last " + number + " trials are")
               : number + " of the last " + std::to_string(until.of_last) + " trials are") +
-         " correct, at most " + std::to_string(until.maximum_trials) + " trials";
+         " correct, at most " + std::to_string(until.maximum_trials) +
+         (until.maximum_trials == 1 ? " trial" : " trials");
 }
 
 /// " The criterion was not met in either session."; empty where it was met in all.
@@ -121,7 +122,8 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
       text += (band.minimum ? "and at most " : "at most ") + reading_quantity(*band.maximum, unit) +
               ' ';
     }
-    text += name;
+    const double last = band.maximum.value_or(band.minimum.value_or(0.0));
+    text += last == 1.0 ? name.substr(0, name.size() - 1) : name;  // "1 stroke"
   } else {
     text = name;
     if (band.minimum && band.maximum) {
@@ -191,9 +193,9 @@ std::string guidance_text(const Exploration& exploration, const ReportFacts& fac
   return text;
 }
 
-/// "at most two times", "once at most"
+/// "at most two times", "at most once"
 std::string repeats_text(int maximum) {
-  return maximum == 1 ? "once at most"
+  return maximum == 1 ? "at most once"
                       : "at most " + count_in_words(static_cast<std::uint64_t>(maximum)) + " times";
 }
 
@@ -201,7 +203,7 @@ std::string repeats_text(int maximum) {
 constexpr const char* kUntouched =
     "; an attempt in which a surface is not touched does not count and is repeated.";
 const std::string kLastRepeat =
-    std::string("; the last one is then flagged and included") + kUntouched;
+    std::string("; the last attempt is then flagged and included") + kUntouched;
 
 std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
   std::string text = "The protocol requests that each surface be explored " +
@@ -360,10 +362,10 @@ std::string after_failure(const Exploration& exploration) {
       return outside + "flagged and included";
     case Exploration::OnFailure::repeat_now:
       return outside + "repeated at once, " + repeats_text(exploration.maximum_repeats) +
-             ", and the last one was then included";
+             ", and the last attempt was then included";
     case Exploration::OnFailure::requeue_at_end_of_block:
       return outside + "repeated at the end of the block, " +
-             repeats_text(exploration.maximum_repeats) + ", and the last one was then included";
+             repeats_text(exploration.maximum_repeats) + ", and the last attempt was then included";
   }
   return {};
 }
@@ -399,7 +401,7 @@ ReportSection design_section(const ReportFacts& facts) {
     section.parts.emplace_back(ReportText{stopped(
         "The protocol " + row.name + ", version " + row.version + ", is a " + row.kind + " (" +
         row.design + "). This program cannot read its file, which is stored in the study: " +
-        (check.diagnostics.empty() ? std::string("no reason is known")
+        (check.diagnostics.empty() ? std::string("the reason is unknown")
                                    : check.diagnostics.front().message))});
     section.parts.emplace_back(ReportText{planned_trials_text(facts) + surfaces_text(facts)});
     return section;

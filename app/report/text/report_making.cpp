@@ -136,8 +136,8 @@ ReportSection making_section(const ReportFacts& facts) {
     section.parts.emplace_back(ReportText{
         reading_count(files.size()) +
         (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
-        " to the protocol; sessions.tsv of an export contains the SHA-256 of each. The list of "
-        "sessions gives the seed and the counterbalancing row of each session: together with the "
+        " to the protocol; sessions.tsv of an export contains the SHA-256 of each. The table of "
+        "sessions lists the seed and the counterbalancing row of each session: together with the "
         "protocol, the files and the program, they determine its plan."});
   }
   section.parts.emplace_back(std::move(table));

@@ -51,7 +51,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"mds.shepard.gof2", {"fit of the MDS configuration in two dimensions", number}},
       {"mixed.sigma", {"SD of the random intercept", number}},
       {"n", {"responses that name a picture", count}},
-      {"n.missing", {"trials without a response, excluded", count}},
+      {"n.missing", {"trials without a response, left out", count}},
       {"n.stages", {"choices in the scale", count}},
       {"n.trials", {"trials", count}},
       {"n.trials.permutation", {"trials in which every picture was assigned once", count}},

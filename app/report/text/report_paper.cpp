@@ -144,7 +144,7 @@ std::string paper_data(const ReportFacts& facts, const AnalysisOutcome& outcome,
     return std::any_of(printed.begin(), printed.end(), is_so);
   };
   if (is_any([](const TestSentence& each) { return !each.is_untested; })) {
-    sentences.emplace_back("The level of significance was .05.");
+    sentences.emplace_back("The significance level was .05.");
   }
   if (const StudyAnalysis* const analysis = find_analysis(outcome.kind)) {
     sentences.emplace_back(analysis->transformation);
@@ -176,8 +176,9 @@ std::string results_paragraph(const AnalysisOutcome& outcome,
       outcome.test_sentences.begin(), outcome.test_sentences.end(),
       [](const TestSentence& each) { return is_of_family(each) || !each.is_untested; }));
   if (worth_printing > printed.size()) {
-    sentences.push_back("The table of tests has " + reading_count(worth_printing - printed.size()) +
-                        " more.");
+    const std::size_t more = worth_printing - printed.size();
+    sentences.push_back("The table of tests contains " + reading_count(more) +
+                        (more == 1 ? " further test." : " further tests."));
   }
   return with_sentences(sentences);
 }

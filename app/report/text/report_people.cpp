@@ -112,7 +112,7 @@ std::string reason_text(const std::string& reason) {
 
 ReportTable fates_table(const ReportFacts& facts) {
   ReportTable table{};
-  table.title = "Attempts of the main phase that do not count, and flagged ones that do";
+  table.title = "Attempts of the main phase that do not count, and flagged attempts that count";
   table.columns = {{"attempts", true}, {"outcome", false}, {"reason", false}};
   const auto add = [&table](const std::string& fate, const ReasonCounts& reasons) {
     std::vector<std::pair<std::string, std::size_t>> by_count(reasons.begin(), reasons.end());
@@ -309,16 +309,16 @@ ReportSection participants_section(const ReportFacts& facts) {
   return section;
 }
 
-/// "Session 1 of P001 was resumed 30.5 hours after it had last run (the protocol has at most 24 hours): was ill."
+/// "Session 1 of P001 was resumed 30.5 h after it had last run (the protocol allows at most 24 h): was ill."
 std::string late_text(const ReportedSession& session, const EventRow& event) {
   const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
   const auto hours = [&data](const char* key) {
     return data.is_object() ? data.value(key, 0.0) : 0.0;
   };
-  return stopped(
-      capitalised(reported_session_name(session)) + " was resumed " + fixed(hours("age_hours"), 1) +
-      " hours after it had last run (the protocol allows at most " +
-      reading_number(hours("maximum_age_hours")) + " hours): " + phrase_of(event).english());
+  return stopped(capitalised(reported_session_name(session)) + " was resumed " +
+                 fixed(hours("age_hours"), 1) +
+                 " h after it had last run (the protocol allows at most " +
+                 reading_number(hours("maximum_age_hours")) + " h): " + phrase_of(event).english());
 }
 
 ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
@@ -339,10 +339,10 @@ ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
   const std::size_t count = withdrawals.size();
   const std::string data = deleted == count ? "deleted"
                            : deleted == 0   ? "kept"
-                                            : "deleted in " + reading_count(deleted) + " of them";
-  return {"The whole study has " + count_in_words(count) +
-          (count == 1 ? " withdrawal" : " withdrawals") + " of participants (" + listed(reasons) +
-          "), with the data " + data + "; they are not included in this report."};
+                                            : "deleted for " + reading_count(deleted) + " of them";
+  return {"In the whole study, " + count_in_words(count) +
+          (count == 1 ? " participant was" : " participants were") + " withdrawn (" +
+          listed(reasons) + "); the data were " + data + " and are not included in this report."};
 }
 
 ReportSection exclusions_section(const ReportFacts& facts) {

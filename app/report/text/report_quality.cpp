@@ -231,14 +231,14 @@ std::string explored_by_text(const ReportFacts& facts) {
     return gives_no_force(stretch) && stretch.judges_rendered_force;
   });
   if (computed.is_any()) {
-    text += " The normal force is the computed one " + computed.text() +
-            ": the device exerted none there.";
+    text +=
+        " The normal force was computed " + computed.text() + ", but not exerted by the device.";
   }
   const SessionShare zero = share_of_sessions(facts, [](const RecordedStretch& stretch) {
     return gives_no_force(stretch) && !stretch.judges_rendered_force;
   });
   if (zero.is_any()) {
-    text += " The normal force is zero, as sent to a device without motors, " + zero.text() + '.';
+    text += " The normal force was zero, as sent to a device without motors, " + zero.text() + '.';
   }
   return text;
 }

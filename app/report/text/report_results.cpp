@@ -321,7 +321,7 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
                       : reading_count(further) + " numbers of the appendix or of "
                                                  "tables are") +
         std::string(
-            " not defined for these data; asperity analyze STUDY --json lists each by its name."));
+            " not defined for these data; asperity analyze STUDY --json lists each by name."));
   }
   return sentences;
 }
@@ -381,7 +381,7 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
   }
   std::vector<std::string> refusals = refusals_in(outcome);
   if (!refusals.empty()) {
-    section.parts.emplace_back(ReportText{"What could not be computed, and why:"});
+    section.parts.emplace_back(ReportText{"Results that could not be computed, with reasons:"});
     section.parts.emplace_back(ReportList{std::move(refusals)});
   }
   return section;

@@ -63,7 +63,8 @@ std::string dates_text(const std::vector<ReportFacts>& all, bool has_withdrawals
   }
   if (days.empty() && made_up) return "Data of a simulated clock, which has no date";
   if (days.empty()) {
-    return has_withdrawals ? "No data of participants who have not withdrawn" : "No data yet";
+    return has_withdrawals ? "No data: all participants with sessions have withdrawn"
+                           : "No data yet";
   }
   std::string text = days.size() == 1 ? "Data of " + *days.begin()
                                       : "Data of " + *days.begin() + " to " + *days.rbegin();
@@ -80,9 +81,8 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
           ReportText{"The study has no sessions yet: there is nothing to report."});
       return chapter;
     }
-    section.parts.emplace_back(
-        ReportText{"The study has no sessions of participants who have not withdrawn: there are no "
-                   "results to report."});
+    section.parts.emplace_back(ReportText{
+        "All participants with sessions have withdrawn: there are no results to report."});
     section.parts.emplace_back(withdrawals_text(withdrawals));
     return chapter;
   }
