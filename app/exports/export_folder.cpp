@@ -41,7 +41,7 @@ std::map<std::string, std::string> files_of_export_in(const fs::path& folder) {
 /// The reason why `folder` cannot be written, as the end of a sentence.
 std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwrite) {
   if (!fs::exists(folder)) return std::nullopt;
-  if (!fs::is_directory(folder)) return "exists and is not a folder";
+  if (!fs::is_directory(folder)) return "exists and is not a folder; choose another name";
   if (fs::is_empty(folder)) return std::nullopt;
   if (overwrite == Overwrite::refuse) {
     return "is not empty; choose another folder, or replace an earlier export with --force";

@@ -149,8 +149,8 @@ WideTable::Made WideTable::make() const {
   count("answers", "responses that are counted in the columns of conditions", &Person::answers);
   count("answers_flagged", "counted responses from flagged attempts", &Person::flagged);
   count("answers_left_out",
-        "responses in main trials, without anchors, that are not counted because the attempt is "
-        "not valid or was excluded",
+        "responses in trials of the main phase, without anchors, that are not counted because the "
+        "attempt is not valid or was excluded",
         &Person::left_out);
 
   const bool gives_numbers = std::any_of(people_.begin(), people_.end(), [](const Person& person) {

@@ -126,7 +126,8 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     return {both, less};
   }
   if (!has_interval(less)) {
-    less.note = phrase("Figures", "The difference of the participants' means; it has no CI.");
+    less.note =
+        phrase("Figures", "The point is the difference of the participants' means; it has no CI.");
     less.x.name = phrase("Figures", "%1 − %2")
                       .with(word_of_group(means[0]->key), word_of_group(means[1]->key));
   }

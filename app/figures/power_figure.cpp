@@ -30,8 +30,8 @@ constexpr std::array kColumns{std::pair{"kind", ""},
 
 Phrase words_of_kind(const std::string& kind) {
   static const std::map<std::string, Phrase> kWords{
-      {"binom_greater", phrase("Figures", "exact binomial, one-sided")},
-      {"binom_two", phrase("Figures", "exact binomial, two-sided")},
+      {"binom_greater", phrase("Figures", "exact binomial test, one-sided")},
+      {"binom_two", phrase("Figures", "exact binomial test, two-sided")},
       {"chisq_uniform_exact", phrase("Figures", "χ² against equal proportions")},
       {"fisher_two", phrase("Figures", "Fisher's exact test")},
       {"mafc_dprime", phrase("Figures", "proportion correct at a d′")},

@@ -71,7 +71,7 @@ FigureAxis measure_axis(SweepMeasure measure) {
       axis.name = phrase("Figures", "power from 50 to 500 Hz");
       break;
     case SweepMeasure::pacinian:
-      axis = {.name = phrase("Figures", "power over the threshold"), .unit = "dB"};
+      axis = {.name = phrase("Figures", "power relative to the threshold"), .unit = "dB"};
       break;
   }
   return axis;
@@ -248,7 +248,8 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
   }
   if (predicted_count == 0.0) {
     throw std::runtime_error(
-        "no spacing of the sweep lies within the range of the estimated spacings, " +
+        "no spacing of the sweep lies within the range of the estimated spacings; choose spacings "
+        "from " +
         text_of_number(shortest_mm) + " to " + text_of_number(longest_mm) + " mm");
   }
   const double factor = std::exp(sum / count - predicted_sum / predicted_count);

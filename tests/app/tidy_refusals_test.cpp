@@ -76,7 +76,7 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
                            R"({"items": ["a", "b"]})"),
             "")
       << "no score is none";
-  const std::string once = "; there is one row per participant, who is in one group";
+  const std::string once = "; there must be one row per participant, who is in one group";
   EXPECT_EQ(
       family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
       "t.csv:4:1: \"A\" occurs a second time" + once);
@@ -86,10 +86,10 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
             "t.csv:3:1: \"A\" occurs a second time" + once);
   EXPECT_EQ(family_refusal("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
-            "t.csv:4:1: \"x\" occurs a second time; there is one row per count of hits");
+            "t.csv:4:1: \"x\" occurs a second time; there must be one row per count of hits");
   EXPECT_EQ(family_refusal("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n",
                            "[]"),
-            "t.csv:3:1: \"x\" occurs a second time; there is one row per plan");
+            "t.csv:3:1: \"x\" occurs a second time; there must be one row per plan");
   EXPECT_EQ(family_refusal("matching",
                            "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
                            "A,2,x,x,M\nA,2,y,y,M\n",

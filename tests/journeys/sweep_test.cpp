@@ -191,7 +191,7 @@ TEST(Sweep, DrawsACurveForEveryValue) {
   const Outcome powers = asperity(order);
   ASSERT_EQ(powers.status, 0) << powers.err;
   EXPECT_THAT(powers.out, HasSubstr("6 rows, constant_height, pacinian"));
-  EXPECT_THAT(text_of(place / "powers.svg"), HasSubstr("power over the threshold"));
+  EXPECT_THAT(text_of(place / "powers.svg"), HasSubstr("power relative to the threshold"));
 }
 
 TEST(Sweep, RefusesAFigureThatCannotBeWrittenBeforeItBegins) {
@@ -328,7 +328,7 @@ TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
   EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 
-// Each measure has its own peak: of the same strokes the power over the threshold of touch, whose
+// Each measure has its own peak: of the same strokes the power relative to the threshold of touch, whose
 // decibels are logarithms already, is greatest elsewhere than the greatest acceleration.
 TEST(Sweep, PrintsThePeaksOfTheMeasureThatIsChosen) {
   const TemporaryFolder place{};

@@ -34,8 +34,8 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   const AnswerCount& count = gathered.count;
   if (gathered.group == AnswerGroup::virtual_participants) {
     outcome.remarks.push_back(phrase("Analysis",
-                                     "These participants are virtual: the numbers test the program "
-                                     "and are not evidence about human participants."));
+                                     "These participants are virtual: the results serve to test "
+                                     "the program and are not evidence about human participants."));
   }
   if (gathered.group == AnswerGroup::pilot) {
     outcome.remarks.push_back(phrase(

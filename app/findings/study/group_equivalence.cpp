@@ -86,7 +86,7 @@ Phrase equivalence_answer(const FoundNumbers& found, const std::optional<double>
     return phrase("Analysis",
                   "The protocol declares no equivalence margin, so equivalence is not assessed: "
                   "%1. The data would not support equivalence within any margin: the CI reaches "
-                  "±100 percentage points, the largest difference that is possible.")
+                  "±100 percentage points, the largest possible difference.")
         .with(numbers);
   }
   if (!margin) {

@@ -324,7 +324,7 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
       phrase("Analysis", "Analysis of variance of the logarithms"),
       {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
       phrase("Analysis",
-             "Every participant in every cell, replicates averaged. p: "
+             "Each participant has a value in every cell; replicates are averaged. p: "
              "Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.")};
   for (const auto& [name, effect] : kEffects) {
     const Finding* p = found.find(p_of(found, effect), effect);

@@ -344,11 +344,12 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const Assignment>
 
 void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
-  NamedTable made{
-      "confused_pairs",
-      phrase("Analysis", "Confused pairs of textures, the most frequent first"),
-      {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
-      phrase("Analysis", "How often one was assigned the picture of the other, and vice versa.")};
+  NamedTable made{"confused_pairs",
+                  phrase("Analysis", "Confused pairs of textures, the most frequent first"),
+                  {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
+                  phrase("Analysis",
+                         "Number of times that one texture was assigned the picture of the other, "
+                         "in each direction.")};
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const auto count = [&](const std::string& a, const std::string& b) {

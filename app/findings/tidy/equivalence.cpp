@@ -237,10 +237,10 @@ std::vector<Finding> equivalence_findings(const TidyInput& input) {
   add_equivalence(comparison, bounds, findings);
   findings.number("ci.lower", "", interval.low, basis);
   findings.number("ci.upper", "", interval.high, basis);
-  findings.number(
-      "equivalence.margin", "", smallest_equivalence_margin(estimate.difference, alpha),
-      {.n = comparison.n,
-       .method = "smallest Δ with which ±Δ would be equivalent; a description, not a test"});
+  findings.number("equivalence.margin", "", smallest_equivalence_margin(estimate.difference, alpha),
+                  {.n = comparison.n,
+                   .method = "smallest Δ for which the test would show equivalence within ±Δ; "
+                             "descriptive, without a test"});
   for (const StandardisedEffect& effect : compared.effects) {
     Basis effect_basis{.n = comparison.n,
                        .method = effect.method + "; interval from the noncentral t distribution",

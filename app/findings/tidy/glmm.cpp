@@ -270,7 +270,7 @@ class CrossedFindings final {
     number("glmm.lr", factor.name, ratio, "likelihood ratio against the model without the factor");
     number("glmm.lr.df", factor.name, df, "degrees of freedom of χ²");
     number("glmm.lr.p", factor.name, *upper_tail(ChiSquaredStatistic{.value = ratio, .df = df}),
-           "χ² of the likelihood ratio");
+           "χ² test of the likelihood ratio");
   }
 
   const CrossedTable& table_;

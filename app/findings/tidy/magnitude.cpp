@@ -379,8 +379,10 @@ class MagnitudeList final {
       }
     }
     number("pooled.quad.r2", probe, fit.pooled_r2, "curve through the means");
-    number("pooled.quad.vs.linear.F", probe, fit.F, "parabola against line, through the means");
-    number("pooled.quad.vs.linear.p", probe, fit.p, "parabola against line, through the means: F");
+    number("pooled.quad.vs.linear.F", probe, fit.F,
+           "F of the parabola against the line, through the means");
+    number("pooled.quad.vs.linear.p", probe, fit.p,
+           "F test of the parabola against the line, through the means");
     if (const auto& test = fit.curvature.test) {
       number("quad.c.t", probe, test->t,
              "curvature of the parabola against 0, t over participants");
@@ -394,7 +396,7 @@ class MagnitudeList final {
     for (const auto& [name, end] : {std::pair{std::string("low"), fit.ends[0]},
                                     std::pair{std::string("high"), fit.ends[1]}}) {
       number("invU.slope." + name, probe, end.slope, "slope of the mean curve at this end");
-      number("invU.t." + name, probe, end.t, "t of that slope");
+      number("invU.t." + name, probe, end.t, "t of the slope of the mean curve at this end");
       number("invU.p." + name, probe, end.p,
              name == "low"
                  ? "slope of the mean curve at the low end, one-sided t test for a rising curve"
@@ -482,7 +484,8 @@ class MagnitudeList final {
     list_.count("boot.valid", probe, boot->valid, basis("resamples with a maximum"));
     number("boot.perc.lower", probe, std::pow(10.0, boot->percentile.low), "percentile");
     number("boot.perc.upper", probe, std::pow(10.0, boot->percentile.high), "percentile");
-    number("boot.se.log10", probe, boot->standard_error, "spread of the resampled peaks");
+    number("boot.se.log10", probe, boot->standard_error,
+           "standard deviation of the resampled peaks");
     if (boot->bias_corrected) {
       number("boot.bca.z0", probe, boot->bias_corrected->z0, "BCa bias");
       number("boot.bca.a", probe, boot->bias_corrected->acceleration, "BCa acceleration");

@@ -565,10 +565,10 @@ void add_participants(const Matching& read, FindingList& findings) {
   for (std::size_t person = 0; person < own.size(); ++person) {
     const auto [chance, is_new] = chances.try_emplace(times[person]);
     if (is_new) chance->second = chance_of(read, times[person]);
-    findings.number("subject.p.greater", read.participants[person],
-                    chance->second.upper_tail(static_cast<std::int64_t>(own[person].hits)),
-                    {.n = trials[person],
-                     .method = "exact, one-sided, permutation null distribution of the responses"});
+    findings.number(
+        "subject.p.greater", read.participants[person],
+        chance->second.upper_tail(static_cast<std::int64_t>(own[person].hits)),
+        {.n = trials[person], .method = "exact permutation test of the responses, one-sided"});
   }
   add_shares_of_participants(own, read.confidence, findings);
   add_groups(read, means, own, findings);

@@ -160,12 +160,13 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
 void add_thurstone(const Paired& read, FindingList& findings) {
   const std::size_t n = read.participants.size();
   if (const auto fit = thurstone_likelihood(read.counts)) {
-    add_scale(read.items, fit->abilities,
-              scale_names(read, "thurstone.ml", "thurstone.ml.se",
-                          "Thurstone Case V by likelihood, relative to " + read.items.front()),
-              findings);
+    add_scale(
+        read.items, fit->abilities,
+        scale_names(read, "thurstone.ml", "thurstone.ml.se",
+                    "Thurstone Case V by maximum likelihood, relative to " + read.items.front()),
+        findings);
     findings.number("thurstone.ml.deviance", "", fit->deviance,
-                    {.n = n, .method = "Thurstone Case V by likelihood"});
+                    {.n = n, .method = "Thurstone Case V by maximum likelihood"});
   }
   const auto fit = thurstone_least_squares(read.counts);
   if (!fit) return;

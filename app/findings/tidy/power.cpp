@@ -158,15 +158,15 @@ void plan_findings(const Scenario& plan, const std::string& kind, PowerList& lis
   if (kind == "binom_greater") {
     const ExactPower power = binomial_power(binomial());
     list.critical(power);
-    list.exact(power, "exact binomial, one-sided");
+    list.exact(power, "exact binomial test, one-sided");
   } else if (kind == "binom_two") {
-    list.exact(binomial_two_sided_power(binomial()), "exact binomial, two-sided");
+    list.exact(binomial_two_sided_power(binomial()), "exact binomial test, two-sided");
   } else if (kind == "chisq_uniform_exact") {
     uniform(plan, error, list);
   } else if (kind == "matching_mallows") {
     const MatchingPower power = mallows_power(matching(), plan.number("theta"));
     list.critical(power.exact);
-    list.exact(power.exact, "exact, permutations by Mallows' model");
+    list.exact(power.exact, "exact; permutations from Mallows' model");
     list.number("mean.correct", power.mean_right, "correctly matched items of one assignment");
   } else if (kind == "matching_known") {
     list.number(

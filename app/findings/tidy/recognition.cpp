@@ -276,8 +276,9 @@ class Recognition final {
                   "most .05 in 6 to 12 % of the tables"));
     permutations();
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
-         "if all errors were equally frequent (Fano's bound)");
-    list_.truth("IT.N.enough", "", it.enough_trials, basis("at least 5m² trials"));
+         "equal-error (Fano) estimate of the transmitted information");
+    list_.truth("IT.N.enough", "", it.enough_trials,
+                basis("whether there are at least 5m² trials"));
   }
 
   void permutations() {

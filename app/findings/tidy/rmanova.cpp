@@ -302,11 +302,13 @@ class AnovaList final {
     number("mauchly.W", key, of.mauchly->W, "Mauchly's W");
     number("mauchly.chisq", key, of.mauchly->chi_squared, "χ² of W");
     number("mauchly.df", key, of.mauchly->df, "degrees of freedom of χ²");
-    number("mauchly.p.firstorder", key, of.mauchly->p_first_order, "χ² of W, first order");
-    number("mauchly.p.anderson", key, of.mauchly->p_second_order, "χ² of W, second order");
+    number("mauchly.p.firstorder", key, of.mauchly->p_first_order,
+           "χ² test of W, first-order approximation");
+    number("mauchly.p.anderson", key, of.mauchly->p_second_order,
+           "χ² test of W, second-order approximation");
     number("mauchly.p.car", key, of.mauchly->p_as_r,
-           "χ² of W, second order, as computed by R with the number of cells instead of contrasts; "
-           "not to be reported");
+           "χ² test of W, second-order approximation, as computed by R with the number of cells "
+           "instead of contrasts; not to be reported");
   }
 
   void means() {

@@ -250,7 +250,7 @@ void add_right_answers(const std::string& table, const RightAnswers& right,
     for (const Chance& chance : chances) {
       findings.number(table + ".p.greater", block + "|chance=" + chance.name,
                       binomial_upper_tail(all, chance.value),
-                      {.n = n, .method = "exact binomial, one-sided"});
+                      {.n = n, .method = "exact binomial test, one-sided"});
     }
     const TwoByTwo sexes{.first = right.count(block, "F"), .second = right.count(block, "M")};
     if (sexes.first.trials == 0 || sexes.second.trials == 0) continue;
@@ -295,7 +295,7 @@ void add_recognition(const RightAnswers& right, FindingList& findings) {
         "d′ of equally confusable alternatives; limits from the Wilson limits", "1");
     add(
         "t3.IT.equalerrors", [&](double p) { return equal_error_bits(p, kPictures); },
-        "transmitted information if all errors were equally frequent", "bit");
+        "equal-error (Fano) estimate of the transmitted information", "bit");
   }
 }
 

@@ -318,8 +318,9 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                       {.n = n, .method = method + ", " + way_of_counting(flips.drawn)});
       findings.number("signflip.smallest", key, flips.smallest,
                       {.n = n, .method = "smallest attainable p: all differences of one sign"});
-      findings.count("signflip.draws", key, flips.drawn,
-                     {.n = n, .method = "random patterns of signs; 0 if all were enumerated"});
+      findings.count(
+          "signflip.draws", key, flips.drawn,
+          {.n = n, .method = "patterns of signs drawn at random; 0 if all were enumerated"});
       add_effect_of_pair(key, differences, read.confidence, findings);
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),

@@ -16,7 +16,7 @@ constexpr std::array kFamilies{
     TidyFamily{"equivalence",
                "subject,a,b: pairs of values; or subject,value: one sample against 0; or "
                "subject,group,value: two samples; one row per participant",
-               "lower, upper: bounds of equivalence, both or neither; alpha of each one-sided "
+               "lower, upper: equivalence bounds, both or neither; alpha of each one-sided "
                "test; groups: names of the two samples, in order; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
     TidyFamily{"glmm",

@@ -180,7 +180,7 @@
         <translation>Verwechselte Paare von Texturen, das häufigste zuerst</translation>
     </message>
     <message>
-        <source>How often one was assigned the picture of the other, and vice versa.</source>
+        <source>Number of times that one texture was assigned the picture of the other, in each direction.</source>
         <translation>Wie oft jeder der beiden Texturen das Bild der anderen zugeordnet wurde.</translation>
     </message>
     <message>
@@ -476,8 +476,8 @@
         <translation>Varianzanalyse der Logarithmen</translation>
     </message>
     <message>
-        <source>Every participant in every cell, replicates averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
-        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: Greenhouse-Geisser-korrigiert, wenn ein Effekt mehr als einen Freiheitsgrad hat.</translation>
+        <source>Each participant has a value in every cell; replicates are averaged. p: Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.</source>
+        <translation>Jede Versuchsperson hat einen Wert in jeder Zelle; Wiederholungen sind gemittelt. p: Greenhouse-Geisser-korrigiert, wenn ein Effekt mehr als einen Freiheitsgrad hat.</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -812,7 +812,7 @@
         <translation>%1 Dieser Test ist explorativ.</translation>
     </message>
     <message>
-        <source>These participants are virtual: the numbers test the program and are not evidence about human participants.</source>
+        <source>These participants are virtual: the results serve to test the program and are not evidence about human participants.</source>
         <translation>Diese Versuchspersonen sind virtuell: Die Zahlen dienen der Prüfung des Programms und belegen nichts über Menschen.</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>Differenz (Frauen − Männer) = %1 Prozentpunkte, 90-%-KI [%2; %3], n = %4 Versuchspersonen; JZS-Bayes-Faktor für einen Unterschied BF₁₀ = %5</translation>
     </message>
     <message>
-        <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest difference that is possible.</source>
+        <source>The protocol declares no equivalence margin, so equivalence is not assessed: %1. The data would not support equivalence within any margin: the CI reaches ±100 percentage points, the largest possible difference.</source>
         <translation>Das Protokoll legt keine Äquivalenzgrenze fest, daher wird die Äquivalenz nicht beurteilt: %1. Die Daten würden bei keiner Grenze Äquivalenz stützen: Das KI reicht bis ±100 Prozentpunkte, die größte mögliche Differenz.</translation>
     </message>
     <message>
@@ -2616,11 +2616,11 @@
         <translation>Mittelwert, in der Einheit der Tabelle</translation>
     </message>
     <message>
-        <source>exact binomial, one-sided</source>
+        <source>exact binomial test, one-sided</source>
         <translation>exakter Binomialtest, einseitig</translation>
     </message>
     <message>
-        <source>exact binomial, two-sided</source>
+        <source>exact binomial test, two-sided</source>
         <translation>exakter Binomialtest, zweiseitig</translation>
     </message>
     <message>
@@ -2736,8 +2736,8 @@
         <translation>Leistung von 50 bis 500 Hz</translation>
     </message>
     <message>
-        <source>power over the threshold</source>
-        <translation>Leistung über der Schwelle</translation>
+        <source>power relative to the threshold</source>
+        <translation>Leistung relativ zur Schwelle</translation>
     </message>
     <message>
         <source>Filled symbols: strokes of the held tool. Small open symbols: strokes left out because of their status. Curves: parabolas fitted to the logarithms. Large open symbols: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
@@ -2984,8 +2984,8 @@
         <translation>Punkte sind Mittelwerte der individuellen Ergebnisse der Versuchspersonen; Konfidenzintervalle gibt es nicht.</translation>
     </message>
     <message>
-        <source>The difference of the participants&apos; means; it has no CI.</source>
-        <translation>Die Differenz der Mittelwerte der Versuchspersonen; sie hat kein Konfidenzintervall.</translation>
+        <source>The point is the difference of the participants&apos; means; it has no CI.</source>
+        <translation>Der Punkt ist die Differenz der Mittelwerte der Versuchspersonen; sie hat kein Konfidenzintervall.</translation>
     </message>
     <message>
         <source>%1 − %2</source>

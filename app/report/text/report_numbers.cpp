@@ -57,13 +57,13 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"n.trials.permutation", {"trials in which every picture was assigned once", count}},
       {"n.valid", {"choices", count}},
       {"null.lower",
-       {"correctly matched items, lower limit of 95 % under guessing, trials treated as "
+       {"correctly matched items, lower limit of the 95 % range under guessing, trials treated as "
         "independent",
         count}},
       {"null.sd",
        {"correctly matched items, SD under guessing, trials treated as independent", number}},
       {"null.upper",
-       {"correctly matched items, upper limit of 95 % under guessing, trials treated as "
+       {"correctly matched items, upper limit of the 95 % range under guessing, trials treated as "
         "independent",
         count}},
       {"pc.se.cluster", {"cluster-robust standard error of the proportion correct", number}},

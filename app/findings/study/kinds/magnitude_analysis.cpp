@@ -24,13 +24,13 @@ constexpr std::array kMagnitudeClaims{
               "The spacings of the peaks of %1 and %2 were not significantly different"}};
 
 std::string task_of_magnitude(const Protocol&) {
-  return "Task: in each trial, one surface is presented, and its roughness is to be given a number "
-         "(absolute magnitude estimation with free modulus).";
+  return "Task: in each trial, one surface is presented, and a number is to be assigned to its "
+         "roughness (absolute magnitude estimation with free modulus).";
 }
 
 std::string paper_task_of_magnitude(const Protocol&) {
-  return ", and its roughness was to be given a number above 0 (absolute magnitude estimation with "
-         "free modulus).";
+  return ", and a number above 0 was to be assigned to its roughness (absolute magnitude "
+         "estimation with free modulus).";
 }
 
 }  // namespace
