@@ -74,7 +74,7 @@ double joined_distance(Linkage linkage, const Sizes& sizes, double from_first, d
     case Linkage::single:
       return std::min(from_first, from_second);
   }
-  throw std::invalid_argument("linkage is not one of average, complete and single");
+  throw std::invalid_argument("linkage must be average, complete or single");
 }
 
 }  // namespace

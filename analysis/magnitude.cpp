@@ -53,7 +53,8 @@ LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index co
   fit.solver.compute(fit.powers);
   if (fit.solver.rank() < coefficients) {
     throw std::invalid_argument("x has too few different levels; a curve with " +
-                                std::to_string(coefficients) + " coefficients needs as many");
+                                std::to_string(coefficients) +
+                                " coefficients needs at least as many");
   }
   return fit;
 }

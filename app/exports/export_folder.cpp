@@ -79,9 +79,9 @@ void sync_file_system_of(const fs::path& folder) {
 }
 
 [[noreturn]] void fail(const fs::path& target, const fs::filesystem_error& error) {
-  throw ResultsError(
-      "the export cannot be written to " + target.string() + ": " + error.code().message(), target,
-      error.code().value());
+  throw ResultsError("the export cannot be written to " + target.string() + ": " +
+                         error.code().message() + "; fix the problem, then export again",
+                     target, error.code().value());
 }
 
 /// The folder's absolute path, once it can be written.
@@ -119,9 +119,9 @@ void ExportFolder::write(const std::string& name, std::string_view text) {
   out << text;
   out.close();
   if (!out) {
-    throw ResultsError(
-        "the export cannot be written to " + target_.string() + ": " + std::strerror(errno),
-        target_, errno);
+    throw ResultsError("the export cannot be written to " + target_.string() + ": " +
+                           std::strerror(errno) + "; fix the problem, then export again",
+                       target_, errno);
   }
   ExportedFile& file = files_.emplace_back();
   file.name = name;

@@ -40,9 +40,9 @@ SavTable::SavTable(std::vector<ExportColumn> columns, const std::filesystem::pat
   if (descriptor >= 0) ::unlink(path.c_str());
   spool_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+b"));
   if (!spool_) {
-    throw ResultsError(
-        "no file can be created in " + spool_folder.string() + ": " + std::strerror(errno),
-        spool_folder, errno);
+    throw ResultsError("no file can be created in " + spool_folder.string() + ": " +
+                           std::strerror(errno) + "; fix the problem, then export again",
+                       spool_folder, errno);
   }
 }
 

@@ -75,7 +75,7 @@ Figure rating_figure(const FoundNumbers& found) {
   }
   if (points.points.empty()) {
     figure.instead =
-        phrase("Figures", "No participant rated every item: there are no means to show.");
+        phrase("Figures", "No participant scored every item: there are no means to show.");
     return figure;
   }
   widen(figure.x);

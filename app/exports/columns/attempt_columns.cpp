@@ -38,7 +38,7 @@ Columns attempt_columns() {
   Columns columns = keys_to(Key::attempt);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   add(at_least(1, column("segment", "integer", "",
-                         "number of the segment of the session between interruptions",
+                         "number of the segment of the session; interruptions separate segments",
                          [](const Place& at) { return integer(at.attempt->segment); })));
   add(with_levels(column("outcome", "text", "", "how the attempt ended",
                          [](const Place& at) { return text_of(at.attempt->outcome); }),

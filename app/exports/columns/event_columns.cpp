@@ -57,9 +57,10 @@ Columns event_columns() {
   add(at_least(1, column("event", "integer", "", "number of the event within the session, by time",
                          [](const ExportPlace& at) { return integer(at.event->number); })));
   columns.back().hed = "ID/#";
-  add(column("onset_s", "number", "s", "when it happened or began, since the session began",
+  add(column("onset_s", "number", "s",
+             "time at which the event happened or began, since the session began",
              [](const ExportPlace& at) { return seconds_in_session(at, at.event->row.time_ns); }));
-  add(missing("its end was not recorded, as after a crash",
+  add(missing("the end of the event was not recorded, for example after a crash",
               at_least(0, column("duration_s", "number", "s",
                                  "time until the event that ended it, or the session's end; 0 for "
                                  "an event without duration",
@@ -68,7 +69,7 @@ Columns event_columns() {
                                  }))));
   add(kind_column());
   add(missing(
-      "the event has none, or it is free text in a public export",
+      "the event has no text, or its text is free text in a public export",
       without_free_text(column("text", "text", "",
                                "text of the event, as stored; its meaning depends on the kind",
                                [](const ExportPlace& at) { return at.event->row.text; }),
@@ -92,7 +93,7 @@ Columns event_columns() {
                          codes(codes_of)),
                   codes(published_codes_of))));
   add(missing(
-      "the event has none, or none that a public export includes",
+      "the event has no data, or none that a public export includes",
       without_free_text(
           column("data_json", "json", "", "data of the event; their meaning depends on the kind",
                  [](const ExportPlace& at) -> Cell {

@@ -78,7 +78,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->matched_texture_force_N);
                                  }))));
-  add(missing("too short in contact",
+  add(missing("the surface was not in contact for long enough",
               at_least(0, column("achieved_texture_force_N", "number", "N",
                                  "RMS of the texture force along the participant's own path",
                                  [](const Place& at) {

@@ -45,7 +45,7 @@ Columns session_columns() {
   add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
              [](const Place& at) { return boolean(at.session->mirrored); }));
   text("program_version", "version of the program", &SessionRow::program_version);
-  text("program_commit", "commit the program was built from", &SessionRow::program_commit);
+  text("program_commit", "commit from which the program was built", &SessionRow::program_commit);
   text("program_build", "how the program was built", &SessionRow::program_build);
   text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
   text("instruction_set", "instruction set of the numerical code", &SessionRow::instruction_set);

@@ -154,8 +154,8 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
   if (has_cells(course, "share")) {
-    add(scores_items(kind) ? phrase("Analysis", "Proportions: of correctly matched items.")
-                           : phrase("Analysis", "Proportions: of correct responses."));
+    add(scores_items(kind) ? phrase("Analysis", "Proportions refer to correctly matched items.")
+                           : phrase("Analysis", "Proportions refer to correct responses."));
   }
   if (has_cells(course, "share_low")) {
     add(phrase("Analysis",

@@ -255,13 +255,14 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
       {{"condition", "status", "peak_m", "peak_m_low", "peak_m_high", "fieller_m_low",
         "fieller_m_high", "height", "descending", "inverted_u", "other", "p_interior", "r_squared"},
        {}},
-      phrase("Analysis",
-             "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
-             "the maximum is that of their mean, with CIs by the delta method and by Fieller's "
-             "method. It is reported where the test for an interior maximum (Lind and Mehlum: the "
-             "mean curve rises at the smallest and falls at the largest spacing, one-sided t over "
-             "participants, the larger p) has p < .05. R²: fit of the mean parabola to the cell "
-             "means. “Descending”, “inverted U” and “other” count the participants' own curves.")};
+      phrase(
+          "Analysis",
+          "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
+          "the maximum is that of their mean, with CIs by the delta method and by Fieller's "
+          "method. It is reported where the test for an interior maximum (Lind and Mehlum: the "
+          "mean curve rises at the smallest and falls at the largest spacing, one-sided t tests "
+          "over participants, the larger p) has p < .05. R²: fit of the mean parabola to the cell "
+          "means. “Descending”, “inverted U” and “other” count the participants' own curves.")};
   for (const std::string& condition : conditions) {
     const std::string status = peak_status(found, condition, spacings);
     if (status.empty()) continue;
@@ -522,10 +523,9 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
   if (counts[0] + counts[1] + counts[2] <= 0.0) return;
   add_question(
       outcome, "types", phrase("Analysis", "Which shapes do the participants' own curves have?"),
-      phrase(
-          "Analysis",
-          "Shapes of the participants' curves, all conditions together: descending %1, inverted U "
-          "%2, neither %3.")
+      phrase("Analysis",
+             "Shapes of the participants' curves, all conditions together: descending %1, inverted "
+             "U %2, other %3.")
           .with(fixed(counts[0], 0), fixed(counts[1], 0), fixed(counts[2], 0)),
       phrase("Analysis",
              "The shape is determined by the slopes of each participant's own parabola at the "

@@ -126,7 +126,8 @@ void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
   ShareTable positions{"positions",
                        phrase("Analysis", "Proportion of choices of each position"),
                        phrase("Analysis",
-                              "The first, second, … surface presented, regardless of its model. "
+                              "The position is the place of a surface in the order of "
+                              "presentation, regardless of its model. "
                               "Where the order of surfaces is random, a proportion above the "
                               "chance level is a position bias, not a preference."),
                        {"position"},

@@ -382,11 +382,11 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   const StudyTests::Test* test = tests.find("textures");
   const Phrase question =
       phrase("Analysis", "Does the preference for %1 depend on the texture?").with(target);
-  const Phrase method =
-      phrase("Analysis",
-             "Permutation test of how often each participant chose the target with each texture: "
-             "the textures are exchanged at random within each participant. Where each texture was "
-             "judged once, this is the exact form of Cochran's Q test.");
+  const Phrase method = phrase(
+      "Analysis",
+      "Permutation test of each participant's number of choices of the target with each texture: "
+      "the textures are exchanged at random within each participant. Where each texture was "
+      "judged once, this is the exact form of Cochran's Q test.");
   const TargetChoosers who = target_choosers(selection);
   if (test == nullptr || !test->p) {
     add_question(

@@ -87,7 +87,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
                       {.n = test.n,
                        .method = "rank-biserial correlation",
-                       .undefined = "no participant rated the two items differently"});
+                       .undefined = "no participant scored the two items differently"});
     }
   }
   const std::vector<double> adjusted = holm_adjusted(p);
@@ -113,7 +113,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   const FriedmanTest test = friedman_test(scores);
   add_friedman(test,
                {.n = n,
-                .none = "no participant rated every item",
+                .none = "no participant scored every item",
                 .one = "agreement requires at least two participants: add participants",
                 .concordance = concordance_interval(scores, input.options.confidence()),
                 .confidence = input.options.confidence()},
@@ -128,7 +128,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n,
                      .method = "within participants, 1 for the lowest score",
-                     .undefined = "no participant rated every item"});
+                     .undefined = "no participant scored every item"});
   }
   add_pairs(items, scores, findings);
   return findings.take();

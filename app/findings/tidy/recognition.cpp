@@ -230,8 +230,8 @@ class Recognition final {
                                     .high = choice.dprime(wilson.high)};
     const double dprime = choice.dprime(proportion(right_));
     Basis estimate = of_trials(
-        "d′ of m alternatives without response bias; at the Wilson limits of pc; n counts "
-        "responses");
+        "d′ of m alternatives without response bias; interval from the Wilson limits of pc; n "
+        "counts responses");
     estimate.interval = limits;
     estimate.confidence = confidence_;
     list_.number("dprime", "", dprime, estimate);

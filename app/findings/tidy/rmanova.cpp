@@ -399,7 +399,7 @@ class AnovaList final {
   void pairs(const DesignFactor& factor, const Eigen::MatrixXd& marginal) {
     std::vector<std::string> keys{};
     std::vector<double> p{};
-    const std::string method = "difference of marginal means, paired t over participants";
+    const std::string method = "difference of marginal means; paired t test over participants";
     for (Eigen::Index a = 0; a < marginal.cols(); ++a) {
       for (Eigen::Index b = a + 1; b < marginal.cols(); ++b) {
         const std::string key = factor.first + '|' + factor.second[static_cast<std::size_t>(a)] +

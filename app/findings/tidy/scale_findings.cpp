@@ -101,8 +101,8 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     concordance.interval = rows.concordance;
     concordance.confidence = rows.confidence;
     concordance.method +=
-        "; interval by the jackknife of the mean rank correlation, which covered 94 to 99.7 % "
-        "instead of 95 % in simulations";
+        "; jackknife interval of the mean rank correlation, which covered 94 to 99.7 % instead of "
+        "95 % in simulations";
   }
   findings.number("kendall.W", "", test.concordance, concordance);
   if (rows.concordance) {

@@ -216,7 +216,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   add_mean_share("subj.mean", target, own, "mean of the participants' own proportions",
                  {.confidence = read.confidence}, findings);
   number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' proportions");
-  const std::string method = "Student's t over participants, against the chance level 1/" +
+  const std::string method = "t test over participants against the chance level 1/" +
                              std::to_string(read.renderers.size());
   number("subj.t", target, t.test ? t.test->t : kNoNumber, method);
   number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNoNumber, method);
@@ -225,9 +225,9 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
              "; in simulations without a preferred alternative p was at most .05 in up to 6 % of "
              "the tables of 12 or 20 participants who differ, and in up to 8 % of those of 2 to 6");
   number("subj.ci.lower", target, t.test ? t.test->interval.low : kNoNumber,
-         "Student's t, not truncated");
+         "t interval over participants, not truncated");
   number("subj.ci.upper", target, t.test ? t.test->interval.high : kNoNumber,
-         "Student's t, not truncated");
+         "t interval over participants, not truncated");
   add_spread(target, shares, findings);
   const PooledShare pooled =
       n > 0 ? pooled_share(own) : PooledShare{kNoNumber, kNoNumber, kNoNumber, kNoNumber};

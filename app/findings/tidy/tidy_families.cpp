@@ -23,8 +23,8 @@ constexpr std::array kFamilies{
                "subject,item,correct,trials and one column per factor: the responses of a "
                "participant to an item under a condition",
                "link: logit, probit; random: subject, item or both; fixed: factors with their "
-               "levels, as {\"tip\": [\"a\", \"b\"]}; chance: proportion that the intercept is "
-               "tested against; conf",
+               "levels, as {\"tip\": [\"a\", \"b\"]}; chance: proportion against which the "
+               "intercept is tested; conf",
                glmm_findings, "link,random,fixed,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: names of the two groups, in order; conf", group_findings, "groups,conf"},
@@ -38,13 +38,14 @@ constexpr std::array kFamilies{
                "within each subject",
                "blocks: largest number of ranges of trials, 12 if absent; conf", learning_findings,
                "blocks,conf"},
-    TidyFamily{"magnitude",
-               "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
-               "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
-               "participants",
-               "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
-               "standard_spacing; modulus; conf",
-               magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
+    TidyFamily{
+        "magnitude",
+        "subject,probe,spacing,estimate and optionally rep: one estimate per row, empty where "
+        "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
+        "participants",
+        "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
+        "standard_spacing; modulus; conf",
+        magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
     TidyFamily{
         "matching",
         "subject,trial,stimulus,response and, where there are groups, group: one row per "
@@ -61,9 +62,10 @@ constexpr std::array kFamilies{
         "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row, with id, kind, n, "
         "alpha and the columns that its kind needs",
         "", power_findings, ""},
-    TidyFamily{"proportion",
-               "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
-               "conf, where there is no such column", proportion_findings, "conf"},
+    TidyFamily{
+        "proportion",
+        "id,k,n,p0: hits k of n trials each, chance p0; and conf, if it differs between rows",
+        "conf, unless the table has this column", proportion_findings, "conf"},
     TidyFamily{"psyfit",
                "condition,x,n,k: k correct of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
@@ -91,8 +93,8 @@ constexpr std::array kFamilies{
                response_times_findings, "factors,conf"},
     TidyFamily{
         "rmanova",
-        "subject,y and one column per factor: one measurement per row; several of a participant in "
-        "a cell are averaged and reported",
+        "subject,y and one column per factor: one measurement per row; several measurements of a "
+        "participant in a cell are averaged, and their number is reported",
         "within: factors with their levels, as {\"spacing\": [1, 2, 4]}; between: none or one, as "
         "{\"group\": [\"a\", \"b\"]}; type: 2, 3; trend: a "
         "factor; trend_scale: linear, log10; conf",

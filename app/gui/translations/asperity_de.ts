@@ -280,8 +280,8 @@
         <translation>Anteil jeder Position an den Wahlen</translation>
     </message>
     <message>
-        <source>The first, second, … surface presented, regardless of its model. Where the order of surfaces is random, a proportion above the chance level is a position bias, not a preference.</source>
-        <translation>Die erste, zweite, … dargebotene Oberfläche, unabhängig von ihrem Modell. Wenn die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
+        <source>The position is the place of a surface in the order of presentation, regardless of its model. Where the order of surfaces is random, a proportion above the chance level is a position bias, not a preference.</source>
+        <translation>Die Position ist der Platz einer Oberfläche in der Reihenfolge der Darbietung, unabhängig von ihrem Modell. Wenn die Reihenfolge der Oberflächen zufällig ist, ist ein Anteil über dem Zufallsniveau ein Positionseffekt, keine Präferenz.</translation>
     </message>
     <message>
         <source>The models cannot be placed on a scale: one of them was always or never chosen when it was presented, or was never presented with the others, so that the best-fitting distance is not finite.</source>
@@ -328,7 +328,7 @@
         <translation>Hängt die Präferenz für %1 von der Textur ab?</translation>
     </message>
     <message>
-        <source>Permutation test of how often each participant chose the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
+        <source>Permutation test of each participant&apos;s number of choices of the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
         <translation>Permutationstest der Häufigkeit, mit der jede Versuchsperson das Ziel bei jeder Textur wählte: Die Texturen werden innerhalb jeder Versuchsperson zufällig vertauscht. Wenn jede Textur einmal beurteilt wurde, ist das die exakte Form von Cochrans Q-Test.</translation>
     </message>
     <message>
@@ -492,8 +492,8 @@
         <translation>Welche Formen haben die Kurven der einzelnen Versuchspersonen?</translation>
     </message>
     <message>
-        <source>Shapes of the participants&apos; curves, all conditions together: descending %1, inverted U %2, neither %3.</source>
-        <translation>Formen der Kurven der Versuchspersonen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, keines von beiden %3.</translation>
+        <source>Shapes of the participants&apos; curves, all conditions together: descending %1, inverted U %2, other %3.</source>
+        <translation>Formen der Kurven der Versuchspersonen, alle Bedingungen zusammen: fallend %1, umgekehrtes U %2, andere %3.</translation>
     </message>
     <message>
         <source>The shape is determined by the slopes of each participant&apos;s own parabola at the smallest and the largest spacing; there is no test.</source>
@@ -752,7 +752,7 @@
         <translation>Konfusionsmatrix: Reiz (Zeilen) und Antwort (Spalten)</translation>
     </message>
     <message>
-        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
+        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the maximum is that of their mean, with CIs by the delta method and by Fieller&apos;s method. It is reported where the test for an interior maximum (Lind and Mehlum: the mean curve rises at the smallest and falls at the largest spacing, one-sided t tests over participants, the larger p) has p &lt; .05. R²: fit of the mean parabola to the cell means. “Descending”, “inverted U” and “other” count the participants&apos; own curves.</source>
         <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; das Maximum ist das der mittleren Parabel, mit Konfidenzintervallen nach der Delta-Methode und nach Fieller. Es ist angegeben, wenn der Test auf ein inneres Maximum (Lind und Mehlum: Die mittlere Kurve steigt beim kleinsten und fällt beim größten Abstand; einseitiger t-Test über die Versuchspersonen, das größere p) p &lt; .05 ergibt. R²: Anpassung der mittleren Parabel an die Zellmittel. „Fallend“, „umgekehrtes U“ und „andere“: Anzahlen der individuellen Kurven der Versuchspersonen.</translation>
     </message>
     <message>
@@ -1132,12 +1132,12 @@
         <translation>Mittelwerte über die Versuchspersonen nach Abschnitten gezählter Durchgänge; die Durchgänge sind in der geplanten Reihenfolge über alle Sitzungen einer Versuchsperson nummeriert. Zeiten: geometrische Mittel.</translation>
     </message>
     <message>
-        <source>Proportions: of correctly matched items.</source>
-        <translation>Anteile: richtige Zuordnungen.</translation>
+        <source>Proportions refer to correctly matched items.</source>
+        <translation>Anteile beziehen sich auf richtige Zuordnungen.</translation>
     </message>
     <message>
-        <source>Proportions: of correct responses.</source>
-        <translation>Anteile: richtige Antworten.</translation>
+        <source>Proportions refer to correct responses.</source>
+        <translation>Anteile beziehen sich auf richtige Antworten.</translation>
     </message>
     <message>
         <source>%1 The CI of the normalised mean is a within-participant CI (Cousineau and Morey): it serves to compare cells and does not include the differences between participants.</source>
@@ -2588,7 +2588,7 @@
         <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alle Objekte bewertet haben, Balken ihre t-basierten %1-%-Konfidenzintervalle. Die zugehörigen Tests verwenden nur die Ränge der Bewertungen.</translation>
     </message>
     <message>
-        <source>No participant rated every item: there are no means to show.</source>
+        <source>No participant scored every item: there are no means to show.</source>
         <translation>Keine Versuchsperson hat alle Objekte bewertet: Es gibt keine Mittelwerte.</translation>
     </message>
     <message>
@@ -2668,8 +2668,8 @@
         <translation>Teststärke der geplanten Tests</translation>
     </message>
     <message>
-        <source>Points are planned sample sizes, each computed separately: between them, the power of exact tests of counts is not monotonic. The dashed line is the usual target.</source>
-        <translation>Punkte sind geplante Stichprobenumfänge, jeder für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist der übliche Zielwert.</translation>
+        <source>Points are powers at the planned sample sizes, each computed separately: between them, the power of exact tests of counts is not monotonic. The dashed line is the usual target.</source>
+        <translation>Punkte sind Teststärken bei den geplanten Stichprobenumfängen, jede für sich berechnet: Dazwischen verläuft die Teststärke exakter Tests von Anzahlen nicht monoton. Die gestrichelte Linie ist der übliche Zielwert.</translation>
     </message>
     <message>
         <source>No power was computed for any plan.</source>

@@ -77,8 +77,8 @@ ReportSection notes_section(const ReportFacts& facts) {
   ReportSection section{"Notes and decisions", {}};
   if (table.rows.empty()) return section;
   table.note =
-      "Times are relative to the beginning of the session. The trial is the trial in progress; – "
-      "indicates a time between trials or after the session.";
+      "Times are relative to the beginning of the session. The column trial contains the trial in "
+      "progress, or – between trials and after the session.";
   if (left_out > 0) {
     table.note += " " + std::to_string(left_out) +
                   (left_out == 1 ? " further row is" : " further rows are") +
