@@ -162,14 +162,16 @@ void take_texture(SweepOrder& order, const std::string& text) {
     order.texture.values = parameters_from(pieces, surface.parameters, surface.kind);
   }
   if (order.texture.values.contains("spacing_m")) {
-    throw WrongUsage("--texture " + text + ": the spacing is set by --spacings");
+    throw WrongUsage("--texture " + text +
+                     ": the spacing is set by --spacings; leave out spacing_m");
   }
 }
 
 void take_tip(SweepOrder& order, const std::string& text) {
   if (!order.stroke.model->declaration.needs_bodies) {
     throw WrongUsage("the force model " + order.stroke.model->declaration.id +
-                     " touches with a point; --tool is only for models with two bodies");
+                     " computes the contact at a point, and --tool needs a model with two bodies; "
+                     "leave it out, or choose another model");
   }
   const std::map<std::string, TipForm> forms{
       {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
@@ -425,7 +427,9 @@ StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& model
           .estimates = std::move(figure), .conditions = beside.conditions, .group = outcome.group};
     }
   }
-  throw std::runtime_error("the study " + options.beside + " has no estimates of roughness");
+  throw std::runtime_error(
+      "the study " + options.beside +
+      " has no estimates of roughness; name another study, or leave out --beside");
 }
 #endif
 
@@ -465,7 +469,7 @@ int run_sweep(SweepOptions options) {
     refuse_existing({plot}, file.overwrite);
     if (plot.has_parent_path() && !std::filesystem::is_directory(plot.parent_path())) {
       throw std::runtime_error("--plot " + options.plot + ": there is no folder " +
-                               plot.parent_path().string());
+                               plot.parent_path().string() + "; create it first");
     }
   }
   std::optional<StudyBeside> beside{};
@@ -515,7 +519,7 @@ void add_sweep(CLI::App& program, Job& job) {
       "sweep",
       "Predict roughness over texture spacing, by probe diameter, applied force or speed.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
-  command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  command->add_option("--param", options->parameters, "Parameter of the model, NAME=VALUE");
   const std::map<std::string, VariedQuantity> varied{
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},
@@ -558,13 +562,17 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option("--friction", options->order.stroke.material.friction,
                    "Coulomb friction coefficient of the surface")
       ->capture_default_str();
-  command->add_option("--probe-diameter-m", options->probe_diameter_m, "Value if it is not varied")
+  command
+      ->add_option("--probe-diameter-m", options->probe_diameter_m,
+                   "Probe diameter, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.tip.diameter_m));
-  command->add_option("--applied-force-n", options->applied_force_N, "Value if it is not varied")
+  command
+      ->add_option("--applied-force-n", options->applied_force_N,
+                   "Applied force, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.force_N));
   command
       ->add_option("--exploratory-speed-m-per-s", options->exploratory_speed_m_per_s,
-                   "Value if it is not varied")
+                   "Exploratory speed, unless --vary varies it")
       ->default_str(number_text(options->order.stroke.speed_m_per_s));
   command
       ->add_option("--jobs", options->jobs,
@@ -585,7 +593,7 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option(
           "--measure", options->measure,
           "Measure of the printed peaks and of the figure: the maximum acceleration (the default), "
-          "its RMS, the power in a band, or the power relative to the threshold of touch")
+          "its RMS, the power in a band, or the power above the vibrotactile threshold")
       ->transform(word_of(measures))
       ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS
