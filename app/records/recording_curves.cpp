@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/compliance.h"
-#include "analysis/force_features.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 
@@ -15,10 +15,6 @@ namespace {
 constexpr double kPathStep_m = 0.25e-3;  // about a pixel where a patch of 100 mm fills its plot
 constexpr std::size_t kWindow = 1024;    // about one second: lines 1 Hz apart
 constexpr std::size_t kShortWindow = 256;
-
-bool is_touching(const TickRecord& record) {
-  return record.has(TickFlag::presenting) && record.penetration_m > 0.0;
-}
 
 bool is_limited(const TickRecord& record) {
   return record.has(TickFlag::limited_not_finite) || record.has(TickFlag::limited_force) ||
@@ -60,7 +56,8 @@ std::optional<PowerSpectrum> spectrum_of(std::span<const double> force_N, double
 }
 
 void add_to_path(std::vector<PathPoint>& path, const TickRecord& record) {
-  const PathPoint point{record.probe.position_m.x, record.probe.position_m.y, is_touching(record)};
+  const PathPoint point{record.probe.position_m.x, record.probe.position_m.y,
+                        is_in_contact(record)};
   if (!std::isfinite(point.x_m) || !std::isfinite(point.y_m)) return;
   if (!path.empty() && path.back().touching == point.touching &&
       std::hypot(point.x_m - path.back().x_m, point.y_m - path.back().y_m) < kPathStep_m) {
@@ -99,7 +96,8 @@ RecordingCurves curves_of(std::span<const TickRecord> records, double rate_Hz,
   for (const Run& run : runs_of(records, kLift_s, is_shown)) {
     surfaces[run.presentation].visits.push_back(stretch_of(run));
   }
-  for (const Run& run : runs_of(records, kLift_s, is_touching)) {
+  const auto is_felt = [](const TickRecord& record) { return is_in_contact(record); };
+  for (const Run& run : runs_of(records, kLift_s, is_felt)) {
     curves.contacts.push_back(stretch_of(run));
     SurfaceCurves& surface = surfaces[run.presentation];
     if (stretch_of(run).duration_s() <= surface.longest_contact.duration_s()) continue;

@@ -44,8 +44,8 @@ struct SurfaceCurves {
 /// Times in seconds since the beginning of the attempt; the spans over ticks have equal length.
 ///
 /// Force is the normal force, along z, and speed the one along the surface, as used to judge an
-/// attempt. A contact lasts until the probe has been out of the surface for 20 ms: it is not ended
-/// by the crests of a texture that release the probe for a tick.
+/// attempt. A contact (contact.h) lasts until the probe has been out of the surface for `kLift_s`: it is
+/// not ended by the crests of a texture that release the probe for a tick.
 struct RecordingCurves {
   std::vector<double> time_s{};
   std::vector<double> rendered_N{};

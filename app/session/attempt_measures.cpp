@@ -6,22 +6,11 @@
 
 #include "analysis/compliance.h"
 #include "analysis/summary.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 
 namespace {
-
-bool belongs(const TickRecord& record, std::uint64_t presentation) {
-  return record.presentation == presentation && record.has(TickFlag::presenting);
-}
-
-bool touches(const TickRecord& record) {
-  return record.has(TickFlag::presenting) && record.penetration_m > 0.0;
-}
-
-bool touches(const TickRecord& record, std::uint64_t presentation) {
-  return record.presentation == presentation && touches(record);
-}
 
 std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
   for (double& value : nanoseconds) value *= 1e-9;
@@ -89,7 +78,7 @@ ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rat
     execution.push_back(record.execution_ns);
     if (record.has(TickFlag::missed_deadline)) {
       ++row.missed_deadlines;
-      if (touches(record) || (i > 0 && touches(records[i - 1]))) ++missed_in_contact;
+      if (is_in_contact(record) || (i > 0 && is_in_contact(records[i - 1]))) ++missed_in_contact;
     }
     if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
       ++row.saturated_ticks;
@@ -121,10 +110,10 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
                 PresentationRow& row) {
   std::int64_t contact_ticks = 0;
   for (const TickRecord& record : records) {
-    if (!belongs(record, presentation)) continue;
+    if (!is_rendered(record, presentation)) continue;
     if (!row.onset_ns) row.onset_ns = record.probe.time_ns;
     row.offset_ns = record.probe.time_ns;
-    if (!touches(record, presentation)) continue;
+    if (!is_in_contact(record, presentation)) continue;
     if (!row.contact_ns) row.contact_ns = record.probe.time_ns;
     ++contact_ticks;
   }
@@ -141,10 +130,10 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   std::int64_t visit_ticks = 0;  // of contact since the surface was last presented
   std::int64_t longest_visit_ticks = 0;
   for (const TickRecord& record : records) {
-    if (belongs(record, presentation) && record.has(TickFlag::first_of_presentation)) {
+    if (is_rendered(record, presentation) && record.has(TickFlag::first_of_presentation)) {
       visit_ticks = 0;
     }
-    if (touches(record, presentation)) {
+    if (is_in_contact(record, presentation)) {
       ++contact_ticks;
       longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
     }

@@ -177,7 +177,7 @@ struct LiveBin {
   float y_m = 0.0F;
   float z_m = 0.0F;
   glm::quat orientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< at its end
-  bool touching = false;
+  bool touching = false;                          ///< at its end: `is_in_contact` (contact.h)
   int surface = 0;
 };
 

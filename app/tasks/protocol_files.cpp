@@ -27,6 +27,7 @@
 #include "protocols/file/doubts.h"
 #include "protocols/file/protocol_problems.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
+#include "renderers/servo/contact.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
@@ -182,7 +183,7 @@ FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double
   for (int tick = 0; tick < kSeveralStrokes_s * rate_Hz; ++tick) {
     const ProbeState probe = device.read(std::llround(1e9 * tick / rate_Hz)).value();
     if (tick == 0) renderer.reset(probe);
-    const bool is_free = renderer.tick(probe, 1.0 / rate_Hz).penetration_m == 0.0;
+    const bool is_free = !is_in_contact(renderer.tick(probe, 1.0 / rate_Hz));
     if (has_been_free && !is_free && !last_tick) {
       last_tick = tick + static_cast<int>(beyond_s * rate_Hz);
     }

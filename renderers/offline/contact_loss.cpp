@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "device/refusal.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 
@@ -40,7 +41,7 @@ double share_out_of_contact(const ForceModel& model, const RendererInputs& input
   std::int64_t lost = 0;
   for (std::int64_t i = 0; i < dropped + counted; ++i) {
     const RenderedTick felt = renderer->tick(probe, period_s);
-    if (i >= dropped && felt.penetration_m == 0.0) ++lost;
+    if (i >= dropped && !is_in_contact(felt)) ++lost;
     const double pushed_N = felt.wrench.force_N.z - stroke.force_N;
     const double v_m_per_s = probe.velocity_m_per_s.z;
     const double drag_N = stroke.damping_N_s_per_m * v_m_per_s;

@@ -16,20 +16,15 @@
 #include "analysis/spectrum.h"
 #include "renderers/offline/felt_roughness.h"
 #include "renderers/offline/replay.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 namespace {
 
 // A shorter stretch of contact contains too few periods of the band's lower limit (5 Hz).
 constexpr double kShortestStretch_s = 0.25;
-// Two records separated by more than this many periods belong to different stretches.
-constexpr double kGap = 2.5;
 // Dropped at a contact's end, where the hand lifts the tool.
 constexpr double kLifting_s = 0.1;
-
-bool belongs(const TickRecord& record, std::uint64_t presentation) {
-  return record.presentation == presentation && record.has(TickFlag::presenting);
-}
 
 /// Pools the accelerations of a held tool over several contacts.
 class Shaking final {
@@ -77,8 +72,8 @@ std::optional<double> recorded_shaking_m_per_s2(const RecordedSurfaceSpan& surfa
     touched = 0;
   };
   for (const TickRecord& record : surface.records) {
-    const bool touches = belongs(record, surface.presentation) && record.penetration_m > 0.0;
-    if (touched > 0 && (!belongs(record, surface.presentation) ||
+    const bool touches = is_in_contact(record, surface.presentation);
+    if (touched > 0 && (!is_rendered(record, surface.presentation) ||
                         record.probe.time_ns - last_touch_ns > kLift_ns)) {
       end_of_contact();
     }
@@ -105,7 +100,7 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
   double travelled_m = 0.0;
   const TickRecord* previous = nullptr;
   for (const TickRecord& record : surface.records) {
-    if (!belongs(record, surface.presentation) || record.penetration_m <= 0.0) {
+    if (!is_in_contact(record, surface.presentation)) {
       previous = nullptr;
       continue;
     }
@@ -137,7 +132,7 @@ std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
                                                    const TextureForceBand& band) {
   std::vector<TickRecord> felt{};
   for (const TickRecord& record : surface.records) {
-    if (belongs(record, surface.presentation)) felt.push_back(record);
+    if (is_rendered(record, surface.presentation)) felt.push_back(record);
   }
   if (felt.empty()) return {};
   RendererInputs plain_inputs = without_texture(model.declaration, inputs);
@@ -161,12 +156,12 @@ std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
     }
     for (std::vector<double>& axis_N : stretch_N) axis_N.clear();
   };
-  const auto longest_gap_ns = static_cast<std::int64_t>(kGap * 1e9 / surface.rate_Hz);
+  const auto longest_gap_ns = static_cast<std::int64_t>(kUnbroken_ticks * 1e9 / surface.rate_Hz);
   for (std::size_t i = 0; i < felt.size(); ++i) {
     const bool unbroken =
         i == 0 || felt[i].probe.time_ns - felt[i - 1].probe.time_ns < longest_gap_ns;
     if (!unbroken) end_of_stretch();
-    if (felt[i].penetration_m <= 0.0 || felt[i].gain < 1.0) {
+    if (!measures_hand(felt[i])) {
       end_of_stretch();
       continue;
     }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "device/refusal.h"
+#include "renderers/servo/contact.h"
 #include "renderers/servo/servo_time.h"
 
 namespace asperity {
@@ -285,7 +286,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   } else if (servo.has_been_in_free_space) {
     servo.gain = std::min(1.0, servo.gain + dt_s / settings_.ramp_s);
   } else {
-    servo.has_been_in_free_space = rendered.penetration_m == 0.0;
+    servo.has_been_in_free_space = !is_in_contact(rendered);
   }
 }
 

@@ -27,6 +27,7 @@ TEST(RecordWatch, KeepsEveryPeakInABinOfASixtiethOfASecond) {
     record.probe.velocity_m_per_s = {0.03, i == 60 ? 0.04 : 0.0, 9.0};  // z is no speed along
     record.probe.position_m = {1e-3 * i, 0.0, 0.0};
     record.penetration_m = 1e-3;
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
     record.presentation = 2;
     watch.take(record);
   }

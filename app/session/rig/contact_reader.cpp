@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "renderers/servo/contact.h"
+
 namespace asperity {
 
 namespace {
@@ -38,8 +40,7 @@ std::optional<HandSample> ContactReader::take(const TickRecord& record) noexcept
   const double step_s = static_cast<double>(time_ns - last_ns_) * 1e-9;
   const double untouched_s = static_cast<double>(time_ns - touched_ns_) * 1e-9;
   last_ns_ = time_ns;
-  const bool touches =
-      record.has(TickFlag::presenting) && record.penetration_m > 0.0 && record.gain >= 1.0;
+  const bool touches = measures_hand(record);
   const bool goes_on = in_contact_ && untouched_s > 0.0 && untouched_s <= kSkip_s &&
                        (!touches || record.presentation == presentation_);
   if (!touches) {

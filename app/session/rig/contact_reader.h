@@ -37,12 +37,10 @@ struct HandSample {
 /// are given as they are recorded (`as_recorded`).
 ///
 /// While a surface fades in or out, the force that is sent does not measure the hand. A tool that
-/// skips over a texture touches again within `kSkip_s` and has not lifted: the contact continues,
+/// skips over a texture touches again within `kSkip_s` (contact.h) and has not lifted: the contact continues,
 /// with zero force meanwhile.
 class ContactReader final {
  public:
-  static constexpr double kSkip_s = 0.1;
-
   /// `direction_rad` of the strokes, from +x towards +y.
   explicit ContactReader(double direction_rad = 0.0,
                          JudgedForce force = JudgedForce::sent) noexcept;

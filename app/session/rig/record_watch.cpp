@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderers/servo/contact.h"
+
 namespace asperity {
 
 namespace {
@@ -81,7 +83,7 @@ void RecordWatch::take_into_bin(const TickRecord& record) {
   bin_.y_m = static_cast<float>(record.probe.position_m.y);
   bin_.z_m = static_cast<float>(record.probe.position_m.z);
   bin_.orientation = glm::quat(record.probe.orientation);
-  bin_.touching = record.penetration_m > 0.0;
+  bin_.touching = is_in_contact(record);
   bin_.surface = static_cast<int>(record.presentation);
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/session/rig/record_watch.h"
 #include "app/session/rig/recording_columns.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 
@@ -31,7 +32,7 @@ void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
     records_.push_back(record);
     if (watched_ != 0 && record.presentation == watched_) {
       live_.presented = true;
-      live_.touching = record.penetration_m > 0.0;
+      live_.touching = is_in_contact(record);
       if (live_.touching) live_.contact_s += 1.0 / rate_Hz_;
     } else {
       live_.touching = false;

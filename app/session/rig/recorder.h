@@ -18,7 +18,9 @@ class RecordWatch;
 
 /// The state of contact that the conductor polls while a surface is felt.
 struct LiveContact {
-  double contact_s = 0.0;  ///< with the current surface, since it was presented
+  /// With the current surface (`is_in_contact`), since it was presented: a sum of periods, which rounding makes
+  /// differ from the stored contact time (ticks ÷ rate) by less than a tick.
+  double contact_s = 0.0;
   bool touching = false;
   bool presented = false;  ///< the servo has taken the surface
 };
