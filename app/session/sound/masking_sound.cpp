@@ -1,3 +1,5 @@
+// Mixes masking noise and the cues for the participant.
+
 #include "app/session/sound/masking_sound.h"
 
 #include <algorithm>
@@ -7,33 +9,23 @@
 #include <stdexcept>
 
 #include "analysis/number_text.h"
+#include "analysis/sound_signals.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kCueOverNoise = 1.5;      // RMS of a cue over that of the noise
-constexpr double kEdge_s = 0.010;          // tones begin and end without a click
 constexpr double kPauseAfterCue_s = 0.15;  // two cues in a row are heard as two
 constexpr double kRelease_s = 0.010;       // of a cue that is interrupted
 constexpr double kGainGlide_s = 0.02;
 constexpr double kHighestSpeechPeak = 0.7;
 
-/// Part of a pattern: a tone that may glide, and the silence after it.
-struct Tone {
-  double from_Hz = 0.0;
-  double to_Hz = 0.0;
-  double duration_s = 0.0;
-  double gap_s = 0.0;
-  enum class Voice { sine, buzz } voice = Voice::sine;
-};
-
 constexpr double kC4_Hz = 261.63, kE4_Hz = 329.63, kG4_Hz = 392.00, kA4_Hz = 440.00,
                  kC5_Hz = 523.25, kE5_Hz = 659.26, kF5_Hz = 698.46, kG5_Hz = 783.99,
                  kC6_Hz = 1046.50, kE6_Hz = 1318.51;
 
-std::vector<Tone> pattern_of(Cue cue) {
+std::vector<SoundTone> pattern_of(Cue cue) {
   switch (cue) {
     case Cue::surface:
       return {{kA4_Hz, kA4_Hz, 0.12, 0.10}};
@@ -46,7 +38,7 @@ std::vector<Tone> pattern_of(Cue cue) {
     case Cue::accepted:
       return {{kE6_Hz, kE6_Hz, 0.25, 0.0}};
     case Cue::refused:
-      return {{110.0, 110.0, 0.35, 0.0, Tone::Voice::buzz}};
+      return {{110.0, 110.0, 0.35, 0.0, SoundTone::Voice::buzz}};
     case Cue::right:
       return {
           {kC5_Hz, kC5_Hz, 0.10, 0.0}, {kE5_Hz, kE5_Hz, 0.10, 0.0}, {kG5_Hz, kG5_Hz, 0.20, 0.0}};
@@ -70,11 +62,11 @@ std::vector<Tone> pattern_of(Cue cue) {
   return {};
 }
 
-std::vector<Tone> pattern_of(GuideTone tone) {
+std::vector<SoundTone> pattern_of(GuideTone tone) {
   constexpr double kLow_Hz = 220.0, kHigh_Hz = 1760.0;
-  const auto beep = [](double at_Hz) { return std::vector<Tone>{{at_Hz, at_Hz, 0.15, 0.15}}; };
+  const auto beep = [](double at_Hz) { return std::vector<SoundTone>{{at_Hz, at_Hz, 0.15, 0.15}}; };
   const auto ticks = [](double at_Hz) {
-    return std::vector<Tone>{{at_Hz, at_Hz, 0.05, 0.05}, {at_Hz, at_Hz, 0.05, 0.25}};
+    return std::vector<SoundTone>{{at_Hz, at_Hz, 0.05, 0.05}, {at_Hz, at_Hz, 0.05, 0.25}};
   };
   switch (tone) {
     case GuideTone::none:
@@ -100,53 +92,6 @@ constexpr std::array kCues = {
 
 bool is_numbered(Cue cue) { return cue == Cue::surface || cue == Cue::option; }
 
-std::size_t samples_in(double duration_s, double rate_Hz) {
-  return static_cast<std::size_t>(std::lround(duration_s * rate_Hz));
-}
-
-void add_tone(const Tone& tone, double rate_Hz, std::vector<float>& samples) {
-  const std::size_t length = samples_in(tone.duration_s, rate_Hz);
-  const double edge = kEdge_s * rate_Hz;
-  double phase = 0.0;
-  for (std::size_t i = 0; i < length; ++i) {
-    const double way = static_cast<double>(i) / static_cast<double>(length);
-    phase += tone.from_Hz * std::pow(tone.to_Hz / tone.from_Hz, way) / rate_Hz;
-    // A sine at RMS 1; the buzz is the odd harmonics of a square wave up to the ninth, whose mean
-    // square is Σ 1/(2k²) = 0.592.
-    double value = std::numbers::sqrt2 * std::sin(kTwoPi * phase);
-    if (tone.voice == Tone::Voice::buzz) {
-      value = 0.0;
-      for (int k = 1; k <= 9; k += 2) value += std::sin(kTwoPi * k * phase) / k;
-      value /= std::sqrt(0.592);
-    }
-    const double to_end = std::min(static_cast<double>(i), static_cast<double>(length - 1 - i));
-    const double rise = std::sin(0.5 * std::numbers::pi * std::min(1.0, to_end / edge));
-    samples.push_back(static_cast<float>(rise * rise * value));
-  }
-  samples.insert(samples.end(), samples_in(tone.gap_s, rate_Hz), 0.0F);
-}
-
-/// The recording at another rate, by cubic interpolation between its samples.
-std::vector<float> resampled(const CueRecording& recording, double rate_Hz) {
-  const auto& from = recording.samples;
-  const auto at = [&from](std::ptrdiff_t i) {
-    return i < 0 || i >= std::ssize(from) ? 0.0
-                                          : static_cast<double>(from[static_cast<std::size_t>(i)]);
-  };
-  std::vector<float> to(static_cast<std::size_t>(
-      std::ceil(static_cast<double>(from.size()) * rate_Hz / recording.rate_Hz)));
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    const double place = static_cast<double>(i) * recording.rate_Hz / rate_Hz;
-    const auto whole = static_cast<std::ptrdiff_t>(place);
-    const double u = place - static_cast<double>(whole);
-    const double a = at(whole - 1), b = at(whole), c = at(whole + 1), d = at(whole + 2);
-    to[i] = static_cast<float>(
-        b +
-        0.5 * u * (c - a + u * (2.0 * a - 5.0 * b + 4.0 * c - d + u * (3.0 * (b - c) + d - a))));
-  }
-  return to;
-}
-
 void check_gain(double gain) {
   if (!(gain > 0.0 && gain <= MaskingSound::kHighestGain)) {
     throw std::invalid_argument("masking noise: gain is " + number_text(gain) +
@@ -155,32 +100,12 @@ void check_gain(double gain) {
   }
 }
 
-double bent(double x) noexcept {
-  constexpr double kKnee = 0.8;
-  const double size = std::abs(x);
-  if (size <= kKnee) return x;
-  return std::copysign(kKnee + (1.0 - kKnee) * std::tanh((size - kKnee) / (1.0 - kKnee)), x);
-}
-
 }  // namespace
 
 std::string cue_name(Cue cue, int number) {
   std::string name = text_of(cue);
   if (is_numbered(cue)) name += "_" + std::to_string(number);
   return name;
-}
-
-double MaskingSound::Pink::next(double white) noexcept {
-  state[0] = 0.99886 * state[0] + white * 0.0555179;
-  state[1] = 0.99332 * state[1] + white * 0.0750759;
-  state[2] = 0.96900 * state[2] + white * 0.1538520;
-  state[3] = 0.86650 * state[3] + white * 0.3104856;
-  state[4] = 0.55000 * state[4] + white * 0.5329522;
-  state[5] = -0.7616 * state[5] - white * 0.0168980;
-  const double pink =
-      state[0] + state[1] + state[2] + state[3] + state[4] + state[5] + state[6] + white * 0.5362;
-  state[6] = white * 0.115926;
-  return pink;
 }
 
 MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
@@ -194,24 +119,14 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
   }
   wanted_gain_ = gain_ = settings.noise.gain;
 
-  // The mean square of filtered white noise is the sum of the squares of the filter's impulse
-  // response; the slowest pole has fallen to 10⁻¹⁰ after 20 000 samples.
-  Pink impulse{};
-  double mean_square = 0.0;
-  for (int i = 0; i < 20000; ++i) {
-    const double answer = impulse.next(i == 0 ? 1.0 : 0.0);
-    mean_square += answer * answer;
-  }
-  pink_scale_ = 1.0 / std::sqrt(mean_square);
-
   for (const Cue cue : kCues) {
     Clip clip{};
-    for (const Tone& tone : pattern_of(cue)) add_tone(tone, rate_Hz_, clip.samples);
+    for (const SoundTone& tone : pattern_of(cue)) append_tone(tone, rate_Hz_, clip.samples);
     clips_[text_of(cue)] = std::move(clip);
   }
   for (const GuideTone tone : kGuideTones) {
-    for (const Tone& part : pattern_of(tone)) {
-      add_tone(part, rate_Hz_, guides_.at(static_cast<std::size_t>(tone)));
+    for (const SoundTone& part : pattern_of(tone)) {
+      append_tone(part, rate_Hz_, guides_.at(static_cast<std::size_t>(tone)));
     }
   }
   for (const auto& [name, recording] : settings.speech) {
@@ -222,7 +137,9 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
       throw std::invalid_argument("masking sound: there is no cue called \"" + name + "\"");
     }
     Clip clip{};
-    if (recording.rate_Hz > 0.0) clip.samples = resampled(recording, rate_Hz_);
+    if (recording.rate_Hz > 0.0) {
+      clip.samples = resampled(recording.samples, recording.rate_Hz, rate_Hz_);
+    }
     double sum = 0.0;
     double peak = 0.0;
     for (const float sample : clip.samples) {
@@ -333,7 +250,7 @@ double MaskingSound::guide_sample() noexcept {
 
 double MaskingSound::noise_sample(std::size_t ear) noexcept {
   const double white = white_[ear].normal();
-  return kind_ == MaskingNoise::Kind::pink ? pink_scale_ * pink_[ear].next(white) : white;
+  return kind_ == MaskingNoise::Kind::pink ? pink_[ear].next(white) : white;
 }
 
 void MaskingSound::fill(std::span<float> stereo) noexcept {
@@ -358,7 +275,7 @@ void MaskingSound::fill(std::span<float> stereo) noexcept {
     }
     for (std::size_t ear = 0; ear < 2; ++ear) {
       const double noise = loud > 0.0 ? loud * noise_sample(ear) : 0.0;
-      stereo[i + ear] = static_cast<float>(bent(noise + cue));
+      stereo[i + ear] = static_cast<float>(compressed_peak(noise + cue));
     }
   }
 }

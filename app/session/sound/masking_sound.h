@@ -1,4 +1,4 @@
-// Generates masking noise and the cues for the participant as samples for a sound card.
+// Mixes masking noise and the cues for the participant into samples for a sound card.
 
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/random.h"
+#include "analysis/sound_signals.h"
 #include "app/session/sound/sound.h"
 
 namespace asperity {
@@ -39,9 +40,8 @@ struct MaskingSoundSettings {
 /// Noise: Gaussian, drawn by `Random`, independent in both ears: a sound is then masked nearly
 /// equally at every interaural phase, which is not the case with identical noise in both ears
 /// [Hirsh 1948]. Its RMS is g·f(t): g the gain (full scale 1), f the fade, which rises or falls as
-/// sin² in 0.2 s. White is flat; pink is white through a sum of seven first-order filters [Kellett
-/// 2000], −3 dB per octave within 0.5 dB from 50 Hz to 8 kHz at 44.1 or 48 kHz. The samples are
-/// identical for the same seed and the same calls between the same samples.
+/// sin² in 0.2 s. White is flat, pink is PinkNoise. The samples are identical for the same seed and the
+/// same calls between the same samples.
 ///
 /// Cues are identical in both ears, at an RMS of 1.5·g, 3.5 dB above the total noise and far more
 /// above its part in the auditory filter around a tone. They differ in number, pitch and movement:
@@ -62,8 +62,7 @@ struct MaskingSoundSettings {
 /// scale. Cues are queued; only a new option interrupts the current cue, because a participant who
 /// steps through the options has to hear which one is current.
 ///
-/// Headroom: a sum x above 0.8 is compressed to 0.8 + 0.2·tanh((x − 0.8)/0.2), so that nothing
-/// clips. Up to a gain of 0.13 a cue in four-sigma noise stays below 0.8; at 0.25, the maximum,
+/// Headroom: the sum is a compressed_peak, so that nothing clips. Up to a gain of 0.13 a cue in four-sigma noise stays below 0.8; at 0.25, the maximum,
 /// noise alone reaches it in one sample of a thousand.
 ///
 /// Errors: the constructor throws std::invalid_argument for a gain that is not in (0, 0.25], a rate
@@ -76,7 +75,6 @@ struct MaskingSoundSettings {
 ///
 /// [Hirsh 1948] Hirsh: The influence of interaural phase on interaural summation and inhibition.
 /// [Glasberg 1990] Glasberg, Moore: Derivation of auditory filter shapes from notched-noise data.
-/// [Kellett 2000] Kellett: Filter to make pink noise from white, musicdsp.org.
 class MaskingSound final {
  public:
   static constexpr double kFade_s = 0.2;
@@ -111,10 +109,6 @@ class MaskingSound final {
     int repeats = 0;
     bool gives_way = false;  ///< is interrupted by a new cue of its kind
   };
-  struct Pink {
-    std::array<double, 7> state{};
-    double next(double white) noexcept;
-  };
 
   bool waits_to_cut_off() const noexcept;
   bool take(Playing& cue) noexcept;
@@ -141,8 +135,7 @@ class MaskingSound final {
 
   // Used only by the audio thread.
   std::array<Random, 2> white_;
-  std::array<Pink, 2> pink_{};
-  double pink_scale_ = 1.0;  ///< brings pink to RMS 1
+  std::array<PinkNoise, 2> pink_{};
   double gain_ = 0.1;
   double fade_ = 0.0;  ///< 0 silent, 1 full
   Playing playing_{};
