@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/rehearsal/rehearsal.h"
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "device/drivers.h"
 #include "protocols/file/diagnostic.h"

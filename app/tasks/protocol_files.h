@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/rehearsal/rehearsal.h"
+#include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/stimulus_builder.h"
 #include "app/words/phrase.h"
 #include "device/device_capability.h"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/session/conductor.h"
+#include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "app/session/session_links.h"
 #include "app/tasks/label_notice.h"

@@ -2,6 +2,7 @@
 
 #include "renderers/offline/sampled_loop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,26 @@ namespace asperity {
 double passive_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept {
   return 0.5 * stiffness_N_per_m * period_s + std::abs(damper_N_s_per_m);
+}
+
+double equivalent_spring_N_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
+                                 double period_s) noexcept {
+  return 2.0 * passive_damping_N_s_per_m(stiffness_N_per_m, damper_N_s_per_m, period_s) / period_s;
+}
+
+std::optional<double> stiffest_spring_N_per_m(const MeasuredSprings& device,
+                                              double rate_Hz) noexcept {
+  std::optional<double> stiffest{};
+  if (device.damping_N_s_per_m) stiffest = 2.0 * *device.damping_N_s_per_m * rate_Hz;
+  const double share = device.held_at_Hz > 0.0 ? std::min(rate_Hz / device.held_at_Hz, 1.0) : 1.0;
+  // Within this fraction of it the stiffest spring of the test was held.
+  constexpr double kAllTried = 0.99;
+  if (device.held_N_per_m &&
+      (share < 1.0 || *device.held_N_per_m < kAllTried * device.stiffest_tried_N_per_m)) {
+    const double held_N_per_m = *device.held_N_per_m * share;
+    stiffest = std::min(stiffest.value_or(held_N_per_m), held_N_per_m);
+  }
+  return stiffest;
 }
 
 double steepest_damper_N_s_per_m(double moving_mass_kg, double delay_s, double period_s) noexcept {

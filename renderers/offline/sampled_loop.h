@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <optional>
+
 namespace asperity {
 
 /// The inherent viscous damping [N s/m] that a device needs to render F = −K·x − B·ẋ passively, with a reading and a
@@ -26,6 +28,27 @@ namespace asperity {
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
 double passive_damping_N_s_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
                                  double period_s) noexcept;
+
+/// The spring [N/m] that requires as much damping of a device as a spring and a damper together: K + 2|B|/T.
+double equivalent_spring_N_per_m(double stiffness_N_per_m, double damper_N_s_per_m,
+                                 double period_s) noexcept;
+
+/// The measured limits of a device for springs.
+struct MeasuredSprings {
+  std::optional<double> damping_N_s_per_m{};  ///< its inherent viscous damping b
+  /// The stiffest spring that it was seen to hold, and the rate of the loop that held it; 0: unknown.
+  std::optional<double> held_N_per_m{};
+  double held_at_Hz = 0.0;
+  /// The stiffest spring of the test: a device that held it in a loop as fast has shown no limit.
+  double stiffest_tried_N_per_m = 0.0;
+};
+
+/// The stiffest spring [N/m] that the device holds in a loop of `rate_Hz`; nullopt if nothing limits it. The smaller of
+///
+///   2b·f                     the limit of passivity, b > K·T/2
+///   K_held · min(f/f_held, 1)    a slower loop holds less: as of 2b·f, in proportion to the rates
+std::optional<double> stiffest_spring_N_per_m(const MeasuredSprings& device,
+                                              double rate_Hz) noexcept;
 
 /// The steepest damper B [N s/m] on which an apparent mass m does not oscillate if the velocity in F = −B·v is delayed
 /// by τ (`delay_s`) and the force is held for T:

@@ -1,4 +1,4 @@
-// A device before a session: its profile, and whether the protocol takes it.
+// Determines whether a protocol accepts a device before a session.
 
 #include "app/session/rehearsal/rehearsed_device.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/device_bench/tried_device.h"
-#include "app/session/rehearsal/rehearsal.h"
+#include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
 #include "app/words/phrase.h"

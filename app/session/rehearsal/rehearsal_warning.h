@@ -1,0 +1,29 @@
+// A difference between what a protocol requires and what a device was measured to do.
+
+#pragma once
+
+#include <string>
+
+#include "app/words/phrase.h"
+
+namespace asperity {
+
+/// A requirement that a device does not meet.
+struct RehearsalWarning {
+  /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness", "coupling",
+  /// "contact", "friction_damping", "workspace"; "not_rehearsed" for a stimulus that could not be compared, or whose
+  /// stiffness could not; "limit_" and "unmeasured_" with the name of an item that does not meet the protocol's limit,
+  /// or that was not measured.
+  std::string id{};
+  std::string stimulus{};  ///< its name in the session; empty if the warning concerns all
+  std::string pointer{};   ///< to the requirement: "/stimuli/rough", "/device/limits/friction_N"
+  double asked =
+      0.0;  ///< required; as `device` in SI units: N, m, Hz, N/m, N s/m; of an item its limit
+  double device = 0.0;  ///< measured
+  Phrase text{};        ///< a sentence with both numbers
+};
+
+/// A number as warnings show it, with three significant digits and no exponent: "0.300", "8000".
+std::string in_three_digits(double value);
+
+}  // namespace asperity
