@@ -1,3 +1,5 @@
+// Stores phrases by a code with arguments, and reads them again.
+
 #include "app/words/coded_phrases.h"
 
 #include <algorithm>
@@ -5,11 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/words/device_remarks.h"
 #include "app/words/earlier_wordings.h"
 #include "app/words/event_kinds.h"
 #include "app/words/offered_reasons.h"
-#include "app/words/reason.h"
 
 namespace asperity {
 
@@ -17,34 +17,12 @@ namespace {
 
 using Item = nlohmann::ordered_json;
 
-constexpr const char* kCommaList = "comma_list";
-
-const Phrase& semicolon_list() {
-  static const Phrase kList = Phrase("%1; %2").coded(kListCode.data());
-  return kList;
-}
-
-const Phrase& comma_list() {
-  static const Phrase kList = Phrase("%1, %2").coded(kCommaList);
-  return kList;
-}
-
-/// Lists are nested pairs: the first of a pair is the list so far.
-bool is_list(const Phrase& phrase) {
-  return phrase.code() != nullptr &&
-         (phrase.code() == kListCode || std::string_view(phrase.code()) == kCommaList);
-}
-
 void add_parts(const Phrase& phrase, std::string_view list, Item& parts) {
   if (phrase.code() == nullptr || phrase.code() != list) {
     parts.push_back(json_of(phrase));
     return;
   }
   for (const Phrase& part : phrase.arguments()) add_parts(part, list, parts);
-}
-
-Phrase pair_of(const Phrase& list, const Phrase& first, const Phrase& second) {
-  return first.empty() ? second : list.with(first, second);
 }
 
 Phrase unknown_code(const std::string& code, const std::vector<Phrase>& arguments) {
@@ -82,31 +60,11 @@ std::string in_one_cell(const std::vector<std::string>& codes) {
 
 }  // namespace
 
-const std::map<std::string, Phrase, std::less<>>& coded_phrases() {
-  static const auto kAll = [] {
-    std::map<std::string, Phrase, std::less<>> all{};
-    for (const std::vector<Phrase>& some : {coded_reasons(), coded_remarks(), coded_offers(),
-                                            std::vector<Phrase>{semicolon_list(), comma_list()}}) {
-      for (const Phrase& one : some) all.emplace(one.code(), one);
-    }
-    return all;
-  }();
-  return kAll;
-}
-
-Phrase with_semicolon(const Phrase& first, const Phrase& second) {
-  return pair_of(semicolon_list(), first, second);
-}
-
-Phrase with_comma(const Phrase& first, const Phrase& second) {
-  return pair_of(comma_list(), first, second);
-}
-
 nlohmann::ordered_json json_of(const Phrase& phrase) {
   if (phrase.is_verbatim()) return phrase.english();
   if (phrase.code() == nullptr) return {{kEnglishKey, phrase.english()}};
   Item arguments = Item::array();
-  if (is_list(phrase)) {
+  if (is_phrase_list(phrase)) {
     add_parts(phrase, phrase.code(), arguments);
   } else {
     for (const Phrase& argument : phrase.arguments()) arguments.push_back(json_of(argument));
@@ -131,9 +89,9 @@ Phrase phrase_from(const Item& item) {
   const std::string code = string_member(item, kCodeKey);
   const auto known = coded_phrases().find(code);
   if (known == coded_phrases().end()) return unknown_code(code, arguments);
-  if (!is_list(known->second)) return known->second.filled(std::move(arguments));
+  if (!is_phrase_list(known->second)) return known->second.filled(std::move(arguments));
   Phrase all{};
-  for (const Phrase& part : arguments) all = pair_of(known->second, all, part);
+  for (const Phrase& part : arguments) all = with_next(known->second, all, part);
   return all;
 }
 

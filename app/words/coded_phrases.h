@@ -3,26 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/words/phrase.h"
+#include "app/words/phrase_registry.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
-
-/// Every phrase that has a code, by its code. A code never changes; its words may change.
-const std::map<std::string, Phrase, std::less<>>& coded_phrases();
-
-/// Both, separated by a semicolon; the second where the first is empty.
-Phrase with_semicolon(const Phrase& first, const Phrase& second);
-/// Both, separated by a comma; the second where the first is empty.
-Phrase with_comma(const Phrase& first, const Phrase& second);
 
 /// The format of StoredWords::json and device profiles: typed text is a string, a coded phrase an
 /// object.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/words/coded_phrases.h"
+#include "app/words/phrase_registry.h"
 
 namespace asperity {
 
